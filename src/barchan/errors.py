@@ -1,0 +1,40 @@
+"""What Barchan says when something is wrong: one error that names everything at fault."""
+
+from dataclasses import dataclass
+
+
+class BarchanError(Exception):
+    """Base of all errors that a user can cause and mend; the message says how."""
+
+
+@dataclass(frozen=True)
+class Problem:
+    """One thing that is wrong with a scenario."""
+
+    key: str
+    """Dotted path of the key, for instance ``model.hop_length``."""
+    message: str
+    """What is wrong, with the value, and what is allowed."""
+    place: str = ""
+    """Where it stands: ``file:line`` or ``command line``."""
+
+    def __str__(self) -> str:
+        where = f" ({self.place})" if self.place else ""
+        return f"{self.key}: {self.message}{where}" if self.key else f"{self.message}{where}"
+
+
+class ScenarioError(BarchanError):
+    """A scenario that cannot be used, with every problem found in it."""
+
+    def __init__(self, problems: list[Problem], title: str = "scenario") -> None:
+        self.problems = problems
+        count = "1 problem" if len(problems) == 1 else f"{len(problems)} problems"
+        super().__init__("\n".join([f"{title}: {count}", *(f"  {p}" for p in problems)]))
+
+
+class ConservationError(BarchanError):
+    """The ledger does not close: sand was lost or made. Always a defect of the program."""
+
+
+class ArchiveError(BarchanError):
+    """A run on disk that cannot be written, read or resumed."""

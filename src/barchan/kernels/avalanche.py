@@ -1,0 +1,153 @@
+"""Avalanches: sand that has become too steep slides down, slab by slab, until it rests.
+
+Taking a slab from a cell lets a slab fall in from the steepest neighbour that now stands too high, and so
+on up the slope; laying one down lets it slide to the steepest neighbour that lies too low, and so on down
+(Werner 1995). Only the two ends of such a chain change, so a chain is a search for the cell that changes.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+from numba import njit
+
+from barchan.kernels.random import below, derive, high
+from barchan.kernels.shadow import Grid
+
+EAST, NORTH, WEST, SOUTH, NORTHEAST, NORTHWEST, SOUTHWEST, SOUTHEAST = range(8)
+"""Neighbours in the wind's frame, as seen with the wind blowing east."""
+
+ROW_STEP = np.array([0, 1, 0, -1, 1, 1, -1, -1])
+COL_STEP = np.array([1, 0, -1, 0, 1, -1, -1, 1])
+
+STABLE = -1
+"""The way from a cell whose slopes all hold."""
+
+CLOSED = -(1 << 62)
+"""The code of a way that sand may not take: it sorts below every other."""
+
+SLIDE, FEED, DRAWN = range(3)
+"""Rows of a table of turns: whither a slab slides, whence one falls in, and a drawn sequence of either."""
+
+
+class Repose(NamedTuple):
+    """Which slopes hold; heights in the surface's units."""
+
+    slab: int
+    face_limit: int
+    """Largest stable step to one of the four neighbours that share a face."""
+    corner_limit: int
+    corner_weight: float
+    """What a step to a corner neighbour counts when the steepest one is sought (a face counts 1)."""
+    corners: bool
+    """Whether the four corner neighbours count at all (Moore) or not (von Neumann)."""
+    random_order: bool
+    """Whether neighbours are checked in a sequence drawn anew each time."""
+
+
+def turn_code(direction: int, place: int) -> int:
+    """The code of the neighbour that is checked at ``place`` (0 to 7): earlier ones sort higher."""
+    return (7 - place) << 3 | direction
+
+
+@njit(cache=True)
+def neighbour(row: int, col: int, direction: int, grid: Grid) -> tuple[int, int]:
+    """Row and column of a neighbour; a cell beyond an open edge is the cell itself."""
+    r = row + ROW_STEP[direction]
+    c = col + COL_STEP[direction]
+    if r < 0 or r >= grid.rows:
+        if not grid.wrap_across:
+            return row, col
+        r = r + grid.rows if r < 0 else r - grid.rows
+    if c < 0 or c >= grid.cols:
+        if not grid.wrap_along:
+            return row, col
+        c = c + grid.cols if c < 0 else c - grid.cols
+    return r, c
+
+
+@njit(cache=True, forceinline=True)
+def has_sand(surface, sand, cell):
+    """Whether a cell has a slab to give; over flat ground (``sand`` None) the surface counts the slabs."""
+    if sand is None:
+        return surface[cell] > 0
+    return sand[cell] > 0
+
+
+@njit(cache=True, forceinline=True)
+def _sorting_key(surface, sand, cell, here, sign, code):
+    """A number that sorts neighbours by their step from ``here`` and, at equal steps, by their turn."""
+    step = (np.int64(surface[cell]) - here) * sign
+    if sand is not None:
+        if sign > 0 and sand[cell] == 0:
+            code = np.int64(CLOSED)
+    return (step << 6) + code
+
+
+@njit(cache=True, forceinline=True)
+def steepest(surface, sand, turns, turn, row, col, here, sign, grid, repose):
+    """The way of the steepest step up (``sign`` 1) or down (-1) from ``here`` that does not hold.
+
+    ``turns[turn]`` holds the neighbours' codes; of equally steep ways the first in turn is taken, a face
+    before a corner. Returns ``STABLE`` where every step holds.
+    """
+    north = row + 1
+    if north == grid.rows:
+        north = 0 if grid.wrap_across else row
+    south = row - 1
+    if south < 0:
+        south = grid.rows - 1 if grid.wrap_across else row
+    east = col + 1
+    if east == grid.cols:
+        east = 0 if grid.wrap_along else col
+    west = col - 1
+    if west < 0:
+        west = grid.cols - 1 if grid.wrap_along else col
+    n = np.uint64(north * grid.cols)
+    s = np.uint64(south * grid.cols)
+    level = np.uint64(row * grid.cols)
+    e = np.uint64(east)
+    w = np.uint64(west)
+    c = np.uint64(col)
+    face = max(
+        max(
+            _sorting_key(surface, sand, n + c, here, sign, turns[turn, NORTH]),
+            _sorting_key(surface, sand, s + c, here, sign, turns[turn, SOUTH]),
+        ),
+        max(
+            _sorting_key(surface, sand, level + e, here, sign, turns[turn, EAST]),
+            _sorting_key(surface, sand, level + w, here, sign, turns[turn, WEST]),
+        ),
+    )
+    steep = (face >> 6) > repose.face_limit
+    if not repose.corners:
+        return face & 7 if steep else STABLE
+    corner = max(
+        max(
+            _sorting_key(surface, sand, n + e, here, sign, turns[turn, NORTHEAST]),
+            _sorting_key(surface, sand, n + w, here, sign, turns[turn, NORTHWEST]),
+        ),
+        max(
+            _sorting_key(surface, sand, s + e, here, sign, turns[turn, SOUTHEAST]),
+            _sorting_key(surface, sand, s + w, here, sign, turns[turn, SOUTHWEST]),
+        ),
+    )
+    if (corner >> 6) > repose.corner_limit:
+        if not steep or (corner >> 6) * repose.corner_weight > (face >> 6):
+            return corner & 7
+    return face & 7 if steep else STABLE
+
+
+@njit(cache=True)
+def draw_turns(turns, turn, key):
+    """Put a random checking sequence into ``turns[DRAWN]``: faces among themselves, corners likewise."""
+    for first in range(0, 8, 4):
+        for k in range(4):
+            turns[DRAWN, first + k] = k
+        for last in range(3, 0, -1):
+            other = first + below(high(derive(key, first + last)), last + 1)
+            mine = turns[DRAWN, first + last]
+            turns[DRAWN, first + last] = turns[DRAWN, other]
+            turns[DRAWN, other] = mine
+        for k in range(first, first + 4):
+            code = (7 - first - turns[DRAWN, k]) << 3 | k
+            turns[DRAWN, k] = code if turns[turn, k] >= 0 else CLOSED

@@ -1,0 +1,139 @@
+"""The shadow zone: is a cell sheltered from the wind by anything upwind of it?
+
+A cell lies in shadow when the line that falls from a higher cell upwind, at the shadow angle, passes
+above its top. The kernels work in the wind's frame: the wind blows towards growing columns, within 45
+degrees, and heights are whole numbers, so the answers are exact. Along a lattice axis the cells upwind
+stand side by side in memory and are tested sixteen at a time; for an oblique wind the ray crosses each
+column between two cells and the height there is interpolated linearly between them.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+from numba import njit
+
+from barchan.kernels.lanes import LANES, any_above, peek
+
+_BLOCK = np.int64(LANES)
+
+
+class Grid(NamedTuple):
+    """The lattice as a kernel sees it, in the wind's frame."""
+
+    rows: int
+    cols: int
+    wrap_along: bool
+    """Whether leaving downwind means entering upwind (periodic along the wind)."""
+    wrap_across: bool
+
+
+class AxisShadow(NamedTuple):
+    """Shadow lines of a wind along a lattice axis."""
+
+    falls: int
+    """Address of how far the line has fallen: ``d`` cells downwind at index ``size - d``."""
+    size: int
+    shift: int
+    """Binary places of a height below one slab."""
+    reach: int
+    """Cells, in 2**-16, that a line of one slab's height reaches downwind, rounded up."""
+    width: int
+    """Bytes of one height."""
+
+
+class RayShadow(NamedTuple):
+    """Shadow lines of an oblique wind; entry ``k`` is where the ray crosses the column ``k + 1`` upwind."""
+
+    rows: int
+    """Address of the row of the cell below the crossing, relative to the sheltered cell (int64)."""
+    weights: int
+    """Address of the share of the next row's cell in the height at the crossing (float64)."""
+    falls: int
+    """Address of how far the line has fallen from the crossing to the sheltered cell (float64)."""
+    size: int
+    width: int
+
+
+@njit(cache=True, error_model="numpy")
+def _in_axis_shadow(surface, row, col, here, peak, grid, axis):
+    rise = ((peak - here) >> axis.shift) + 1
+    count = min((((rise * axis.reach) >> 16) + _BLOCK) & -_BLOCK, axis.size)
+    near = min(count, col)
+    height = surface + (row * grid.cols + col - _BLOCK) * axis.width
+    fall = axis.falls + (axis.size - _BLOCK) * axis.width
+    stride = _BLOCK * axis.width
+    k = np.int64(0)
+    while k < near:
+        if any_above(height, fall, here, near - k):
+            return True
+        height -= stride
+        fall -= stride
+        k += _BLOCK
+    if count <= col or not grid.wrap_along:
+        return False
+    rest = min(count, grid.cols) - col
+    height = surface + (row * grid.cols + grid.cols - _BLOCK) * axis.width
+    fall = axis.falls + (axis.size - col - _BLOCK) * axis.width
+    k = np.int64(0)
+    while k < rest:
+        if any_above(height, fall, here, rest - k):
+            return True
+        height -= stride
+        fall -= stride
+        k += _BLOCK
+    return False
+
+
+@njit(cache=True, error_model="numpy")
+def _in_ray_shadow(surface, row, col, here, peak, grid, ray):
+    rise = np.float64(peak - here)
+    for k in range(ray.size):
+        fall = peek(ray.falls + 8 * k, 0.0)
+        if fall >= rise:
+            return False
+        c = col - 1 - k
+        if c < 0:
+            if not grid.wrap_along:
+                return False
+            c += grid.cols
+        lower = row + peek(ray.rows + 8 * k, np.int64(0))
+        upper = lower + 1
+        weight = peek(ray.weights + 8 * k, 0.0)
+        if grid.wrap_across:
+            lower -= grid.rows if lower >= grid.rows else 0
+            upper -= grid.rows if upper >= grid.rows else 0
+        elif lower < 0 or upper >= grid.rows:
+            if weight > 0.0 or lower < 0 or lower >= grid.rows:
+                return False
+            upper = lower
+        below = peek(surface + (lower * grid.cols + c) * ray.width, here)
+        above = peek(surface + (upper * grid.cols + c) * ray.width, here)
+        if np.float64(below) + weight * np.float64(above - below) - np.float64(here) > fall:
+            return True
+    return False
+
+
+@njit(cache=True, error_model="numpy")
+def in_shadow(surface, row, col, here, peak, grid, axis, ray):
+    """Whether a cell of height ``here`` at (``row``, ``col``) lies in shadow.
+
+    ``surface`` is the surface's address and ``here`` of its type. ``peak`` is a height that no cell
+    exceeds: it bounds how far upwind the test looks. One of ``axis`` and ``ray`` is None.
+    """
+    shaded = False
+    if axis is not None:
+        shaded = peak > here and _in_axis_shadow(surface, row, col, here, peak, grid, axis)
+    if ray is not None:
+        shaded = peak > here and _in_ray_shadow(surface, row, col, here, peak, grid, ray)
+    return shaded
+
+
+@njit(cache=True, error_model="numpy")
+def shadow_zone(surface, grid, axis, ray, zone):
+    """Mark in ``zone`` (bool, flat) every cell of the bed that lies in shadow."""
+    peak = np.int64(surface.max())
+    for row in range(grid.rows):
+        for col in range(grid.cols):
+            cell = row * grid.cols + col
+            here = surface[cell]
+            zone[cell] = in_shadow(surface.ctypes.data, row, col, here, peak, grid, axis, ray)

@@ -1,0 +1,38 @@
+"""One published model a file. Every file here, and every installed entry point ``barchan.models``, is found.
+
+A model says what it is (name, citation, parameters, fields) and how a bed changes; nothing here knows of
+scenarios, files or screens.
+"""
+
+import importlib
+import pkgutil
+from functools import cache
+from importlib.metadata import entry_points
+
+from barchan.models.base import Layer, Model, Tally
+
+__all__ = ["Layer", "Model", "Tally", "model", "model_names", "models"]
+
+
+@cache
+def models() -> dict[str, type[Model]]:
+    """All models by name, in order of name."""
+    found: dict[str, type[Model]] = {}
+    for module in pkgutil.iter_modules(__path__):
+        for candidate in vars(importlib.import_module(f"{__name__}.{module.name}")).values():
+            if isinstance(candidate, type) and issubclass(candidate, Model) and candidate.name:
+                found[candidate.name] = candidate
+    for point in entry_points(group="barchan.models"):
+        candidate = point.load()
+        found[candidate.name] = candidate
+    return dict(sorted(found.items()))
+
+
+def model_names() -> list[str]:
+    """Names of all models."""
+    return list(models())
+
+
+def model(name: str) -> type[Model]:
+    """The model of that name; raises KeyError where there is none."""
+    return models()[name]

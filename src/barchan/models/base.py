@@ -1,0 +1,118 @@
+"""What every model declares and does."""
+
+from abc import ABC, abstractmethod
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from barchan.bed import Bed, FieldInfo, Lattice
+from barchan.parameters import Parameters
+from barchan.streams import Stream
+from barchan.wind.segment import Segment
+
+
+@dataclass
+class Tally:
+    """What happened on the bed during some steps; slabs are the bed's whole units."""
+
+    steps: int = 0
+    polls: int = 0
+    moved: int = 0
+    """Slabs that the wind took."""
+    left: int = 0
+    """Slabs that left through open edges."""
+    entered: int = 0
+    airborne: int = 0
+    """Slabs in the air at the end."""
+    capped: int = 0
+    """Slabs put down because they never settled."""
+    travel_x: float = 0.0
+    """Distance that slabs travelled on the wind, eastwards, summed over slabs (cells)."""
+    travel_y: float = 0.0
+    exhausted: int = 0
+    """Steps cut short because no cell could erode."""
+    still: int = 0
+    """How many of the last steps moved nothing."""
+
+    def add(self, other: "Tally") -> None:
+        """Take in what happened next."""
+        for name in ("steps", "polls", "moved", "left", "entered", "capped", "exhausted"):
+            setattr(self, name, getattr(self, name) + getattr(other, name))
+        self.travel_x += other.travel_x
+        self.travel_y += other.travel_y
+        self.airborne = other.airborne
+        self.still = other.still
+
+
+@dataclass(frozen=True)
+class Layer:
+    """How a field is drawn on top of the surface."""
+
+    field: str
+    title: str
+    colours: str
+    """Name of a colour map."""
+
+
+class Model(ABC):
+    """One published model. Subclasses with a ``name`` are found by themselves."""
+
+    name: ClassVar[str] = ""
+    title: ClassVar[str] = ""
+    citation: ClassVar[str] = ""
+    Parameters: ClassVar[type[Parameters]]
+    fields: ClassVar[tuple[FieldInfo, ...]] = ()
+    """Fields the model keeps on the bed beside ground and sand."""
+    layers: ClassVar[tuple[Layer, ...]] = ()
+
+    def __init__(self, parameters: Any, lattice: Lattice) -> None:
+        """Set the model up for a lattice."""
+        self.parameters = parameters
+        self.lattice = lattice
+
+    def change(self, parameters: Any) -> None:
+        """Take new parameters from now on; state is kept."""
+        self.parameters = parameters
+
+    def prepare(self, bed: Bed) -> None:
+        """Add the model's own fields to a bed."""
+
+    @abstractmethod
+    def advance(self, bed: Bed, segment: Segment, stream: Stream, still: int, limit: int) -> Tally:
+        """Let the wind of ``segment`` work on the bed, in place, and tell what happened.
+
+        ``still`` tells how many steps in a row had moved nothing before; after ``limit`` such steps in a
+        row the work ends early (0: never).
+        """
+
+    @abstractmethod
+    def settle(self, bed: Bed, where: NDArray[np.bool_] | None = None) -> int:
+        """Relax slopes to rest, in place: those of the whole bed, or those that a change ``where`` upsets.
+
+        Returns how many slabs slid.
+        """
+
+    def slope_limits(self) -> tuple[int, ...]:
+        """The steps that stand; when they change the bed has to settle."""
+        return ()
+
+    def state(self) -> dict[str, NDArray | float | int | str]:
+        """What the model remembers between steps beside the bed."""
+        return {}
+
+    def restore(self, state: dict[str, Any]) -> None:
+        """Take up a remembered state."""
+
+    def measures(self, bed: Bed) -> dict[str, float]:
+        """Measures that only this model can give."""
+        return {}
+
+    def remarks(self, hop_length: float | None, direction: float) -> list[str]:
+        """What a user should know about this choice of parameters on this lattice."""
+        return []
+
+    def facts(self) -> dict[str, str]:
+        """What the parameters come to on this lattice, for people to read."""
+        return {}

@@ -1,0 +1,162 @@
+"""How a parameter is declared: default, unit, bounds, meaning and source, once and for all.
+
+Command line, configuration files, studio, documentation and validation read them from here.
+"""
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from types import UnionType
+from typing import Any, ClassVar, Literal, Union, get_args, get_origin
+
+from pydantic import BaseModel, ConfigDict, Field
+from pydantic.fields import FieldInfo
+
+__all__ = ["Declaration", "Parameters", "declarations", "parameter"]
+
+NOTE = "note"
+
+
+def parameter(
+    default: Any = ...,
+    *,
+    unit: str,
+    meaning: str,
+    source: str = "",
+    live: bool = False,
+    group: str = "",
+    scale: Literal["linear", "log"] = "linear",
+    **bounds: Any,
+) -> Any:
+    """Declare a parameter of a ``Parameters`` class.
+
+    ``unit`` is an SI unit, a model's own (``cells``, ``slabs``, ``steps``) or ``-`` for a pure number or a
+    choice; ``source`` is the publication or document its default comes from; ``live`` parameters may
+    change during a run; ``group`` and ``scale`` serve display. ``bounds`` are ``ge``, ``gt``, ``le``,
+    ``lt``, ``min_length`` and other constraints of pydantic's ``Field``.
+    """
+    extra = {"unit": unit, "source": source, "live": live, "group": group, "scale": scale}
+    factory = {"default_factory": default} if callable(default) else {"default": default}
+    return Field(description=meaning, json_schema_extra=extra, **factory, **bounds)
+
+
+def redeclared(base: type[BaseModel], name: str, default: Any, source: str) -> Any:
+    """The parameter ``name`` of ``base`` with another default, from another source."""
+    inherited = base.model_fields[name]
+    extra = {**_extra(inherited), "source": source}
+    return inherited.merge_field_infos(inherited, default=default, json_schema_extra=extra)
+
+
+class Parameters(BaseModel):
+    """A group of declared parameters: frozen, strict in types, closed to unknown keys."""
+
+    model_config = ConfigDict(
+        frozen=True,
+        extra="forbid",
+        strict=True,
+        allow_inf_nan=False,
+        validate_default=True,
+        serialize_by_alias=True,
+    )
+
+    kind_key: ClassVar[str] = ""
+    """The key that tells variants of this group apart, where there are any."""
+
+    note: str | list[str] | None = Field(
+        default=None, description="A comment, kept but not used.", repr=False
+    )
+
+
+@dataclass(frozen=True)
+class Declaration:
+    """A declared parameter as others show it."""
+
+    key: str
+    type: str
+    default: Any
+    unit: str
+    bounds: str
+    meaning: str
+    source: str
+    live: bool
+    group: str
+    scale: str
+
+
+def declarations(parameters: type[Parameters], prefix: str = "") -> Iterator[Declaration]:
+    """All parameters of a class and of the groups within it, keys dotted, in order of declaration."""
+    for name, field in parameters.model_fields.items():
+        if name == NOTE:
+            continue
+        key = f"{prefix}{name}"
+        inner = _group(field.annotation)
+        if inner is not None and not _extra(field):
+            yield from declarations(inner, f"{key}.")
+            continue
+        extra = _extra(field)
+        yield Declaration(
+            key=key,
+            type=type_name(field.annotation),
+            default=None if field.is_required() else field.get_default(call_default_factory=True),
+            unit=extra.get("unit", "-"),
+            bounds=allowed(field),
+            meaning=field.description or "",
+            source=extra.get("source", ""),
+            live=extra.get("live", False),
+            group=extra.get("group", ""),
+            scale=extra.get("scale", "linear"),
+        )
+
+
+def _extra(field: FieldInfo) -> dict[str, Any]:
+    return field.json_schema_extra if isinstance(field.json_schema_extra, dict) else {}
+
+
+def _group(annotation: Any) -> type[Parameters] | None:
+    for candidate in (annotation, *get_args(annotation)):
+        if isinstance(candidate, type) and issubclass(candidate, Parameters):
+            return candidate
+    return None
+
+
+def type_name(annotation: Any) -> str:
+    """A type in words a user knows: ``whole number``, ``yes or no``, the list of choices."""
+    plain = {float: "number", int: "whole number", bool: "true or false", str: "text"}
+    if annotation in plain:
+        return plain[annotation]
+    if annotation is type(None):
+        return "null"
+    origin, args = get_origin(annotation), get_args(annotation)
+    if origin is Literal:
+        return " | ".join(repr(choice) for choice in args)
+    if origin in (Union, UnionType):
+        return " | ".join(type_name(arg) for arg in args)
+    if origin in (list, tuple):
+        return f"list of {type_name(args[0])}"
+    if hasattr(annotation, "__metadata__"):
+        parts = [p for m in annotation.__metadata__ for p in _bounds(getattr(m, "metadata", [m]))]
+        return _bounded(type_name(args[0]), parts)
+    return getattr(annotation, "__name__", str(annotation))
+
+
+_SIGNS = (("gt", ">"), ("ge", "≥"), ("lt", "<"), ("le", "≤"))
+
+
+def allowed(field: FieldInfo) -> str:
+    """The values a parameter may take, in words: type, choices and bounds."""
+    parts = [part for constraint in field.metadata for part in _bounds([constraint])]
+    text, *rest = type_name(field.annotation).split(" | ")
+    plain = [_bounded(text, parts), *rest] if text.endswith("number") else [text, *rest]
+    return " | ".join(plain)
+
+
+def _bounds(constraints: Iterable[Any]) -> list[str]:
+    return [
+        f"{sign} {getattr(constraint, name)}"
+        for constraint in constraints
+        for name, sign in _SIGNS
+        if hasattr(constraint, name)
+    ]
+
+
+def _bounded(text: str, parts: list[str]) -> str:
+    return f"{text} {' and '.join(parts)}" if parts else text

@@ -1,0 +1,1 @@
+"""Scenarios that ship with Barchan: title, citation and what to look for."""

@@ -1,0 +1,120 @@
+"""The parts of a scenario and their defaults."""
+
+import secrets
+from typing import TYPE_CHECKING, Annotated, Any, Literal, Self, Union
+
+from pydantic import Field
+
+from barchan.bed import Lattice
+from barchan.ground.sand import FlatSand, Sand
+from barchan.ground.surface import FlatGround, Ground
+from barchan.models import models
+from barchan.parameters import Parameters, parameter
+from barchan.wind import Steady, Wind
+
+FORMAT = 1
+"""Version of the configuration format that this program writes."""
+
+LARGEST_SEED = 2**53 - 1
+
+if TYPE_CHECKING:
+    AnyModel = Any
+else:
+    AnyModel = Annotated[Union[*(m.Parameters for m in models().values())], Field(discriminator="name")]
+
+
+class SteadyState(Parameters):
+    """When a run counts as steady: spacing, straightness and speed stay constant over a window."""
+
+    window: int = parameter(
+        500, unit="steps", ge=10, le=10**9, scale="log", meaning="How long the measures must stay constant."
+    )
+    tolerance: float = parameter(
+        0.05, unit="-", gt=0, le=1,
+        meaning="Largest spread over the window: of spacing and speed relative to their means, of "
+        "straightness (0 to 1) as it is.",
+    )
+
+
+class Until(Parameters):
+    """What ends a run before its last step."""
+
+    still: int | None = parameter(
+        None, unit="steps", ge=1, le=10**9, meaning="Stop when so many steps in a row moved nothing."
+    )
+    steady: SteadyState | None = Field(default=None, description="Stop when the bedforms are steady.")
+
+
+class Run(Parameters):
+    """How long, from which seed and what to keep."""
+
+    steps: int = parameter(
+        1000, unit="steps", ge=0, le=10**12, scale="log",
+        meaning="Length of the run; a step polls as many cells as the field has.",
+        source="seed 000, Table 6.1",
+    )
+    seed: int | None = parameter(
+        None, unit="-", ge=0, le=LARGEST_SEED,
+        meaning="Where all random numbers start; one is drawn and stored where none is given.",
+    )
+    save_every: int = parameter(
+        50, unit="steps", ge=1, le=10**12, scale="log", meaning="Steps from one saved frame to the next."
+    )
+    until: Until = Field(default_factory=Until, description="What ends the run earlier.")
+
+
+def _default_model() -> Any:
+    return models()["werner"].Parameters()
+
+
+class Scenario(Parameters):
+    """Everything that defines a run: same scenario and seed, same bits."""
+
+    barchan: Literal[1] = parameter(FORMAT, unit="-", meaning="Version of the configuration format.")
+    title: str = parameter("", unit="-", max_length=200, meaning="What the scenario is called.")
+    citation: str = parameter("", unit="-", max_length=1000, meaning="Where the scenario comes from.")
+    look_for: str = parameter("", unit="-", max_length=2000, meaning="What to watch for in the run.")
+    lattice: Lattice = Field(default_factory=Lattice, description="Lattice.")
+    ground: Ground = Field(default_factory=FlatGround, description="Ground under the sand.")
+    sand: Sand = Field(default_factory=FlatSand, description="Sand at the start.")
+    wind: Wind = Field(default_factory=Steady, description="Wind.")
+    model: AnyModel = Field(default_factory=_default_model, description="Model.")
+    run: Run = Field(default_factory=Run, description="Run.")
+
+    def seeded(self) -> Self:
+        """This scenario with a seed: its own, or one drawn now."""
+        if self.run.seed is not None:
+            return self
+        seed = secrets.randbelow(2**32)
+        return self.model_copy(update={"run": self.run.model_copy(update={"seed": seed})})
+
+    @property
+    def seed(self) -> int:
+        """The seed of a scenario that has one."""
+        if self.run.seed is None:
+            raise ValueError("this scenario has no seed yet; use seeded()")
+        return self.run.seed
+
+    def data(self) -> dict[str, Any]:
+        """The scenario as plain data, complete, without empty notes."""
+        plain: dict[str, Any] = self.model_dump(mode="json")
+        return _without_empty_notes(plain)
+
+    def text(self) -> str:
+        """The scenario as the text of a configuration file."""
+        import json
+
+        return json.dumps(self.data(), indent=2, ensure_ascii=False) + "\n"
+
+    def remarks(self) -> list[str]:
+        """What a user should know before running this."""
+        model = models()[self.model.name](self.model, self.lattice)
+        return model.remarks(self.wind.speed, self.wind.direction)
+
+
+def _without_empty_notes(data: Any) -> Any:
+    if isinstance(data, dict):
+        return {k: _without_empty_notes(v) for k, v in data.items() if k != "note" or v is not None}
+    if isinstance(data, list):
+        return [_without_empty_notes(item) for item in data]
+    return data

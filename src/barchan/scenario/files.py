@@ -1,0 +1,115 @@
+"""Configuration files and presets: reading, overriding, validating."""
+
+import json
+from collections.abc import Mapping, Sequence
+from importlib.resources import files
+from pathlib import Path
+from typing import Any
+
+from pydantic import ValidationError
+
+from barchan.errors import Problem, ScenarioError
+from barchan.scenario.definition import Scenario
+from barchan.scenario.migrations import migrate
+from barchan.scenario.positions import Path as KeyPath
+from barchan.scenario.positions import parse
+from barchan.scenario.wording import nearest, problems_of
+
+Override = tuple[str, str]
+"""A dotted key and the text given for it, as on a command line."""
+
+
+def preset_names() -> list[str]:
+    """Names of the shipped scenarios."""
+    folder = files("barchan.presets")
+    return sorted(f.name.removesuffix(".json") for f in folder.iterdir() if f.name.endswith(".json"))
+
+
+def load_scenario(
+    source: str | Path | Mapping[str, Any], overrides: Sequence[Override] = ()
+) -> Scenario:
+    """A scenario from a preset's name, a JSON file or plain data, with single values overridden.
+
+    Raises ScenarioError with every problem found: unknown keys, wrong types, values out of range.
+    """
+    if isinstance(source, Mapping):
+        return validate(dict(source), overrides=overrides)
+    name, text = _find(str(source))
+    data, lines, problems = parse(text, name)
+    if data is None:
+        raise ScenarioError(problems, name)
+    return validate(data, name, lines, overrides, problems)
+
+
+def validate(
+    data: Any,
+    name: str = "scenario",
+    lines: Mapping[KeyPath, int] | None = None,
+    overrides: Sequence[Override] = (),
+    problems: Sequence[Problem] = (),
+) -> Scenario:
+    """A scenario from plain data; ``lines`` tells where in the file ``name`` each key stands."""
+    found = list(problems)
+    if not isinstance(data, dict):
+        raise ScenarioError([Problem("", "must be a JSON object { … }", name)], name)
+    data = json.loads(json.dumps(data))
+    data, trouble = migrate(data)
+    found += [Problem("barchan", trouble, name)] if trouble else []
+    given: set[KeyPath] = set()
+    for key, text in overrides:
+        path = tuple(key.replace("-", "_").split("."))
+        given.add(path)
+        found += _override(data, path, text)
+
+    def place(path: KeyPath) -> str:
+        if any(path[: len(g)] == g for g in given):
+            return "command line"
+        line = next((lines[path[:n]] for n in range(len(path), 0, -1) if path[:n] in lines), 0) if lines else 0
+        return f"{name}:{line}" if line else ""
+
+    try:
+        scenario = Scenario.model_validate_json(json.dumps(data))
+    except ValidationError as error:
+        found += problems_of(error, Scenario, data, place)
+        raise ScenarioError(found, name) from None
+    if found:
+        raise ScenarioError(found, name)
+    return scenario
+
+
+def _find(source: str) -> tuple[str, str]:
+    """A preset's or a file's name and text."""
+    if source in preset_names():
+        return f"preset {source}", files("barchan.presets").joinpath(f"{source}.json").read_text("utf-8")
+    path = Path(source)
+    if path.is_file():
+        try:
+            return str(path), path.read_text("utf-8")
+        except (OSError, UnicodeDecodeError) as error:
+            raise ScenarioError([Problem("", f"cannot be read: {error}", source)], source) from None
+    known = ", ".join(preset_names())
+    message = f"no preset and no file of this name{nearest(source, preset_names())}; presets: {known}"
+    raise ScenarioError([Problem("", message)], f"'{source}'")
+
+
+def _override(data: dict[str, Any], path: KeyPath, text: str) -> list[Problem]:
+    """Set one value in plain data."""
+    group: Any = data
+    for at, step in enumerate(path[:-1]):
+        inner = group.setdefault(step, {}) if isinstance(group, dict) else None
+        if inner is None and isinstance(group, dict):
+            inner = group[step] = {}
+        if not isinstance(inner, dict):
+            return [Problem(".".join(map(str, path[: at + 1])), "is not a group of keys", "command line")]
+        group = inner
+    try:
+        group[path[-1]] = json.loads(text, parse_constant=_text)
+    except json.JSONDecodeError:
+        group[path[-1]] = text
+    return []
+
+
+def _text(constant: str) -> str:
+    return constant
+
+

@@ -1,0 +1,66 @@
+"""JSON text to data, with the line of every key, and nothing accepted in silence."""
+
+import json
+import re
+from typing import Any
+
+from barchan.errors import Problem
+
+Path = tuple[str | int, ...]
+
+_TOKEN = re.compile(r'"(?:[^"\\]|\\.)*"|[{}\[\]:,]|[^\s{}\[\]:,"]+')
+
+
+def parse(text: str, name: str) -> tuple[Any, dict[Path, int], list[Problem]]:
+    """The data in a JSON text, the line of each key and item, and what is wrong with the text itself."""
+    problems: list[Problem] = []
+    try:
+        data = json.loads(text, parse_constant=_refuse)
+    except json.JSONDecodeError as error:
+        place = f"{name}:{error.lineno}:{error.colno}"
+        return None, {}, [Problem("", f"not valid JSON: {error.msg}", place)]
+    except ValueError as error:
+        return None, {}, [Problem("", f"not valid JSON: {error}", name)]
+    lines, repeated = _lines(text)
+    for path, line in repeated:
+        problems.append(Problem(dotted(path), "given twice", f"{name}:{line}"))
+    return data, lines, problems
+
+
+def dotted(path: Path) -> str:
+    """A path as users write it: ``sand.parts[0].mean``."""
+    text = ""
+    for step in path:
+        text += f"[{step}]" if isinstance(step, int) else f".{step}" if text else step
+    return text
+
+
+def _refuse(constant: str) -> Any:
+    raise ValueError(f"{constant} is not a number here")
+
+
+def _lines(text: str) -> tuple[dict[Path, int], list[tuple[Path, int]]]:
+    """Walk a valid JSON text and note the line of every key and list item."""
+    lines: dict[Path, int] = {}
+    repeated: list[tuple[Path, int]] = []
+    stack: list[list[str | int]] = []  # the current key or index of every open object or list
+    tokens = [(m.group(), text.count("\n", 0, m.start()) + 1) for m in _TOKEN.finditer(text)]
+    for at, (token, line) in enumerate(tokens):
+        following = tokens[at + 1][0] if at + 1 < len(tokens) else ""
+        if token in "{[":
+            if stack and isinstance(stack[-1][0], int):
+                lines[tuple(level[0] for level in stack)] = line
+            stack.append([0] if token == "[" else [""])
+        elif token in "}]":
+            stack.pop()
+        elif token == "," and isinstance(stack[-1][0], int):
+            stack[-1][0] += 1
+        elif following == ":" and stack:
+            stack[-1][0] = json.loads(token)
+            path = tuple(level[0] for level in stack)
+            if path in lines:
+                repeated.append((path, line))
+            lines[path] = line
+        elif token not in ":," and stack and isinstance(stack[-1][0], int):
+            lines[tuple(level[0] for level in stack)] = line
+    return lines, repeated

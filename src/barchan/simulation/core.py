@@ -1,0 +1,254 @@
+"""The simulation itself."""
+
+from collections.abc import Iterator
+from dataclasses import asdict, dataclass
+from importlib.metadata import entry_points
+from typing import Any, Protocol, Self
+
+import numpy as np
+from numpy.typing import NDArray
+
+from barchan.bed import Bed, Lattice
+from barchan.errors import Problem, ScenarioError
+from barchan.ground.brush import brushed
+from barchan.models import Model, Tally, models
+from barchan.parameters import declarations
+from barchan.scenario import Scenario, nearest, validate
+from barchan.simulation.events import Record, SetParameter, SetWind, Stroke
+from barchan.simulation.ledger import Ledger
+from barchan.simulation.state import State
+from barchan.streams import Stream
+
+
+@dataclass(frozen=True)
+class Frame:
+    """The bed at one moment, with what had happened until then."""
+
+    step: int
+    fields: dict[str, NDArray]
+    ledger: Ledger
+    tally: Tally
+
+
+class Watch(Protocol):
+    """Looks at a simulation now and then and says when it should end, and why.
+
+    Watches are found by the entry points ``barchan.watches``, named after keys of ``run.until``.
+    """
+
+    every: int
+    """Steps from one look to the next."""
+
+    def observe(self, simulation: "Simulation") -> str | None:
+        """Look; the reason to end, if there is one."""
+        ...
+
+    def state(self) -> dict[str, Any]:
+        """What was seen so far, as JSON can hold it."""
+        ...
+
+    def restore(self, state: dict[str, Any]) -> None:
+        """Take up what was seen before."""
+        ...
+
+
+class Simulation:
+    """A scenario set in motion.
+
+    >>> simulation = Simulation(load("barchans"))
+    >>> simulation.advance(100)
+    >>> simulation.elevation.max()
+
+    Iterating yields the frames that the scenario asks for, the first one at once, until its last step or
+    until one of its ``run.until`` conditions ends it.
+    """
+
+    def __init__(self, scenario: Scenario) -> None:
+        """Build the bed of a scenario; without a seed one is drawn, see ``simulation.scenario``."""
+        self._set_up(scenario.seeded())
+        lattice = self.scenario.lattice
+        ground = self.scenario.ground.elevation(lattice)
+        slabs = self.scenario.sand.slabs(lattice, Stream(self.scenario.seed, "initial surface"))
+        self.bed = Bed(lattice, ground, slabs)
+        self.model.prepare(self.bed)
+        self.ledger = Ledger(self.bed.slabs)
+        self.model.settle(self.bed)
+
+    def _set_up(self, scenario: Scenario) -> None:
+        self.scenario = scenario
+        self.wind = scenario.wind
+        self.model: Model = models()[scenario.model.name](scenario.model, scenario.lattice)
+        self.stream = Stream(scenario.seed, "transport")
+        self.steps_done = 0
+        self.finished: str | None = None
+        self.tally = Tally()
+        self.events: list[Record] = []
+        self.watches = _watches(scenario)
+        self._framed = -1
+
+    @property
+    def lattice(self) -> Lattice:
+        """The lattice."""
+        return self.scenario.lattice
+
+    @property
+    def elevation(self) -> NDArray[np.float64]:
+        """Elevation of the surface (m)."""
+        return self.bed.elevation
+
+    def advance(self, steps: int = 1) -> Tally:
+        """Do ``steps`` steps, fewer where a condition of ``run.until`` ends the run; tell what happened."""
+        total = Tally(still=self.tally.still)
+        limit = self.scenario.run.until.still or 0
+        while steps > 0 and self.finished is None:
+            chunk = min([steps, *(w.every - self.steps_done % w.every for w in self.watches.values())])
+            done = 0
+            for segment in self.wind.segments(self.steps_done, chunk, self.lattice.cells):
+                tally = self.model.advance(self.bed, segment, self.stream, total.still, limit)
+                total.add(tally)
+                done += tally.steps
+                if limit and total.still >= limit:
+                    self.finished = f"nothing moved for {total.still} steps"
+                    break
+            self.steps_done += done
+            steps -= done
+            self._look()
+        self._book(total)
+        return total
+
+    def _look(self) -> None:
+        for watch in self.watches.values():
+            if self.finished is None and self.steps_done % watch.every == 0:
+                self.finished = watch.observe(self)
+
+    def _book(self, tally: Tally) -> None:
+        self.tally.add(tally)
+        self.ledger.entered += tally.entered
+        self.ledger.left += tally.left
+        self.ledger.airborne = tally.airborne
+        self.ledger.check(self.bed.slabs)
+
+    @property
+    def done(self) -> bool:
+        """Whether the run has come to its end."""
+        return self.finished is not None or self.steps_done >= self.scenario.run.steps
+
+    @property
+    def next_frame(self) -> int:
+        """The step at which the next frame is due."""
+        if self._framed != self.steps_done and self.steps_done == 0:
+            return 0
+        every = self.scenario.run.save_every
+        return min((self.steps_done // every + 1) * every, self.scenario.run.steps)
+
+    def frame(self) -> Frame:
+        """The bed as it is now, copied."""
+        self._framed = self.steps_done
+        return Frame(self.steps_done, self.bed.frame(), Ledger(**vars(self.ledger)), Tally(**vars(self.tally)))
+
+    @property
+    def framed(self) -> bool:
+        """Whether the bed as it is now has been handed out as a frame."""
+        return self._framed == self.steps_done
+
+    def __iter__(self) -> Iterator[Frame]:
+        """Run to the end, frame by frame."""
+        if not self.framed and self.steps_done == 0:
+            yield self.frame()
+        while not self.done:
+            self.advance(self.next_frame - self.steps_done)
+            if not self.framed:
+                yield self.frame()
+
+    def apply(self, event: SetParameter | SetWind | Stroke) -> Record:
+        """Let something happen now, between two steps; it is journaled in ``events``."""
+        if isinstance(event, SetParameter):
+            self._set_parameter(event)
+        elif isinstance(event, SetWind):
+            self.wind = event.wind
+        else:
+            self._paint(event)
+        self.finished = None
+        record = Record(self.steps_done, event)
+        self.events.append(record)
+        return record
+
+    def _set_parameter(self, event: SetParameter) -> None:
+        live = [f"model.{d.key}" for d in declarations(type(self.model.parameters)) if d.live]
+        if event.key not in live:
+            message = f"cannot change during a run{nearest(event.key, live)}; what can: {', '.join(live)}"
+            raise ScenarioError([Problem(event.key, message)], "event")
+        name = event.key.removeprefix("model.")
+        data = {**self.scenario.data(), "model": {**self._model_data(), name: event.value}}
+        limits = self.model.slope_limits()
+        self.model.change(validate(data, "event").model)
+        if self.model.slope_limits() != limits:
+            self.model.settle(self.bed)
+
+    def _model_data(self) -> dict[str, Any]:
+        data: dict[str, Any] = self.model.parameters.model_dump(mode="json")
+        return data
+
+    def _paint(self, stroke: Stroke) -> None:
+        change = brushed(self.bed, stroke.x, stroke.y, stroke.radius, stroke.amount, stroke.falloff)
+        self.bed.sand[...] += change.astype(np.int32)
+        self.ledger.entered += int(change[change > 0].sum())
+        self.ledger.left -= int(change[change < 0].sum())
+        self.model.settle(self.bed, change != 0)
+        self.ledger.check(self.bed.slabs)
+
+    def state(self) -> State:
+        """Everything it takes to go on from here with the same bits."""
+        arrays = {f"bed/{name}": array.copy() for name, array in self.bed.arrays.items()}
+        arrays |= {f"model/{name}": np.asarray(value) for name, value in self.model.state().items()}
+        data = {
+            "scenario": self.scenario.data(),
+            "model": self._model_data(),
+            "wind": self.wind.model_dump(mode="json"),
+            "step": self.steps_done,
+            "framed": self._framed,
+            "finished": self.finished,
+            "ledger": asdict(self.ledger),
+            "tally": asdict(self.tally),
+            "events": [record.data() for record in self.events],
+            "watches": {name: watch.state() for name, watch in self.watches.items()},
+        }
+        return State(data, arrays)
+
+    @classmethod
+    def from_state(cls, state: State) -> Self:
+        """The simulation that was in this state."""
+        data = state.data
+        simulation = cls.__new__(cls)
+        simulation._set_up(validate(data["scenario"], "state"))
+        now = validate({**data["scenario"], "model": data["model"], "wind": data["wind"]}, "state")
+        simulation.model.change(now.model)
+        simulation.wind = now.wind
+        bed = Bed(simulation.lattice, state.arrays["bed/ground"], state.arrays["bed/sand"])
+        simulation.bed = bed
+        simulation.model.prepare(bed)
+        for name in bed.arrays:
+            bed.arrays[name][...] = state.arrays[f"bed/{name}"]
+        remembered = {k.removeprefix("model/"): v for k, v in state.arrays.items() if k.startswith("model/")}
+        simulation.model.restore(remembered)
+        simulation.steps_done = data["step"]
+        simulation._framed = data["framed"]
+        simulation.finished = data["finished"]
+        simulation.ledger = Ledger(**data["ledger"])
+        simulation.tally = Tally(**data["tally"])
+        simulation.events = [Record.from_data(record) for record in data["events"]]
+        for name, watch in simulation.watches.items():
+            watch.restore(data["watches"][name])
+        simulation.ledger.check(bed.slabs)
+        return simulation
+
+
+def _watches(scenario: Scenario) -> dict[str, Watch]:
+    """The watches that ``run.until`` asks for, by its keys."""
+    asked = {name: getattr(scenario.run.until, name) for name in type(scenario.run.until).model_fields}
+    points = entry_points(group="barchan.watches") if scenario.run.until.steady else ()
+    return {
+        point.name: point.load()(asked[point.name], scenario)
+        for point in points
+        if asked.get(point.name) is not None
+    }
