@@ -1,1 +1,63 @@
-"""Surfaces that wind shapes."""
+"""Barchan: surfaces that wind shapes.
+
+>>> import barchan
+>>> scenario = barchan.load("barchans")
+>>> run = barchan.simulate(scenario)
+>>> run.elevation.isel(step=-1).plot()
+"""
+
+from importlib import import_module
+from importlib.metadata import version
+from typing import TYPE_CHECKING, Any
+
+__version__ = version("barchan")
+
+if TYPE_CHECKING:
+    from barchan.archive import load, open_run, resume, run, simulate
+    from barchan.errors import ArchiveError, BarchanError, ScenarioError
+    from barchan.models import model_names
+    from barchan.scenario import Scenario, preset_names
+    from barchan.simulation import SetParameter, SetWind, Simulation, Stroke
+
+_HOMES = {
+    "ArchiveError": "errors",
+    "BarchanError": "errors",
+    "Scenario": "scenario",
+    "ScenarioError": "errors",
+    "SetParameter": "simulation",
+    "SetWind": "simulation",
+    "Simulation": "simulation",
+    "Stroke": "simulation",
+    "load": "archive",
+    "model_names": "models",
+    "open_run": "archive",
+    "preset_names": "scenario",
+    "resume": "archive",
+    "run": "archive",
+    "simulate": "archive",
+}
+
+__all__ = [
+    "ArchiveError",
+    "BarchanError",
+    "Scenario",
+    "ScenarioError",
+    "SetParameter",
+    "SetWind",
+    "Simulation",
+    "Stroke",
+    "__version__",
+    "load",
+    "model_names",
+    "open_run",
+    "preset_names",
+    "resume",
+    "run",
+    "simulate",
+]
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _HOMES:
+        raise AttributeError(f"module 'barchan' has no attribute '{name}'")
+    return getattr(import_module(f"barchan.{_HOMES[name]}"), name)

@@ -114,9 +114,7 @@ class Bed:
     Arrays are ``[row, column]``, row 0 at the south edge, column 0 at the west edge.
     """
 
-    def __init__(
-        self, lattice: Lattice, ground: NDArray[np.float64], sand: NDArray[np.int32]
-    ) -> None:
+    def __init__(self, lattice: Lattice, ground: NDArray[np.float64], sand: NDArray[np.int32]) -> None:
         """Take the ground (m) and the sand (slabs), each of the lattice's shape, as they are."""
         self.lattice = lattice
         self.declared: dict[str, FieldInfo] = {}

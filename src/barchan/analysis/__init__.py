@@ -1,0 +1,25 @@
+"""Measures of a bed and of its course in time: plain functions of arrays in SI units and degrees.
+
+A measure that does not exist for a bed (the spacing of a flat one) is NaN, never a made-up number.
+"""
+
+from barchan.analysis.heights import bare_fraction, highest_stack, sand_volume
+from barchan.analysis.migration import Migration, migration
+from barchan.analysis.orientation import Orientation, crest_orientation
+from barchan.analysis.slopes import Slopes, streamwise_slopes
+from barchan.analysis.spacing import dominant_spacing
+from barchan.analysis.transport import flux
+
+__all__ = [
+    "Migration",
+    "Orientation",
+    "Slopes",
+    "bare_fraction",
+    "crest_orientation",
+    "dominant_spacing",
+    "flux",
+    "highest_stack",
+    "migration",
+    "sand_volume",
+    "streamwise_slopes",
+]

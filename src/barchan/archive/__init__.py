@@ -1,0 +1,24 @@
+"""A run on disk: scenario, frames, newest checkpoint, events and log in one folder.
+
+Everything is written so that a process killed at any moment leaves a run that can be read and resumed.
+"""
+
+from barchan.archive.dataset import dataset_of, simulate
+from barchan.archive.folder import Archive
+from barchan.archive.reading import RunInfo, load, open_run, run_info
+from barchan.archive.running import Outcome, Reopened, reopen, resume, run
+
+__all__ = [
+    "Archive",
+    "Outcome",
+    "Reopened",
+    "RunInfo",
+    "dataset_of",
+    "load",
+    "open_run",
+    "reopen",
+    "resume",
+    "run",
+    "run_info",
+    "simulate",
+]

@@ -1,0 +1,51 @@
+"""The command line: one command a file, each loaded only when it is used."""
+
+import sys
+
+from cyclopts import App
+
+from barchan.errors import BarchanError
+
+COMMANDS = {
+    "run": "Run a preset or a scenario, save it, and draw the last frame.",
+    "resume": "Go on with a run that was interrupted, or beyond its last step.",
+    "info": "Tell what a run holds and how far it is.",
+    "show": "Draw a frame of a run, a section, or its course in time.",
+    "film": "Write an animated picture of a run.",
+    "presets": "List the scenarios that ship with Barchan.",
+    "parameters": "List every key of a scenario, with unit, default, bounds, meaning and source.",
+    "check": "Check a scenario without running it.",
+    "schema": "Print the JSON schema of scenarios.",
+}
+"""Commands in the order in which ``--help`` lists them; each is the function of its name in its file."""
+
+FAILED, INTERRUPTED = 1, 130
+
+
+def app() -> App:
+    """The command line, with commands that load when they are used."""
+    from importlib.metadata import version
+
+    root = App(
+        name="barchan",
+        help="Surfaces that wind shapes: dunes, ripples and snow bedforms, simulated.\n\n"
+        "Start with **barchan run barchans**.",
+        help_format="markdown",
+        version=lambda: version("barchan"),
+        default_parameter=None,
+    )
+    for place, (name, text) in enumerate(COMMANDS.items()):
+        root.command(f"barchan.cli.{name}:{name}", name=name, help=text, sort_key=place)
+    return root
+
+
+def main() -> None:
+    """Run the command line; an error that the user can mend is printed without a traceback."""
+    try:
+        code = app()(result_action="return_value")
+    except BarchanError as error:
+        print(f"barchan: {error}", file=sys.stderr)  # noqa: T201
+        code = FAILED
+    except BrokenPipeError:
+        code = FAILED
+    sys.exit(code if isinstance(code, int) else 0)

@@ -29,8 +29,6 @@ def brushed(bed: Bed, x: float, y: float, radius: float, amount: int, falloff: F
     return np.maximum(change, -bed.sand.astype(np.int64))
 
 
-def _distance(
-    places: NDArray[np.float64], centre: float, length: float, wrap: bool
-) -> NDArray[np.float64]:
+def _distance(places: NDArray[np.float64], centre: float, length: float, wrap: bool) -> NDArray[np.float64]:
     distance = np.abs(places - centre)
     return np.minimum(distance, length - distance) if wrap else distance

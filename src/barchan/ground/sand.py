@@ -55,7 +55,12 @@ class FlatSand(Parameters):
 
     kind: Literal["flat"] = parameter("flat", unit="-", meaning="The same number of slabs on every cell.")
     mean: int = parameter(
-        3, unit="slabs", ge=0, le=MOST_SLABS, scale="log", meaning="Slabs on a cell.",
+        3,
+        unit="slabs",
+        ge=0,
+        le=MOST_SLABS,
+        scale="log",
+        meaning="Slabs on a cell.",
         source="seed 000, Table 6.1",
     )
     parts: list[Part] = _parts()
@@ -72,8 +77,13 @@ class RandomSand(Parameters):
 
     kind: Literal["random"] = parameter("random", unit="-", meaning="A number of slabs, give or take one.")
     mean: int = parameter(
-        3, unit="slabs", ge=0, le=MOST_SLABS, scale="log", meaning="Slabs on a cell before one is added, "
-        "taken away or neither.", source="seed 000, §6.5.2",
+        3,
+        unit="slabs",
+        ge=0,
+        le=MOST_SLABS,
+        scale="log",
+        meaning="Slabs on a cell before one is added, taken away or neither.",
+        source="seed 000, §6.5.2",
     )
     parts: list[Part] = _parts()
 
@@ -91,7 +101,12 @@ class DroppedSand(Parameters):
 
     kind: Literal["dropped"] = parameter("dropped", unit="-", meaning="Slabs dropped on random cells.")
     mean: float = parameter(
-        3.0, unit="slabs", ge=0, le=MOST_SLABS, scale="log", meaning="Mean number of slabs on a cell.",
+        3.0,
+        unit="slabs",
+        ge=0,
+        le=MOST_SLABS,
+        scale="log",
+        meaning="Mean number of slabs on a cell.",
         source="seed 004",
     )
     parts: list[Part] = _parts()

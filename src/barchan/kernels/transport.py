@@ -118,7 +118,24 @@ def _change(surface, sand, row, col, grid, slab, count):
 
 @njit(cache=True)
 def _run_polls(
-    surface, sand, turns, grid, wind, repose, axis, ray, rows, cols, states, count, redraw, band_row, band_rows, target, peak, tally
+    surface,
+    sand,
+    turns,
+    grid,
+    wind,
+    repose,
+    axis,
+    ray,
+    rows,
+    cols,
+    states,
+    count,
+    redraw,
+    band_row,
+    band_rows,
+    target,
+    peak,
+    tally,
 ):
     """Let ``count`` polls happen, one after the other, until ``target`` slabs have moved in all.
 
@@ -214,7 +231,9 @@ def _run_polls(
 
 
 @njit(cache=True)
-def _poll_at_random(surface, sand, turns, grid, wind, repose, axis, ray, polls, schedule, key, first, count, tally):
+def _poll_at_random(
+    surface, sand, turns, grid, wind, repose, axis, ray, polls, schedule, key, first, count, tally
+):
     """Polls ``first`` to ``first + count`` of a step, drawn with replacement."""
     peak = np.int64(surface.max())
     exhausted = tally[EXHAUSTED]
@@ -228,7 +247,26 @@ def _poll_at_random(surface, sand, turns, grid, wind, repose, axis, ray, polls, 
         while left > 0:
             n = min(BLOCK, left)
             draw_cells(polls, poll, n, first_row, rows, grid.cols, derive(key, 0))
-            peak = _run_polls(surface, sand, turns, grid, wind, repose, axis, ray, polls.rows, polls.cols, polls.states, n, schedule.forced, first_row, rows, -1, peak, tally)
+            peak = _run_polls(
+                surface,
+                sand,
+                turns,
+                grid,
+                wind,
+                repose,
+                axis,
+                ray,
+                polls.rows,
+                polls.cols,
+                polls.states,
+                n,
+                schedule.forced,
+                first_row,
+                rows,
+                -1,
+                peak,
+                tally,
+            )
             if tally[EXHAUSTED] > exhausted:
                 return
             poll += n
@@ -236,7 +274,25 @@ def _poll_at_random(surface, sand, turns, grid, wind, repose, axis, ray, polls, 
 
 
 @njit(cache=True)
-def _poll_round(surface, sand, turns, grid, wind, repose, axis, ray, polls, schedule, poll_key, key, round_, start, stop, target, tally):
+def _poll_round(
+    surface,
+    sand,
+    turns,
+    grid,
+    wind,
+    repose,
+    axis,
+    ray,
+    polls,
+    schedule,
+    poll_key,
+    key,
+    round_,
+    start,
+    stop,
+    target,
+    tally,
+):
     """Cells ``start`` to ``stop`` of one shuffled round through the whole lattice.
 
     Every band gives the same share of its own cells, so that a part of a round is spread over the field.
@@ -255,14 +311,35 @@ def _poll_round(surface, sand, turns, grid, wind, repose, axis, ray, polls, sche
             n = min(BLOCK, end - at)
             poll = round_ * cells + first_row * grid.cols + at
             take_cells(polls, poll, at, n, first_row, grid.cols, poll_key)
-            peak = _run_polls(surface, sand, turns, grid, wind, repose, axis, ray, polls.rows, polls.cols, polls.states, n, False, first_row, rows, target, peak, tally)
+            peak = _run_polls(
+                surface,
+                sand,
+                turns,
+                grid,
+                wind,
+                repose,
+                axis,
+                ray,
+                polls.rows,
+                polls.cols,
+                polls.states,
+                n,
+                False,
+                first_row,
+                rows,
+                target,
+                peak,
+                tally,
+            )
             if tally[MOVED] == target:
                 return
             at += n
 
 
 @njit(cache=True)
-def _poll_each_once(surface, sand, turns, grid, wind, repose, axis, ray, polls, schedule, key, first, count, tally):
+def _poll_each_once(
+    surface, sand, turns, grid, wind, repose, axis, ray, polls, schedule, key, first, count, tally
+):
     """Polls ``first`` to ``first + count`` of a step that goes through the cells in random order."""
     cells = grid.rows * grid.cols
     poll_key = derive(key, 0)
@@ -270,11 +347,31 @@ def _poll_each_once(surface, sand, turns, grid, wind, repose, axis, ray, polls, 
         start = max(first - round_ * cells, 0)
         stop = min(first + count - round_ * cells, cells)
         round_key = derive(derive(key, 3), round_)
-        _poll_round(surface, sand, turns, grid, wind, repose, axis, ray, polls, schedule, poll_key, round_key, round_, start, stop, -1, tally)
+        _poll_round(
+            surface,
+            sand,
+            turns,
+            grid,
+            wind,
+            repose,
+            axis,
+            ray,
+            polls,
+            schedule,
+            poll_key,
+            round_key,
+            round_,
+            start,
+            stop,
+            -1,
+            tally,
+        )
 
 
 @njit(cache=True)
-def _poll_each_once_forced(surface, sand, turns, grid, wind, repose, axis, ray, polls, schedule, key, first, count, tally):
+def _poll_each_once_forced(
+    surface, sand, turns, grid, wind, repose, axis, ray, polls, schedule, key, first, count, tally
+):
     """Rounds through the cells in random order until ``count`` slabs have moved or none can."""
     cells = grid.rows * grid.cols
     target = tally[MOVED] + count
@@ -283,7 +380,25 @@ def _poll_each_once_forced(surface, sand, turns, grid, wind, repose, axis, ray, 
     while tally[MOVED] < target:
         before = tally[MOVED]
         key = derive(slice_key, round_)
-        _poll_round(surface, sand, turns, grid, wind, repose, axis, ray, polls, schedule, slice_key, key, round_, 0, cells, target, tally)
+        _poll_round(
+            surface,
+            sand,
+            turns,
+            grid,
+            wind,
+            repose,
+            axis,
+            ray,
+            polls,
+            schedule,
+            slice_key,
+            key,
+            round_,
+            0,
+            cells,
+            target,
+            tally,
+        )
         if tally[MOVED] == before:
             tally[EXHAUSTED] += 1
             return
@@ -291,7 +406,24 @@ def _poll_each_once_forced(surface, sand, turns, grid, wind, repose, axis, ray, 
 
 
 @njit(cache=True)
-def transport(surface, sand, turns, grid, wind, repose, axis, ray, polls, schedule, key, step, steps, first, count, tally):
+def transport(
+    surface,
+    sand,
+    turns,
+    grid,
+    wind,
+    repose,
+    axis,
+    ray,
+    polls,
+    schedule,
+    key,
+    step,
+    steps,
+    first,
+    count,
+    tally,
+):
     """Run the polls ``first`` to ``first + count`` of each of ``steps`` steps from ``step`` on.
 
     ``bed`` is (surface, sand, grid, wind, repose, axis, ray, mixed): the flat surface in whole units and
@@ -304,11 +436,56 @@ def transport(surface, sand, turns, grid, wind, repose, axis, ray, polls, schedu
         step_key = derive(key, step + s)
         before = tally[MOVED]
         if not schedule.each_once:
-            _poll_at_random(surface, sand, turns, grid, wind, repose, axis, ray, polls, schedule, step_key, first, count, tally)
+            _poll_at_random(
+                surface,
+                sand,
+                turns,
+                grid,
+                wind,
+                repose,
+                axis,
+                ray,
+                polls,
+                schedule,
+                step_key,
+                first,
+                count,
+                tally,
+            )
         elif schedule.forced:
-            _poll_each_once_forced(surface, sand, turns, grid, wind, repose, axis, ray, polls, schedule, step_key, first, count, tally)
+            _poll_each_once_forced(
+                surface,
+                sand,
+                turns,
+                grid,
+                wind,
+                repose,
+                axis,
+                ray,
+                polls,
+                schedule,
+                step_key,
+                first,
+                count,
+                tally,
+            )
         else:
-            _poll_each_once(surface, sand, turns, grid, wind, repose, axis, ray, polls, schedule, step_key, first, count, tally)
+            _poll_each_once(
+                surface,
+                sand,
+                turns,
+                grid,
+                wind,
+                repose,
+                axis,
+                ray,
+                polls,
+                schedule,
+                step_key,
+                first,
+                count,
+                tally,
+            )
         tally[SLICES] += 1
         tally[STILL] = 0 if tally[MOVED] > before else tally[STILL] + 1
         if schedule.still_limit > 0 and tally[STILL] >= schedule.still_limit:

@@ -16,85 +16,146 @@ class SlabTransport(Parameters):
     """How slabs are polled, carried, settled and slide."""
 
     hop_length: float = parameter(
-        5.0, unit="cells", gt=0, le=100_000, scale="log", live=True, group="transport",
+        5.0,
+        unit="cells",
+        gt=0,
+        le=100_000,
+        scale="log",
+        live=True,
+        group="transport",
         meaning="Distance of one hop; a wind that states its speed in cells overrides it.",
         source="Werner 1995; seed 000, Table 6.1",
     )
     p_s: float = parameter(
-        0.6, unit="-", ge=0, le=1, live=True, group="transport",
+        0.6,
+        unit="-",
+        ge=0,
+        le=1,
+        live=True,
+        group="transport",
         meaning="Chance that a slab settles where it lands on sand.",
         source="Werner 1995; seeds 000 and 004",
     )
     p_ns: float = parameter(
-        0.4, unit="-", ge=0, le=1, live=True, group="transport",
+        0.4,
+        unit="-",
+        ge=0,
+        le=1,
+        live=True,
+        group="transport",
         meaning="Chance that a slab settles where it lands on bare ground.",
         source="Werner 1995; seeds 000 and 004",
     )
     max_hops: int = parameter(
-        10_000, unit="hops", ge=1, le=1_000_000_000, group="transport",
+        10_000,
+        unit="hops",
+        ge=1,
+        le=1_000_000_000,
+        group="transport",
         meaning="After so many hops a slab is put down wherever it is, and counted.",
     )
     shadow_angle: float = parameter(
-        15.0, unit="degrees", ge=1, lt=90, live=True, group="shadow",
+        15.0,
+        unit="degrees",
+        ge=1,
+        lt=90,
+        live=True,
+        group="shadow",
         meaning="Angle at which the shadow line falls behind whatever stands upwind.",
         source="Werner 1995",
     )
     shadow_from: Literal["centre", "edge"] = parameter(
-        "centre", unit="-", live=True, group="shadow",
+        "centre",
+        unit="-",
+        live=True,
+        group="shadow",
         meaning="Where the line starts: at the upwind cell's centre, or at its downwind edge so that a "
         "cell is sheltered when more than half of its top lies under the line.",
         source="centre: seed 000, Alg. 6; edge: seed 004, Fig. 2",
     )
     lee_erosion: bool = parameter(
-        False, unit="-", live=True, group="shadow",
+        False,
+        unit="-",
+        live=True,
+        group="shadow",
         meaning="Whether cells in shadow may erode, as in the original of 1995.",
         source="Werner 1995 (true); Momiji et al. 2000 (false)",
     )
     repose_angle: float = parameter(
-        33.7, unit="degrees", ge=1, lt=90, live=True, group="avalanches",
+        33.7,
+        unit="degrees",
+        ge=1,
+        lt=90,
+        live=True,
+        group="avalanches",
         meaning="Angle of repose; whole slabs hold only some angles, see repose_test.",
         source="Momiji et al. 2000; seed 004",
     )
     repose_test: Literal["before", "after"] = parameter(
-        "after", unit="-", live=True, group="avalanches",
+        "after",
+        unit="-",
+        live=True,
+        group="avalanches",
         meaning="Whether a slope is tested after the slab is moved (the geometric rule) or before, which "
         "lets it stand one slab steeper.",
         source="before: seed 000, Alg. 4 and 5",
     )
     neighbourhood: Literal["von_neumann", "moore"] = parameter(
-        "von_neumann", unit="-", live=True, group="avalanches",
+        "von_neumann",
+        unit="-",
+        live=True,
+        group="avalanches",
         meaning="Cells that a slab may slide to: the four faces, or the four corners too.",
         source="von_neumann: seed 000, Fig. 5.5; moore: seed 004, Fig. 3",
     )
     corner_limit: Literal["face", "geometric"] | Annotated[int, Field(ge=1, le=1_000_000)] = parameter(
-        "face", unit="slabs", live=True, group="avalanches",
+        "face",
+        unit="slabs",
+        live=True,
+        group="avalanches",
         meaning="Largest stable step to a corner neighbour before repose_test: the same as to a face, the "
         "repose angle over the longer distance, or a number of slabs (3 is isotropic at an aspect of 1/3).",
         source="face: seed 004",
     )
     neighbour_order: Literal["wind", "random"] = parameter(
-        "wind", unit="-", live=True, group="avalanches",
+        "wind",
+        unit="-",
+        live=True,
+        group="avalanches",
         meaning="Which of equally steep neighbours comes first: downwind for a slab that slides and upwind "
         "for one that falls in, or a sequence drawn anew each time; faces come before corners.",
         source="wind: seed 000, Fig. 5.5; random: seed 004",
     )
     upwind_avalanches: bool = parameter(
-        True, unit="-", live=True, group="avalanches",
+        True,
+        unit="-",
+        live=True,
+        group="avalanches",
         meaning="Whether sand may slide against the wind; without it profiles become asymmetric.",
         source="seed 004, Fig. 5",
     )
     polling: Literal["repeated", "non_repeated"] = parameter(
-        "repeated", unit="-", live=True, group="polling",
+        "repeated",
+        unit="-",
+        live=True,
+        group="polling",
         meaning="Cells are polled at random with repetition, or each once a step in random order.",
         source="repeated: Werner 1995; non_repeated: Nield & Baas 2008",
     )
     forced_erosion: bool = parameter(
-        False, unit="-", live=True, group="polling",
+        False,
+        unit="-",
+        live=True,
+        group="polling",
         meaning="Whether every poll moves a slab: a cell that cannot erode is passed over for another.",
         source="seed 000, Alg. 2",
     )
     band_rows: int = parameter(
-        32, unit="cells", ge=1, le=65536, group="polling",
+        32,
+        unit="cells",
+        ge=1,
+        le=65536,
+        group="polling",
         meaning="The polls of a step go through the field band by band, so many rows at a time and the "
         "bands in random order; a value of the field's rows or more means no bands.",
     )

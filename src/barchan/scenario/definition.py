@@ -30,7 +30,10 @@ class SteadyState(Parameters):
         500, unit="steps", ge=10, le=10**9, scale="log", meaning="How long the measures must stay constant."
     )
     tolerance: float = parameter(
-        0.05, unit="-", gt=0, le=1,
+        0.05,
+        unit="-",
+        gt=0,
+        le=1,
         meaning="Largest spread over the window: of spacing and speed relative to their means, of "
         "straightness (0 to 1) as it is.",
     )
@@ -49,12 +52,19 @@ class Run(Parameters):
     """How long, from which seed and what to keep."""
 
     steps: int = parameter(
-        1000, unit="steps", ge=0, le=10**12, scale="log",
+        1000,
+        unit="steps",
+        ge=0,
+        le=10**12,
+        scale="log",
         meaning="Length of the run; a step polls as many cells as the field has.",
         source="seed 000, Table 6.1",
     )
     seed: int | None = parameter(
-        None, unit="-", ge=0, le=LARGEST_SEED,
+        None,
+        unit="-",
+        ge=0,
+        le=LARGEST_SEED,
         meaning="Where all random numbers start; one is drawn and stored where none is given.",
     )
     save_every: int = parameter(

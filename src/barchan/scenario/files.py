@@ -25,9 +25,7 @@ def preset_names() -> list[str]:
     return sorted(f.name.removesuffix(".json") for f in folder.iterdir() if f.name.endswith(".json"))
 
 
-def load_scenario(
-    source: str | Path | Mapping[str, Any], overrides: Sequence[Override] = ()
-) -> Scenario:
+def load_scenario(source: str | Path | Mapping[str, Any], overrides: Sequence[Override] = ()) -> Scenario:
     """A scenario from a preset's name, a JSON file or plain data, with single values overridden.
 
     Raises ScenarioError with every problem found: unknown keys, wrong types, values out of range.
@@ -64,7 +62,9 @@ def validate(
     def place(path: KeyPath) -> str:
         if any(path[: len(g)] == g for g in given):
             return "command line"
-        line = next((lines[path[:n]] for n in range(len(path), 0, -1) if path[:n] in lines), 0) if lines else 0
+        line = (
+            next((lines[path[:n]] for n in range(len(path), 0, -1) if path[:n] in lines), 0) if lines else 0
+        )
         return f"{name}:{line}" if line else ""
 
     try:
@@ -111,5 +111,3 @@ def _override(data: dict[str, Any], path: KeyPath, text: str) -> list[Problem]:
 
 def _text(constant: str) -> str:
     return constant
-
-

@@ -12,7 +12,7 @@ STEPS: dict[int, Callable[[dict[str, Any]], dict[str, Any]]] = {}
 def migrate(data: dict[str, Any]) -> tuple[dict[str, Any], str]:
     """The data in today's format, and what is wrong with its version, if anything."""
     if "barchan" not in data:
-        return data, f"is missing: the format's version, \"barchan\": {FORMAT}"
+        return data, f'is missing: the format\'s version, "barchan": {FORMAT}'
     version = data["barchan"]
     if not isinstance(version, int) or isinstance(version, bool) or version < 1:
         return {**data, "barchan": FORMAT}, f"is {version!r}; allowed: a format version from 1 to {FORMAT}"

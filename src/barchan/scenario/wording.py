@@ -37,7 +37,9 @@ def _path_in(data: Any, location: tuple[str | int, ...]) -> Path:
     path: list[str | int] = []
     for at, step in enumerate(location):
         inside = isinstance(data, dict | list)
-        known = (isinstance(data, dict) and step in data) or (isinstance(data, list) and isinstance(step, int))
+        known = (isinstance(data, dict) and step in data) or (
+            isinstance(data, list) and isinstance(step, int)
+        )
         if known:
             path.append(step)
             data = data[step]  # type: ignore[index, call-overload]

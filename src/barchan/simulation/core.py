@@ -44,7 +44,7 @@ class Watch(Protocol):
         ...
 
     def state(self) -> dict[str, Any]:
-        """What was seen so far, as JSON can hold it."""
+        """What was seen so far: arrays, and what JSON can hold."""
         ...
 
     def restore(self, state: dict[str, Any]) -> None:
@@ -133,18 +133,25 @@ class Simulation:
         """Whether the run has come to its end."""
         return self.finished is not None or self.steps_done >= self.scenario.run.steps
 
+    def extend(self, steps: int) -> None:
+        """Let the run go on to ``steps`` steps in all."""
+        run = self.scenario.run.model_copy(update={"steps": steps})
+        self.scenario = self.scenario.model_copy(update={"run": run})
+
     @property
     def next_frame(self) -> int:
-        """The step at which the next frame is due."""
-        if self._framed != self.steps_done and self.steps_done == 0:
-            return 0
+        """The step at which the next frame is due: now, where one is due that was not handed out."""
         every = self.scenario.run.save_every
+        if self.steps_done % every == 0 and not self.framed:
+            return self.steps_done
         return min((self.steps_done // every + 1) * every, self.scenario.run.steps)
 
     def frame(self) -> Frame:
         """The bed as it is now, copied."""
         self._framed = self.steps_done
-        return Frame(self.steps_done, self.bed.frame(), Ledger(**vars(self.ledger)), Tally(**vars(self.tally)))
+        return Frame(
+            self.steps_done, self.bed.frame(), Ledger(**vars(self.ledger)), Tally(**vars(self.tally))
+        )
 
     @property
     def framed(self) -> bool:
@@ -153,12 +160,12 @@ class Simulation:
 
     def __iter__(self) -> Iterator[Frame]:
         """Run to the end, frame by frame."""
-        if not self.framed and self.steps_done == 0:
-            yield self.frame()
-        while not self.done:
-            self.advance(self.next_frame - self.steps_done)
-            if not self.framed:
+        while True:
+            if not self.framed and (self.done or self.next_frame == self.steps_done):
                 yield self.frame()
+            if self.done:
+                return
+            self.advance(self.next_frame - self.steps_done)
 
     def apply(self, event: SetParameter | SetWind | Stroke) -> Record:
         """Let something happen now, between two steps; it is journaled in ``events``."""
@@ -211,8 +218,12 @@ class Simulation:
             "ledger": asdict(self.ledger),
             "tally": asdict(self.tally),
             "events": [record.data() for record in self.events],
-            "watches": {name: watch.state() for name, watch in self.watches.items()},
+            "watches": {},
         }
+        for name, watch in self.watches.items():
+            seen = watch.state()
+            data["watches"][name] = {k: v for k, v in seen.items() if not isinstance(v, np.ndarray)}
+            arrays |= {f"watch/{name}/{k}": v for k, v in seen.items() if isinstance(v, np.ndarray)}
         return State(data, arrays)
 
     @classmethod
@@ -229,8 +240,7 @@ class Simulation:
         simulation.model.prepare(bed)
         for name in bed.arrays:
             bed.arrays[name][...] = state.arrays[f"bed/{name}"]
-        remembered = {k.removeprefix("model/"): v for k, v in state.arrays.items() if k.startswith("model/")}
-        simulation.model.restore(remembered)
+        simulation.model.restore(state.group("model/"))
         simulation.steps_done = data["step"]
         simulation._framed = data["framed"]
         simulation.finished = data["finished"]
@@ -238,7 +248,7 @@ class Simulation:
         simulation.tally = Tally(**data["tally"])
         simulation.events = [Record.from_data(record) for record in data["events"]]
         for name, watch in simulation.watches.items():
-            watch.restore(data["watches"][name])
+            watch.restore({**data["watches"][name], **state.group(f"watch/{name}/")})
         simulation.ledger.check(bed.slabs)
         return simulation
 

@@ -1,0 +1,145 @@
+"""The measures of a run's frames, one after the other: a table of declared measures."""
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from barchan.analysis.heights import bare_fraction, highest_stack, sand_volume
+from barchan.analysis.migration import NOWHERE, Migration, migration
+from barchan.analysis.orientation import Orientation, crest_orientation
+from barchan.analysis.slopes import Slopes, streamwise_slopes
+from barchan.analysis.spacing import dominant_spacing
+from barchan.analysis.transport import flux
+from barchan.scenario import Scenario
+from barchan.wind.segment import downwind
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+
+@dataclass(frozen=True)
+class Moment:
+    """One frame of a run and what it is compared with."""
+
+    sand: NDArray[np.int32]
+    elevation: NDArray[np.float64]
+    scenario: Scenario
+    orientation: Orientation
+    slopes: Slopes
+    migration: Migration
+    travel: float
+    """Distance (cells) travelled downwind since the frame before, summed over slabs."""
+    steps: int
+    """Steps since the frame before."""
+
+    @property
+    def periodic(self) -> tuple[bool, bool]:
+        """Whether the field is periodic south to north and west to east."""
+        return periodic(self.scenario)
+
+    @property
+    def speed(self) -> float:
+        """Migration along the wind (cells per step)."""
+        return self.migration.along(*downwind(self.scenario.wind.direction))
+
+
+@dataclass(frozen=True)
+class Measure:
+    """A declared measure."""
+
+    name: str
+    title: str
+    unit: str
+    of: Callable[[Moment], float]
+
+
+MEASURES = (
+    Measure("highest_stack", "highest stack", "slabs", lambda m: highest_stack(m.sand)),
+    Measure("highest", "highest stack", "m", lambda m: highest_stack(m.sand) * m.scenario.lattice.thickness),
+    Measure("bare_fraction", "bare ground", "-", lambda m: bare_fraction(m.sand)),
+    Measure(
+        "spacing",
+        "dominant spacing",
+        "m",
+        lambda m: dominant_spacing(
+            m.elevation, m.scenario.lattice.cell_size, m.scenario.wind.direction, m.periodic
+        ),
+    ),
+    Measure("crest_azimuth", "crest orientation", "degrees", lambda m: m.orientation.azimuth),
+    Measure("straightness", "crest straightness", "-", lambda m: m.orientation.coherence),
+    Measure("speed_cells", "migration downwind", "cells/step", lambda m: m.speed),
+    Measure("speed", "migration downwind", "m/step", lambda m: m.speed * m.scenario.lattice.cell_size),
+    Measure("windward_slope", "windward slope", "degrees", lambda m: m.slopes.windward),
+    Measure("lee_slope", "lee slope", "degrees", lambda m: m.slopes.lee),
+    Measure(
+        "flux",
+        "sand flux",
+        "m²/step",
+        lambda m: flux(
+            m.travel, m.sand.size, m.steps, m.scenario.lattice.thickness, m.scenario.lattice.cell_size
+        ),
+    ),
+    Measure(
+        "volume",
+        "sand volume",
+        "m³",
+        lambda m: sand_volume(m.sand, m.scenario.lattice.thickness, m.scenario.lattice.cell_size),
+    ),
+)
+"""Every measure of a frame, in the order in which tables show them."""
+
+
+def periodic(scenario: Scenario) -> tuple[bool, bool]:
+    """Whether a scenario's field is periodic south to north and west to east."""
+    lattice = scenario.lattice
+    return lattice.boundary_y == "periodic", lattice.boundary_x == "periodic"
+
+
+def moments(dataset: "xr.Dataset", scenario: Scenario, first: int = 0) -> Iterator[Moment]:
+    """The frames of a run from number ``first`` on; each speed is from the frame before."""
+    lattice = scenario.lattice
+    joined = periodic(scenario)
+    steps = dataset["step"].values
+    x, y = downwind(scenario.wind.direction)
+    travel = dataset["travel_x"].values * x + dataset["travel_y"].values * y
+    before: NDArray[Any] | None = dataset["elevation"][first - 1].values if first else None
+    for at in range(first, len(steps)):
+        elevation = dataset["elevation"][at].values
+        moved = NOWHERE
+        if before is not None:
+            moved = migration(steps[at - 1 : at + 1], [before, elevation], joined)
+        yield Moment(
+            sand=dataset["sand"][at].values,
+            elevation=elevation,
+            scenario=scenario,
+            orientation=crest_orientation(elevation, lattice.cell_size, joined),
+            slopes=streamwise_slopes(elevation, lattice.cell_size, scenario.wind.direction, joined),
+            migration=moved,
+            travel=float(travel[at] - travel[at - 1]) if at else 0.0,
+            steps=int(steps[at] - steps[at - 1]) if at else 0,
+        )
+        before = elevation
+
+
+def course(dataset: "xr.Dataset", scenario: Scenario) -> "xr.Dataset":
+    """Every measure over the steps of a run."""
+    import xarray as xr
+
+    rows = [[measure.of(moment) for measure in MEASURES] for moment in moments(dataset, scenario)]
+    values = np.array(rows, float).T
+    return xr.Dataset(
+        {
+            m.name: ("step", v, {"long_name": m.title, "unit": m.unit})
+            for m, v in zip(MEASURES, values, strict=True)
+        },
+        {"step": dataset["step"]},
+    )
+
+
+def last_measures(dataset: "xr.Dataset", scenario: Scenario) -> dict[str, float]:
+    """The measures of a run's last frame, by name."""
+    last = next(iter(moments(dataset, scenario, dataset.sizes["step"] - 1)))
+    return {measure.name: float(measure.of(last)) for measure in MEASURES}

@@ -1,0 +1,66 @@
+"""When bedforms are steady: spacing, straightness and speed that stay constant."""
+
+from typing import Any
+
+import numpy as np
+
+from barchan.analysis.migration import migration
+from barchan.analysis.orientation import crest_orientation
+from barchan.analysis.spacing import dominant_spacing
+from barchan.scenario import Scenario, SteadyState
+from barchan.simulation import Simulation
+from barchan.wind.segment import downwind
+
+LOOKS = 20
+"""Looks at the bed in one window."""
+
+
+class SteadyWatch:
+    """Ends a run when the measures of ``run.until.steady`` stay constant over its window."""
+
+    def __init__(self, asked: SteadyState, scenario: Scenario) -> None:
+        """Watch a run of ``scenario``."""
+        self.asked = asked
+        self.every = max(1, asked.window // LOOKS)
+        lattice = scenario.lattice
+        self.cell_size = lattice.cell_size
+        self.periodic = lattice.boundary_y == "periodic", lattice.boundary_x == "periodic"
+        self.seen: list[list[float]] = []
+        self.previous = np.zeros((0, 0))
+
+    def observe(self, simulation: Simulation) -> str | None:
+        """Measure the bed; the reason to end, once the window's measures are constant."""
+        surface = simulation.elevation
+        wind = simulation.wind.direction
+        spacing = dominant_spacing(surface, self.cell_size, wind, self.periodic)
+        straightness = crest_orientation(surface, self.cell_size, self.periodic).coherence
+        speed = float("nan")
+        if self.previous.size:
+            moved = migration([0, self.every], [self.previous, surface], self.periodic)
+            speed = moved.along(*downwind(wind))
+        self.previous = surface
+        self.seen = [*self.seen, [spacing, straightness, speed]][-LOOKS - 1 :]
+        return self._verdict()
+
+    def _verdict(self) -> str | None:
+        measures = np.array(self.seen)
+        if len(measures) <= LOOKS or not np.isfinite(measures).all():
+            return None
+        spread = np.ptp(measures, axis=0)
+        mean = measures.mean(axis=0)
+        relative = spread[[0, 2]] / np.abs(mean[[0, 2]])
+        if max(relative.max(), spread[1]) > self.asked.tolerance:
+            return None
+        return (
+            f"steady for {self.asked.window} steps: spacing {mean[0]:.3g} m, straightness {mean[1]:.2f}, "
+            f"speed {mean[2]:.3g} cells per step"
+        )
+
+    def state(self) -> dict[str, Any]:
+        """What was seen so far."""
+        return {"seen": self.seen, "previous": self.previous}
+
+    def restore(self, state: dict[str, Any]) -> None:
+        """Take up what was seen before."""
+        self.seen = state["seen"]
+        self.previous = state["previous"]

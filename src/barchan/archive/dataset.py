@@ -1,0 +1,74 @@
+"""Frames as an xarray dataset, the same from memory as from disk."""
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from barchan.archive.frames import (
+    COUNTERS,
+    coordinate_attributes,
+    counter_attributes,
+    counter_type,
+    counters,
+    field_attributes,
+    run_attributes,
+)
+from barchan.scenario import Scenario
+from barchan.simulation import Frame, Simulation
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+ELEVATION = {"units": "m", "long_name": "elevation of the surface", "unit": "m"}
+
+
+def simulate(scenario: Scenario) -> "xr.Dataset":
+    """Run a scenario in memory; its frames with ``sand``, ``ground`` and ``elevation`` over (step, y, x).
+
+    The dataset's attributes hold the complete scenario, with the seed that was used, and the reason why
+    the run ended.
+    """
+    simulation = Simulation(scenario)
+    dataset = dataset_of(simulation, list(simulation))
+    dataset.attrs["stopped"] = simulation.finished or "all steps done"
+    return dataset
+
+
+def dataset_of(simulation: Simulation, frames: Iterable[Frame]) -> "xr.Dataset":
+    """Frames of a simulation as a dataset."""
+    import xarray as xr
+
+    frames = list(frames)
+    lattice = simulation.lattice
+    coordinates = {
+        "step": ("step", np.array([f.step for f in frames], np.int64), coordinate_attributes("step")),
+        "y": ("y", lattice.y, coordinate_attributes("y")),
+        "x": ("x", lattice.x, coordinate_attributes("x")),
+    }
+    values = {
+        name: (
+            "step",
+            np.array([counters(f)[name] for f in frames], counter_type(name)),
+            counter_attributes(name),
+        )
+        for name in COUNTERS
+    }
+    fields = {
+        name: (("step", "y", "x"), np.stack([f.fields[name] for f in frames]), field_attributes(info))
+        for name, info in simulation.bed.declared.items()
+        if info.in_frames
+    }
+    dataset = xr.Dataset({**fields, **values}, coordinates, run_attributes(simulation.scenario))
+    dataset["elevation"] = dataset["ground"] + dataset["sand"] * lattice.thickness
+    dataset["elevation"].attrs.update(ELEVATION)
+    return dataset
+
+
+def scenario_in(dataset: "xr.Dataset") -> Scenario:
+    """The scenario that a dataset was made from."""
+    import json
+
+    from barchan.scenario import validate
+
+    return validate(json.loads(dataset.attrs["scenario"]), "dataset")

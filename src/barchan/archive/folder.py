@@ -1,0 +1,179 @@
+"""The folder of a run, and who may write to it."""
+
+import json
+import os
+import shutil
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import Any
+
+from barchan.archive.checkpoint import read_checkpoint, write_checkpoint
+from barchan.archive.frames import Frames
+from barchan.errors import ArchiveError
+from barchan.scenario import Scenario
+from barchan.simulation import Frame, Simulation, State
+
+SCENARIO, FRAMES, CHECKPOINT = "scenario.json", "frames.zarr", "checkpoint.npz"
+EVENTS, LOG, LOCK = "events.jsonl", "log.jsonl", "writer.lock"
+OWN = (SCENARIO, FRAMES, CHECKPOINT, "checkpoint.partial", EVENTS, LOG, LOCK)
+"""All that an archive writes into its folder."""
+
+
+@contextmanager
+def writing(path: Path) -> Iterator[None]:
+    """Turn what the system says while writing into one clear error."""
+    try:
+        yield
+    except OSError as error:
+        safe = f"; what was saved in {path} stays good" if (path / CHECKPOINT).exists() else ""
+        raise ArchiveError(f"cannot write to {path}: {error.strerror or error}{safe}") from error
+
+
+class Archive:
+    """A run's folder, open for writing by this process alone."""
+
+    def __init__(self, path: Path) -> None:
+        """Open the folder of an existing run for writing."""
+        self.path = path
+        self._lock = _lock(path / LOCK)
+        self._events = 0
+        with writing(path):
+            _end_last_line(path / LOG)
+        self.frames: Frames | None = Frames(path / FRAMES) if (path / FRAMES).is_dir() else None
+
+    @classmethod
+    def create(cls, path: Path, simulation: Simulation, overwrite: bool = False) -> "Archive":
+        """Make the folder of a new run; one that is not empty is refused unless asked."""
+        with writing(path):
+            if path.is_dir() and any(path.iterdir()):
+                _make_room(path, overwrite)
+            path.mkdir(parents=True, exist_ok=True)
+            archive = cls(path)
+            archive.write_scenario(simulation)
+            (path / EVENTS).touch()
+            archive.start(simulation)
+        return archive
+
+    def write_scenario(self, simulation: Simulation) -> None:
+        """Write the scenario as it is now."""
+        with writing(self.path):
+            _write(self.path / SCENARIO, simulation.scenario.text())
+
+    def start(self, simulation: Simulation) -> None:
+        """Make an empty store of frames and the first checkpoint."""
+        with writing(self.path):
+            self.frames = Frames.create(self.path / FRAMES, simulation.scenario, simulation.bed.declared)
+            self.checkpoint(simulation)
+
+    def save(self, frame: Frame) -> None:
+        """Add a frame."""
+        assert self.frames is not None
+        with writing(self.path):
+            self.frames.append(frame)
+        self.log("frame", step=frame.step)
+
+    def checkpoint(self, simulation: Simulation) -> None:
+        """Replace the checkpoint by the simulation's state, and write new events."""
+        with writing(self.path):
+            state = simulation.state()
+            write_checkpoint(self.path / CHECKPOINT, state)
+            self._write_events(state)
+
+    def _write_events(self, state: State) -> None:
+        events = state.data["events"]
+        if len(events) != self._events or not events:
+            _write(self.path / EVENTS, "".join(json.dumps(event) + "\n" for event in events))
+            self._events = len(events)
+
+    def log(self, event: str, **details: Any) -> None:
+        """Add a line to the log."""
+        entry = {"time": datetime.now(UTC).isoformat(timespec="seconds"), "event": event, **details}
+        with writing(self.path), (self.path / LOG).open("a", encoding="utf-8") as file:
+            file.write(json.dumps(entry) + "\n")
+
+    def last_state(self) -> State:
+        """The newest complete checkpoint, with the frames newer than it dropped."""
+        state = read_checkpoint(self.path / CHECKPOINT)
+        if self.frames is None:
+            raise ArchiveError(f"{self.path}: no frames; run the scenario again")
+        with writing(self.path):
+            steps = self.frames.steps
+            kept = int((steps <= state.step).sum())
+            if kept < len(steps):
+                self.frames.keep(kept)
+        framed = int(steps[kept - 1]) if kept else -1
+        return State({**state.data, "framed": framed}, state.arrays)
+
+    def close(self) -> None:
+        """Let others write."""
+        self._lock.close()
+        with suppress(OSError):
+            (self.path / LOCK).unlink()
+
+
+def scenario_of(path: Path) -> Scenario:
+    """The scenario of the run in a folder."""
+    from barchan.scenario import load_scenario
+
+    if not (path / SCENARIO).is_file():
+        raise ArchiveError(f"{path}: not a run (it has no {SCENARIO})")
+    return load_scenario(path / SCENARIO)
+
+
+def log_of(path: Path) -> list[dict[str, Any]]:
+    """The log's entries; a line that was cut short is passed over."""
+    entries = []
+    if (path / LOG).is_file():
+        for line in (path / LOG).read_text("utf-8").splitlines():
+            with suppress(json.JSONDecodeError):
+                entries.append(json.loads(line))
+    return entries
+
+
+def _make_room(path: Path, overwrite: bool) -> None:
+    if not overwrite:
+        raise ArchiveError(f"{path} is not empty; choose another folder, or add --overwrite to replace it")
+    if not (path / SCENARIO).is_file():
+        raise ArchiveError(f"{path} is not empty and holds no run; it is not overwritten")
+    _lock(path / LOCK).close()
+    for name in OWN:
+        if (path / name).is_dir():
+            shutil.rmtree(path / name)
+        else:
+            (path / name).unlink(missing_ok=True)
+
+
+def _write(path: Path, text: str) -> None:
+    partial = path.with_name(path.name + ".partial")
+    partial.write_text(text, "utf-8")
+    partial.replace(path)
+
+
+def _end_last_line(path: Path) -> None:
+    """A log that a kill cut short in mid-line goes on in a new one."""
+    if path.is_file() and path.stat().st_size and not path.read_bytes().endswith(b"\n"):
+        with path.open("ab") as file:
+            file.write(b"\n")
+
+
+def _lock(path: Path) -> Any:
+    """Hold the folder for this process; the system lets go when the process ends, however it ends."""
+    with writing(path.parent):
+        file = path.open("a+", encoding="utf-8")
+    try:
+        import fcntl
+    except ImportError:  # no advisory locks on this system: go without
+        return file
+    try:
+        fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except OSError:
+        file.seek(0)
+        owner = file.read().strip() or "another"
+        file.close()
+        raise ArchiveError(f"{path.parent} is being written by process {owner}") from None
+    file.truncate(0)
+    file.write(str(os.getpid()))
+    file.flush()
+    return file

@@ -1,0 +1,159 @@
+"""Frames in a Zarr store: one chunk a frame, and the consolidated metadata last, as the commit."""
+
+import warnings
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import zarr
+from numpy.typing import NDArray
+
+from barchan.bed import FieldInfo
+from barchan.scenario import Scenario
+from barchan.simulation import Frame
+
+COUNTERS = {
+    "moved": "slabs that the wind took since the start",
+    "left": "slabs that left the field since the start",
+    "entered": "slabs that entered the field since the start",
+    "airborne": "slabs in the air",
+    "capped": "slabs put down after the most hops allowed, since the start",
+    "travel_x": "distance travelled eastwards on the wind since the start, summed over slabs",
+    "travel_y": "distance travelled northwards on the wind since the start, summed over slabs",
+}
+"""What frames tell beside the fields, and what it means."""
+
+_CHUNK = 1024
+_LEDGER = ("left", "entered", "airborne")
+
+
+def counters(frame: Frame) -> dict[str, float]:
+    """A frame's counters by name."""
+    return {n: getattr(frame.ledger if n in _LEDGER else frame.tally, n) for n in COUNTERS}
+
+
+def counter_type(name: str) -> str:
+    """The type a counter is kept in."""
+    return "float64" if name.startswith("travel") else "int64"
+
+
+def counter_attributes(name: str) -> dict[str, Any]:
+    """Unit and meaning of a counter."""
+    return {"units": "1", "long_name": COUNTERS[name], "unit": "cells" if "travel" in name else "slabs"}
+
+
+def field_attributes(field: FieldInfo) -> dict[str, Any]:
+    """Unit and meaning of a field, in CF's words and in ours."""
+    units = "m" if field.unit == "m" else "1"
+    return {"units": units, "long_name": field.meaning, "unit": field.unit}
+
+
+def coordinate_attributes(name: str) -> dict[str, Any]:
+    """Unit and meaning of a coordinate."""
+    if name == "step":
+        return {"units": "1", "long_name": "steps done"}
+    edge = {"x": "west", "y": "south"}[name]
+    return {"units": "m", "axis": name.upper(), "long_name": f"distance from the {edge} edge"}
+
+
+def run_attributes(scenario: Scenario) -> dict[str, Any]:
+    """What a run's data say of themselves."""
+    from barchan import __version__
+
+    return {
+        "Conventions": "CF-1.11",
+        "title": scenario.title,
+        "source": f"Barchan {__version__}",
+        "references": scenario.citation,
+        "scenario": scenario.text(),
+        "cell_size": scenario.lattice.cell_size,
+        "slab_height": scenario.lattice.thickness,
+    }
+
+
+class Frames:
+    """The growing store of a run's frames."""
+
+    def __init__(self, path: Path) -> None:
+        """Open an existing store for writing."""
+        self.path = path
+        self.group = zarr.open_group(path, mode="r+", use_consolidated=False)
+
+    @classmethod
+    def create(cls, path: Path, scenario: Scenario, fields: dict[str, FieldInfo]) -> "Frames":
+        """Make an empty store for a scenario's frames."""
+        group = zarr.open_group(path, mode="w", zarr_format=3, attributes=run_attributes(scenario))
+        lattice = scenario.lattice
+        for name, places in (("x", lattice.x), ("y", lattice.y)):
+            array = _make(group, name, places.shape, places.shape, "float64", (name,))
+            array.attrs.update(coordinate_attributes(name))
+            array[...] = places
+        _make(group, "step", (0,), (_CHUNK,), "int64", ("step",)).attrs.update(coordinate_attributes("step"))
+        for name in COUNTERS:
+            array = _make(group, name, (0,), (_CHUNK,), counter_type(name), ("step",))
+            array.attrs.update(counter_attributes(name))
+        for field in fields.values():
+            if field.in_frames:
+                shape, chunk = (0, *lattice.shape), (1, *lattice.shape)
+                array = _make(group, field.name, shape, chunk, field.dtype, ("step", "y", "x"))
+                array.attrs.update(field_attributes(field))
+        store = cls(path)
+        store.commit()
+        return store
+
+    def append(self, frame: Frame) -> None:
+        """Add a frame; readers see it when it is complete, never before."""
+        count = self.count
+        values: dict[str, Any] = {"step": frame.step, **counters(frame), **frame.fields}
+        for name, value in values.items():
+            array = self._array(name)
+            array.resize((count + 1, *array.shape[1:]))
+            array[count] = value
+        self.commit()
+
+    def keep(self, count: int) -> None:
+        """Drop all but the first ``count`` frames."""
+        for name in ["step", *COUNTERS, *self.fields]:
+            array = self._array(name)
+            array.resize((count, *array.shape[1:]))
+        self.commit()
+
+    def commit(self) -> None:
+        """Publish what was written: a reader sees only what the consolidated metadata know."""
+        with warnings.catch_warnings():
+            warnings.filterwarnings("ignore", message="Consolidated metadata")
+            zarr.consolidate_metadata(self.path)
+
+    @property
+    def steps(self) -> NDArray[np.int64]:
+        """Steps of the published frames."""
+        group = zarr.open_group(self.path, mode="r")
+        return np.asarray(group["step"][...])  # type: ignore[index]
+
+    @property
+    def count(self) -> int:
+        """How many frames are published."""
+        return len(self.steps)
+
+    @property
+    def fields(self) -> list[str]:
+        """Names of the stored fields."""
+        return [name for name, array in self.group.arrays() if array.ndim == 3]
+
+    def _array(self, name: str) -> zarr.Array:
+        array = self.group[name]
+        assert isinstance(array, zarr.Array)
+        return array
+
+
+def _make(
+    group: zarr.Group,
+    name: str,
+    shape: tuple[int, ...],
+    chunk: tuple[int, ...],
+    dtype: str,
+    dims: tuple[str, ...],
+) -> zarr.Array:
+    return group.create_array(
+        name, shape=shape, chunks=chunk, dtype=dtype, dimension_names=dims, fill_value=0
+    )

@@ -1,0 +1,111 @@
+"""Reading runs, also while they are being written."""
+
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from barchan.archive.dataset import ELEVATION
+from barchan.archive.folder import CHECKPOINT, FRAMES, SCENARIO, log_of, scenario_of
+from barchan.errors import ArchiveError
+from barchan.scenario import Scenario, load_scenario
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+
+def open_run(path: str | Path) -> "xr.Dataset":
+    """The frames of a run: ``sand``, ``ground`` and ``elevation`` over (step, y, x), read when used.
+
+    Raises ArchiveError where there is no run or it has no frames yet.
+    """
+    import xarray as xr
+
+    path = Path(path)
+    scenario = scenario_of(path)
+    if not (path / FRAMES / "zarr.json").is_file():
+        raise ArchiveError(f"{path}: no frames were saved")
+    dataset = xr.open_zarr(path / FRAMES, chunks=None)
+    if dataset.sizes["step"] == 0:
+        raise ArchiveError(f"{path}: no frames were saved")
+    lazy = _Elevation(dataset["ground"].variable, dataset["sand"].variable, scenario.lattice.thickness)
+    from xarray.core.indexing import LazilyIndexedArray
+
+    dataset["elevation"] = (("step", "y", "x"), LazilyIndexedArray(lazy), ELEVATION)
+    return dataset
+
+
+def _elevation_class() -> type:
+    from xarray.backends import BackendArray
+    from xarray.core import indexing
+
+    class Elevation(BackendArray):
+        """Ground plus slabs, computed for the part that is asked for."""
+
+        def __init__(self, ground: Any, sand: Any, thickness: float) -> None:
+            self.ground, self.sand, self.thickness = ground, sand, thickness
+            self.shape = sand.shape
+            self.dtype = np.dtype("float64")
+
+        def __getitem__(self, key: Any) -> Any:
+            support = indexing.IndexingSupport.BASIC
+            return indexing.explicit_indexing_adapter(key, self.shape, support, self._part)
+
+        def _part(self, key: tuple[Any, ...]) -> NDArray[np.float64]:
+            return np.asarray(self.ground[key].values + self.sand[key].values * self.thickness)
+
+    return Elevation
+
+
+def _Elevation(ground: Any, sand: Any, thickness: float) -> Any:  # noqa: N802
+    return _elevation_class()(ground, sand, thickness)
+
+
+@dataclass(frozen=True)
+class RunInfo:
+    """What there is to know about a run without reading its frames."""
+
+    path: Path
+    scenario: Scenario
+    frames: int
+    last_step: int
+    checkpoint: int | None
+    """Step of the newest checkpoint."""
+    stopped: str | None
+    """Why the run ended; None while it can go on."""
+    bytes: int
+
+
+def run_info(path: str | Path) -> RunInfo:
+    """What there is to know about the run in a folder."""
+    from barchan.archive.checkpoint import read_checkpoint
+
+    path = Path(path)
+    scenario = scenario_of(path)
+    try:
+        dataset = open_run(path)
+        steps = dataset["step"].values
+    except ArchiveError:
+        steps = np.zeros(0, np.int64)
+    checkpoint = read_checkpoint(path / CHECKPOINT).step if (path / CHECKPOINT).is_file() else None
+    stops = [entry for entry in log_of(path) if entry["event"] in ("stop", "resume", "interrupted")]
+    stopped = stops[-1].get("reason") if stops and stops[-1]["event"] == "stop" else None
+    size = sum(f.stat().st_size for f in path.rglob("*") if f.is_file())
+    last = int(steps[-1]) if len(steps) else 0
+    return RunInfo(path, scenario, len(steps), last, checkpoint, stopped, size)
+
+
+def load(source: str | Path | Mapping[str, Any], **overrides: Any) -> Scenario:
+    """A scenario: a preset by name, a JSON file, a run's folder, or plain data.
+
+    ``overrides`` set single values, ``__`` standing for the dot: ``load("barchans", run__steps=100)``.
+    Raises ScenarioError with every problem found.
+    """
+    if not isinstance(source, Mapping) and Path(source).is_dir():
+        source = Path(source) / SCENARIO
+    pairs = [(key.replace("__", "."), json.dumps(value)) for key, value in overrides.items()]
+    return load_scenario(source, pairs)

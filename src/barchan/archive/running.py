@@ -1,0 +1,140 @@
+"""Running a simulation into an archive, and going on with one."""
+
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+from barchan.archive.folder import CHECKPOINT, Archive, scenario_of
+from barchan.errors import ArchiveError
+from barchan.simulation import Simulation
+
+BREATH = 0.1
+"""Seconds of work between two looks at the clock and at whether someone wants it to stop."""
+
+CHECKPOINT_EVERY = 60.0
+"""Seconds from one checkpoint to the next where frames are further apart."""
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """How a run ended."""
+
+    path: Path
+    simulation: Simulation
+    reason: str
+    interrupted: bool
+    polls_per_second: float
+    """Polls per second of work, without the first steps (which may compile) and without saving."""
+
+
+Progress = Callable[[Simulation], None]
+
+
+def run(
+    simulation: Simulation,
+    path: str | Path,
+    *,
+    overwrite: bool = False,
+    progress: Progress | None = None,
+    stop: Callable[[], bool] = lambda: False,
+) -> Outcome:
+    """Run a simulation to its end into a new folder.
+
+    ``progress`` is told about ten times a second; when ``stop`` says so the run is saved where it is and
+    ends, to be resumed. Raises ArchiveError where the folder is not empty or cannot be written; what was
+    saved stays good.
+    """
+    archive = Archive.create(Path(path), simulation, overwrite)
+    archive.log("start", seed=simulation.scenario.seed, steps=simulation.scenario.run.steps)
+    return _drive(simulation, archive, progress, stop)
+
+
+@dataclass(frozen=True)
+class Reopened:
+    """A run that was opened to go on with."""
+
+    simulation: Simulation
+    archive: Archive
+
+    def go_on(self, *, progress: Progress | None = None, stop: Callable[[], bool] = lambda: False) -> Outcome:
+        """Run to the end."""
+        self.archive.log("resume", step=self.simulation.steps_done)
+        return _drive(self.simulation, self.archive, progress, stop)
+
+
+def reopen(path: str | Path, steps: int | None = None) -> Reopened:
+    """Open the run in a folder at its newest checkpoint, to go on to ``steps`` steps where stated.
+
+    Raises ArchiveError where there is no run, or another process is writing it.
+    """
+    path = Path(path)
+    scenario = scenario_of(path)
+    archive = Archive(path)
+    try:
+        if (path / CHECKPOINT).is_file() and archive.frames is not None:
+            simulation = Simulation.from_state(archive.last_state())
+        else:
+            simulation = Simulation(scenario)
+            archive.start(simulation)
+        if steps is not None:
+            simulation.extend(steps)
+            archive.write_scenario(simulation)
+    except ArchiveError:
+        archive.close()
+        raise
+    return Reopened(simulation, archive)
+
+
+def resume(
+    path: str | Path,
+    *,
+    steps: int | None = None,
+    progress: Progress | None = None,
+    stop: Callable[[], bool] = lambda: False,
+) -> Outcome:
+    """Go on with the run in a folder from its newest checkpoint, with the same bits as if uninterrupted.
+
+    ``steps`` is a new total of steps, to go beyond what the scenario asked for.
+    """
+    return reopen(path, steps).go_on(progress=progress, stop=stop)
+
+
+def _drive(
+    simulation: Simulation, archive: Archive, progress: Progress | None, stop: Callable[[], bool]
+) -> Outcome:
+    saved = time.monotonic()
+    pace, first, polls, worked = 1, True, 0, 0.0
+    try:
+        while True:
+            if not simulation.framed and (simulation.done or simulation.next_frame == simulation.steps_done):
+                archive.checkpoint(simulation)
+                archive.save(simulation.frame())
+                saved = time.monotonic()
+            if simulation.done or stop():
+                break
+            before = time.monotonic()
+            steps = min(pace, simulation.next_frame - simulation.steps_done)
+            tally = simulation.advance(steps)
+            now = time.monotonic()
+            if not first:
+                polls += tally.polls
+                worked += now - before
+            first = False
+            pace = max(1, min(2 * pace, int(steps * BREATH / max(now - before, 1e-9))))
+            if now - saved > CHECKPOINT_EVERY:
+                archive.checkpoint(simulation)
+                saved = now
+            if progress is not None:
+                progress(simulation)
+        return _finish(simulation, archive, polls / worked if worked else 0.0)
+    finally:
+        archive.close()
+
+
+def _finish(simulation: Simulation, archive: Archive, polls_per_second: float) -> Outcome:
+    interrupted = not simulation.done
+    archive.checkpoint(simulation)
+    reason = "interrupted" if interrupted else simulation.finished or "all steps done"
+    archive.log("interrupted" if interrupted else "stop", step=simulation.steps_done, reason=reason)
+    return Outcome(archive.path, simulation, reason, interrupted, polls_per_second)

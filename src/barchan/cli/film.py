@@ -1,0 +1,58 @@
+"""``barchan film``: an animated picture of a run."""
+
+from pathlib import Path
+from typing import Annotated, Literal
+
+from cyclopts import Parameter
+
+Colours = Literal["perceptual", "grey", "red-green"]
+
+
+def film(
+    run: Path,
+    /,
+    *,
+    out: Path | None = None,
+    frames_per_second: float = 12.0,
+    size: int = 512,
+    colours: Colours = "perceptual",
+    smoothing: float = 0.0,
+    follow: Annotated[bool, Parameter(negative=())] = False,
+) -> None:
+    """Write an animated picture of a run.
+
+    Parameters
+    ----------
+    run
+        The run's folder.
+    out
+        The film's file, .webp or .gif; film.webp in the run's folder without it.
+    frames_per_second
+        Frames shown in a second.
+    size
+        Pixels on the longer side, about.
+    colours
+        Colour map: perceptual, grey, or red-green with red the highest.
+    smoothing
+        Smooth the surface over so many cells before drawing.
+    follow
+        Let the colour scale follow each frame instead of holding for the whole run.
+    """
+    from barchan.archive import load, open_run
+    from barchan.cli.terminal import console
+    from barchan.figures.film import film as write
+
+    path = out or run / "film.webp"
+    scenario = load(run)
+    with open_run(run) as dataset:
+        write(
+            dataset,
+            scenario,
+            path,
+            frames_per_second=frames_per_second,
+            size=size,
+            colours=colours,
+            smoothing=smoothing,
+            follow=follow,
+        )
+    console.print(str(path))

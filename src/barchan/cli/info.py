@@ -1,0 +1,36 @@
+"""``barchan info``: what a run holds."""
+
+from pathlib import Path
+
+
+def info(run: Path, /) -> None:
+    """Tell what a run holds and how far it is.
+
+    Parameters
+    ----------
+    run
+        The run's folder.
+    """
+    from barchan.archive import run_info
+    from barchan.cli.report import print_table
+    from barchan.models import models
+
+    known = run_info(run)
+    scenario = known.scenario
+    lattice = scenario.lattice
+    facts = models()[scenario.model.name](scenario.model, lattice).facts()
+    state = known.stopped or f"not finished; go on with: barchan resume {run}"
+    rows = [
+        ("title", scenario.title or "–"),
+        ("model", scenario.model.name),
+        ("field", f"{lattice.columns} × {lattice.rows} cells of {lattice.cell_size:g} m"),
+        ("slab height", f"{lattice.thickness:.4g} m"),
+        *facts.items(),
+        ("wind", f"from {scenario.wind.direction:g}°"),
+        ("seed", str(scenario.run.seed)),
+        ("frames", f"{known.frames}, the last at step {known.last_step} of {scenario.run.steps}"),
+        ("checkpoint", "none" if known.checkpoint is None else f"step {known.checkpoint}"),
+        ("state", state),
+        ("size", f"{known.bytes / 1e6:.1f} MB"),
+    ]
+    print_table([(name, value, "") for name, value in rows], left=True)

@@ -1,0 +1,30 @@
+"""``barchan parameters``: every key of a scenario."""
+
+from barchan.errors import BarchanError
+
+
+def parameters(key: str = "", /) -> None:
+    """List every key of a scenario, with unit, default, bounds, meaning and source.
+
+    Parameters
+    ----------
+    key
+        Only keys that begin like this, for instance model or run.until.
+    """
+    from barchan.cli.terminal import console
+    from barchan.scenario.listing import all_keys
+
+    listed = [d for d in all_keys() if d.key.startswith(key.replace("-", "_"))]
+    if not listed:
+        raise BarchanError(f"no key begins with '{key}'")
+    group = None
+    for declaration in listed:
+        if declaration.heading != group:
+            group = declaration.heading
+            console.print(f"\n[bold]{group}[/bold]")
+        unit = "" if declaration.unit == "-" else f" {declaration.unit}"
+        live = ", may change during a run" if declaration.live else ""
+        default = "required" if declaration.default is None else f"default {declaration.default}{unit}"
+        console.print(f"  [cyan]{declaration.key}[/cyan]  {default}; {declaration.bounds}{live}")
+        source = f" [dim]({declaration.source})[/dim]" if declaration.source else ""
+        console.print(f"      {declaration.meaning}{source}")

@@ -1,0 +1,82 @@
+"""What a run tells before it starts and when it ends."""
+
+import math
+
+from barchan.archive import Outcome, open_run
+from barchan.cli.terminal import console
+from barchan.simulation import Simulation
+
+PICTURE = "last.png"
+
+
+def print_facts(simulation: Simulation, drawn: bool) -> None:
+    """What is about to run."""
+    scenario = simulation.scenario
+    lattice = scenario.lattice
+    if scenario.title:
+        console.print(
+            f"[bold]{scenario.title}[/bold]" + (f" ({scenario.citation})" if scenario.citation else "")
+        )
+    if scenario.look_for:
+        console.print(f"look for: {scenario.look_for}")
+    console.print(
+        f"{lattice.columns} × {lattice.rows} cells of {lattice.cell_size:g} m, slabs of {lattice.thickness:.3g} m, "
+        f"{scenario.run.steps} steps, seed {scenario.run.seed}" + (" (drawn)" if drawn else "")
+    )
+    for name, fact in simulation.model.facts().items():
+        console.print(f"{name}: {fact}")
+    for remark in scenario.remarks():
+        console.print(f"[yellow]note:[/yellow] {remark}")
+
+
+def print_outcome(outcome: Outcome, quiet: bool, picture: bool) -> None:
+    """What came of a run: a picture, its measures, where it is."""
+    drawn = None
+    if picture and not outcome.interrupted:
+        drawn = _draw(outcome, quiet)
+    if quiet:
+        return
+    tally = outcome.simulation.tally
+    speed = outcome.polls_per_second / 1e6
+    pace = f" ({speed:.1f} million polls/s)" if speed else ""
+    console.print(f"{outcome.reason} at step {outcome.simulation.steps_done}{pace}")
+    if tally.left:
+        console.print(f"{tally.left} slabs left through open edges")
+    if tally.capped:
+        console.print(f"{tally.capped} slabs never settled and were put down")
+    if tally.exhausted:
+        console.print(f"{tally.exhausted} steps ended early because no cell could erode")
+    console.print(f"run: {outcome.path}")
+    if drawn:
+        console.print(f"picture: {drawn}")
+
+
+def _draw(outcome: Outcome, quiet: bool) -> str | None:
+    from barchan.analysis.course import MEASURES, last_measures
+    from barchan.figures.maps import relief_map
+
+    scenario = outcome.simulation.scenario
+    with open_run(outcome.path) as dataset:
+        path = outcome.path / PICTURE
+        relief_map(dataset.isel(step=-1).load(), scenario).savefig(path)
+        if not quiet:
+            values = last_measures(dataset, scenario)
+            print_table([(m.title, _number(values[m.name]), m.unit) for m in MEASURES])
+    return str(path)
+
+
+def print_table(rows: list[tuple[str, str, str]], left: bool = False) -> None:
+    """A small table of names, values and units; values stand to the right, or to the ``left``."""
+    from rich.table import Table
+
+    table = Table(box=None, show_header=False, pad_edge=False)
+    table.add_column()
+    table.add_column(justify="left" if left else "right")
+    table.add_column()
+    for name, value, unit in rows:
+        table.add_row(name, value, "" if unit == "-" else unit)
+    console.print(table)
+
+
+def _number(value: float) -> str:
+    return "–" if math.isnan(value) else f"{value:.4g}" if abs(value) < 1e4 else f"{value:.0f}"

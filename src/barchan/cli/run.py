@@ -1,0 +1,72 @@
+"""``barchan run``: run a scenario, save it, draw the last frame."""
+
+from pathlib import Path
+from typing import Annotated
+
+from cyclopts import Parameter
+
+from barchan.cli import INTERRUPTED
+from barchan.cli.overrides import Tokens, pairs
+from barchan.cli.report import print_facts, print_outcome
+from barchan.cli.terminal import Interrupts, Reporter, compilation_announced, console
+
+
+def run(
+    scenario: str,
+    /,
+    *values: Tokens,
+    out: Path | None = None,
+    overwrite: Annotated[bool, Parameter(negative=())] = False,
+    quiet: Annotated[bool, Parameter(name=["--quiet", "-q"], negative=())] = False,
+    picture: bool = True,
+) -> int:
+    """Run a preset or a scenario, save it, and draw the last frame.
+
+    Ctrl-C stops the run, saves it and tells how to go on.
+
+    Parameters
+    ----------
+    scenario
+        A preset's name, a scenario file, or the folder of a run to run again.
+    out
+        Folder for the run; without it a new folder named after the scenario.
+    overwrite
+        Replace the run that the folder holds.
+    quiet
+        Print nothing but errors.
+    picture
+        Draw the last frame and print its measures at the end.
+    """
+    from barchan.archive import load
+    from barchan.archive import run as run_into
+    from barchan.scenario.files import load_scenario
+    from barchan.simulation import Simulation
+
+    given = pairs(values)
+    chosen = load(scenario) if Path(scenario).is_dir() else load_scenario(scenario, given)
+    if Path(scenario).is_dir() and given:
+        chosen = load_scenario(chosen.data(), given)
+    drawn = chosen.run.seed is None
+    with compilation_announced(quiet), Interrupts().watched() as stop:
+        simulation = Simulation(chosen)
+        folder = out or _new_folder(scenario)
+        if not quiet:
+            print_facts(simulation, drawn)
+        with Reporter(simulation, quiet) as reporter:
+            outcome = run_into(simulation, folder, overwrite=overwrite, progress=reporter, stop=stop)
+        print_outcome(outcome, quiet, picture)
+    if outcome.interrupted:
+        console.print(f"go on with: barchan resume {folder}")
+        return INTERRUPTED
+    return 0
+
+
+def _new_folder(scenario: str) -> Path:
+    """A folder that does not exist yet, named after the scenario."""
+    name = Path(scenario).stem or "run"
+    number = 1
+    while True:
+        folder = Path(name if number == 1 else f"{name}-{number}")
+        if not folder.exists():
+            return folder
+        number += 1

@@ -1,0 +1,111 @@
+"""``barchan show``: pictures of a run."""
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Literal
+
+from cyclopts import Parameter
+
+from barchan.errors import BarchanError
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+View = Literal["map", "contours", "profile", "space-time", "series"]
+Colours = Literal["perceptual", "grey", "red-green"]
+
+
+def show(
+    run: Path,
+    /,
+    *,
+    view: View = "map",
+    step: int | None = None,
+    out: Path | None = None,
+    colours: Colours = "perceptual",
+    limits: Annotated[tuple[float, float] | None, Parameter(negative=())] = None,
+    interval: float | None = None,
+    count: int = 10,
+    smoothing: float | None = None,
+    at: float | None = None,
+    bare: bool = True,
+) -> None:
+    """Draw a frame of a run, a section, or its course in time.
+
+    Parameters
+    ----------
+    run
+        The run's folder.
+    view
+        A hill-shaded map, contours, a section along the wind with its shadow zones, that section over time,
+        or the measures over time.
+    step
+        The frame nearest to this step; the last one without it.
+    out
+        The picture's file (PNG, PDF or SVG by its ending); in the run's folder without it.
+    colours
+        Colour map: perceptual, grey, or red-green with red the highest.
+    limits
+        Lowest and highest elevation (m) of the colour scale; the frame's own without it.
+    interval
+        Contour interval (m), instead of a number of contours.
+    count
+        Number of contours.
+    smoothing
+        Smooth the surface over so many cells before drawing; 1 for contours, 0 for the rest.
+    at
+        Where the section lies across the wind, from 0 to 1; through the highest stack without it.
+    bare
+        Show bare ground in grey on maps.
+    """
+    from barchan.archive import load, open_run
+
+    scenario = load(run)
+    with open_run(run) as dataset:
+        frame = _frame(dataset, step)
+        width = smoothing if smoothing is not None else float(view == "contours")
+        if view == "map":
+            from barchan.figures.maps import relief_map
+
+            figure = relief_map(
+                frame, scenario, colours=colours, limits=limits, smoothing=width, show_bare=bare
+            )
+        elif view == "contours":
+            from barchan.figures.maps import contour_map
+
+            figure = contour_map(
+                frame,
+                scenario,
+                interval=interval,
+                count=count,
+                colours=colours,
+                limits=limits,
+                smoothing=width,
+            )
+        elif view == "profile":
+            from barchan.figures.sections import profile
+
+            figure = profile(frame, scenario, at=at, smoothing=width)
+        elif view == "space-time":
+            from barchan.figures.sections import space_time
+
+            figure = space_time(dataset, scenario, at=at, colours=colours)
+        else:
+            from barchan.analysis.course import course
+            from barchan.figures.series import time_series
+
+            figure = time_series(course(dataset, scenario), scenario)
+    whole = view in ("space-time", "series")
+    path = out or run / (f"{view}.png" if whole else f"{view}-{int(frame['step'])}.png")
+    try:
+        figure.savefig(path)
+    except (OSError, ValueError) as error:
+        raise BarchanError(f"cannot write {path}: {error}") from None
+    from barchan.cli.terminal import console
+
+    console.print(str(path))
+
+
+def _frame(dataset: "xr.Dataset", step: int | None) -> "xr.Dataset":
+    if step is None:
+        return dataset.isel(step=-1).load()
+    return dataset.sel(step=step, method="nearest").load()

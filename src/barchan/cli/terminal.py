@@ -1,0 +1,125 @@
+"""What commands print, and how long work shows its progress."""
+
+import signal
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from types import FrameType
+from typing import TYPE_CHECKING
+
+from rich.console import Console
+
+from barchan.simulation import Simulation
+
+if TYPE_CHECKING:
+    from rich.progress import Progress, TaskID
+
+console = Console(highlight=False, soft_wrap=True)
+
+LOG_EVERY = 10.0
+"""Seconds from one line to the next where the output is not a terminal."""
+
+
+class Interrupts:
+    """Turns Ctrl-C and a polite kill into a wish to stop, so that a run can be saved first."""
+
+    def __init__(self) -> None:
+        """No wish yet."""
+        self.wanted = False
+
+    def __call__(self) -> bool:
+        """Whether someone wants to stop."""
+        return self.wanted
+
+    @contextmanager
+    def watched(self) -> Iterator["Interrupts"]:
+        """Listen for signals; a second one ends the program at once."""
+        before = {s: signal.signal(s, self._note) for s in (signal.SIGINT, signal.SIGTERM)}
+        try:
+            yield self
+        finally:
+            for number, handler in before.items():
+                signal.signal(number, handler)
+
+    def _note(self, number: int, _: FrameType | None) -> None:
+        if self.wanted:
+            raise KeyboardInterrupt
+        self.wanted = True
+
+
+class Reporter:
+    """Shows how a run goes: a bar in a terminal, plain lines elsewhere, nothing when quiet."""
+
+    def __init__(self, simulation: Simulation, quiet: bool) -> None:
+        """Report on a simulation from where it is now."""
+        self.total = simulation.scenario.run.steps
+        self.quiet = quiet
+        self.began = 0.0
+        self.last = time.monotonic()
+        self.first = simulation.steps_done
+        self.bar: Progress | None = None
+        self.task: TaskID | None = None
+
+    def __enter__(self) -> "Reporter":
+        """Begin to report."""
+        if not self.quiet and console.is_terminal:
+            from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
+
+            self.bar = Progress(
+                TextColumn("steps"),
+                BarColumn(),
+                MofNCompleteColumn(),
+                TextColumn("{task.fields[speed]}"),
+                TimeRemainingColumn(),
+                TextColumn("left, {task.fields[highest]}"),
+                console=console,
+            )
+            self.bar.start()
+            self.task = self.bar.add_task("", total=self.total, completed=self.first, speed="", highest="")
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        """Leave the terminal as it was."""
+        if self.bar is not None:
+            self.bar.stop()
+
+    def __call__(self, simulation: Simulation) -> None:
+        """Report on where the simulation is."""
+        now = time.monotonic()
+        if not self.began:  # the first steps may have compiled kernels: the pace is counted from here
+            self.began, self.first = now, simulation.steps_done
+        speed = (simulation.steps_done - self.first) / max(now - self.began, 1e-9)
+        if self.bar is not None and self.task is not None:
+            self.bar.update(
+                self.task,
+                completed=simulation.steps_done,
+                speed=f"{speed:.0f} steps/s",
+                highest=f"highest stack {simulation.bed.sand.max()} slabs",
+            )
+        elif not self.quiet and now - self.last >= LOG_EVERY:
+            self.last = now
+            left = (self.total - simulation.steps_done) / speed if speed else float("inf")
+            console.print(
+                f"step {simulation.steps_done} of {self.total}, {speed:.0f} steps/s, {left:.0f} s left, "
+                f"highest stack {simulation.bed.sand.max()} slabs"
+            )
+
+
+@contextmanager
+def compilation_announced(quiet: bool) -> Iterator[None]:
+    """Say so when a kernel is compiled instead of loaded, once."""
+    from numba.core import event
+
+    class Announcer(event.Listener):
+        said = quiet
+
+        def on_start(self, _: event.Event) -> None:
+            if not self.said:
+                self.said = True
+                console.print("compiling kernels (first run only) …")
+
+        def on_end(self, _: event.Event) -> None:
+            """Nothing to say."""
+
+    with event.install_listener("numba:compile", Announcer()):
+        yield

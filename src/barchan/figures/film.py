@@ -1,0 +1,79 @@
+"""Animated pictures of a run: WebP or GIF."""
+
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+from PIL import Image
+
+from barchan.errors import BarchanError
+from barchan.figures.maps import shaded
+from barchan.figures.style import Colours
+from barchan.scenario import Scenario
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+FORMATS = (".webp", ".gif")
+
+
+def film(
+    dataset: "xr.Dataset",
+    scenario: Scenario,
+    path: Path,
+    *,
+    frames_per_second: float = 12.0,
+    size: int = 512,
+    colours: Colours = "perceptual",
+    smoothing: float = 0.0,
+    follow: bool = False,
+    progress: Callable[[int], None] | None = None,
+) -> None:
+    """Write the shaded maps of all frames as an animation; the longer side gets about ``size`` pixels.
+
+    With ``follow`` the colour scale follows each frame instead of holding for the whole run. Raises
+    BarchanError for a file that is neither .webp nor .gif.
+    """
+    if path.suffix not in FORMATS:
+        raise BarchanError(f"{path}: a film is {' or '.join(FORMATS)}, not '{path.suffix}'")
+    pictures = _pictures(dataset, scenario, size, colours, smoothing, follow, progress)
+    first = next(pictures)
+    partial = path.with_name(path.name + ".partial")
+    options = {"lossless": False, "quality": 80} if path.suffix == ".webp" else {}
+    first.save(
+        partial,
+        format=path.suffix[1:].upper(),
+        save_all=True,
+        append_images=pictures,
+        duration=round(1000 / frames_per_second),
+        loop=0,
+        **options,
+    )
+    partial.replace(path)
+
+
+def _pictures(
+    dataset: "xr.Dataset",
+    scenario: Scenario,
+    size: int,
+    colours: Colours,
+    smoothing: float,
+    follow: bool,
+    progress: Callable[[int], None] | None,
+) -> Iterator[Image.Image]:
+    from matplotlib.colors import Normalize
+
+    count = dataset.sizes["step"]
+    surfaces = (dataset["elevation"][k].values for k in range(count))
+    low, high = np.array([(s.min(), s.max()) for s in surfaces]).T
+    norm = Normalize(float(low.min()), float(high.max()))
+    scale = max(1, round(size / max(scenario.lattice.shape)))
+    for k in range(count):
+        frame = dataset.isel(step=k).load()
+        own = Normalize(float(low[k]), float(high[k])) if follow else norm
+        colour = shaded(frame, scenario, norm=own, colours=colours, smoothing=smoothing)[::-1]
+        picture = Image.fromarray((colour * 255).round().astype(np.uint8))
+        yield picture.resize((picture.width * scale, picture.height * scale), Image.Resampling.BICUBIC)
+        if progress is not None:
+            progress(k + 1)

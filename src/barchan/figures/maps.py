@@ -1,0 +1,112 @@
+"""Maps: the surface in colour and shade, and its contours."""
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from barchan.figures.style import BARE, Colours, colour_map, extent, map_axes, new_figure, smooth
+from barchan.scenario import Scenario
+
+if TYPE_CHECKING:
+    import xarray as xr
+    from matplotlib.figure import Figure
+
+Limits = tuple[float, float] | None
+"""Lowest and highest elevation (m) of a colour scale; None follows the data."""
+
+SUN = (315.0, 40.0)
+"""Azimuth and height (degrees) of the light."""
+
+
+def relief_map(
+    frame: "xr.Dataset",
+    scenario: Scenario,
+    *,
+    colours: Colours = "perceptual",
+    limits: Limits = None,
+    smoothing: float = 0.0,
+    show_bare: bool = True,
+) -> "Figure":
+    """A hill-shaded map of one frame, with a colour bar in metres; bare ground is grey."""
+    from matplotlib.cm import ScalarMappable
+    from matplotlib.colors import Normalize
+
+    surface = frame["elevation"].values
+    norm = Normalize(*(limits or _range(surface)))
+    image = shaded(frame, scenario, norm=norm, colours=colours, smoothing=smoothing, show_bare=show_bare)
+    figure = new_figure(*_size(scenario))
+    axes = figure.add_subplot()
+    axes.imshow(image, origin="lower", extent=extent(scenario), interpolation="nearest")
+    map_axes(axes, scenario, int(frame["step"]))
+    figure.colorbar(
+        ScalarMappable(norm, colour_map(colours)), ax=axes, label="elevation (m)", shrink=0.85, aspect=30
+    )
+    return figure
+
+
+def shaded(
+    frame: "xr.Dataset",
+    scenario: Scenario,
+    *,
+    norm: "object",
+    colours: Colours = "perceptual",
+    smoothing: float = 0.0,
+    show_bare: bool = True,
+) -> NDArray[np.float64]:
+    """The colours (red, green, blue in [0, 1]) of a hill-shaded map, row 0 at the south edge."""
+    from matplotlib.colors import LightSource
+
+    lattice = scenario.lattice
+    surface = frame["elevation"].values
+    shown = smooth(surface, smoothing, scenario)
+    base = np.asarray(colour_map(colours)(norm(shown)))[..., :3]  # type: ignore[operator]
+    if show_bare:
+        base = np.where((frame["sand"].values == 0)[..., None], BARE, base)
+    relief = smooth(surface, max(smoothing, 0.6), scenario)
+    light = LightSource(*SUN).hillshade(relief[::-1], 1.5, lattice.cell_size, lattice.cell_size)[::-1]
+    flat = np.sin(np.radians(SUN[1]))
+    shade = np.clip(1.0 + 0.9 * (light - flat), 0.25, 1.6)[..., None]
+    return np.clip(np.where(shade <= 1, base * shade, 1 - (1 - base) * (2 - shade).clip(0.3)), 0.0, 1.0)
+
+
+def contour_map(
+    frame: "xr.Dataset",
+    scenario: Scenario,
+    *,
+    interval: float | None = None,
+    count: int = 10,
+    colours: Colours = "perceptual",
+    limits: Limits = None,
+    smoothing: float = 1.0,
+) -> "Figure":
+    """Contours of one frame at a stated interval (m), or so many of them, over its colours."""
+    surface = smooth(frame["elevation"].values, smoothing, scenario)
+    low, high = limits or _range(surface)
+    if interval is not None:
+        levels = np.arange(np.ceil(low / interval), np.floor(high / interval) + 1) * interval
+    else:
+        levels = np.linspace(low, high, count + 2)[1:-1]
+    figure = new_figure(*_size(scenario))
+    axes = figure.add_subplot()
+    image = axes.imshow(
+        surface, origin="lower", extent=extent(scenario), cmap=colour_map(colours), vmin=low, vmax=high
+    )
+    x, y = scenario.lattice.x, scenario.lattice.y
+    if levels.size and min(surface.shape) > 1 and np.ptp(surface) > 0:
+        axes.contour(x, y, surface, levels=levels, colors="black", linewidths=0.6)
+    map_axes(axes, scenario, int(frame["step"]))
+    figure.colorbar(image, ax=axes, label="elevation (m)", shrink=0.85, aspect=30)
+    return figure
+
+
+def _range(surface: NDArray) -> tuple[float, float]:
+    low, high = float(surface.min()), float(surface.max())
+    return (low, high) if high > low else (low - 0.5, high + 0.5)
+
+
+def _size(scenario: Scenario) -> tuple[float, float]:
+    """Figure size (inches) that suits the field's shape."""
+    lattice = scenario.lattice
+    tall = np.clip(lattice.rows / lattice.columns, 0.15, 1.6)
+    return 7.2, float(6.0 * tall + 0.9)

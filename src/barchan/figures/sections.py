@@ -1,0 +1,140 @@
+"""Sections along the wind: profiles with their shadow zones, and their course in time."""
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from barchan.figures.style import GROUND, SAND, SHADOW, Colours, colour_map, new_figure, title
+from barchan.scenario import Scenario
+from barchan.wind.segment import downwind
+
+if TYPE_CHECKING:
+    import xarray as xr
+    from matplotlib.figure import Figure
+
+
+@dataclass(frozen=True)
+class Section:
+    """A line through the field along the wind, from its upwind to its downwind end."""
+
+    rows: NDArray[np.int64]
+    cols: NDArray[np.int64]
+    distance: NDArray[np.float64]
+    """Distance (m) along the wind from the line's upwind end."""
+    joined: bool
+    """Whether the line closes on itself across a periodic edge."""
+
+
+def section_along_wind(scenario: Scenario, at: float) -> Section:
+    """The section that crosses the field's middle line at ``at`` (0 to 1, to the wind's left growing).
+
+    Along a lattice axis it is a whole row or column; for an oblique wind it is the cells nearest to a
+    line from edge to edge.
+    """
+    lattice = scenario.lattice
+    x, y = downwind(scenario.wind.direction)
+    rows, cols = lattice.shape
+    width, depth = cols - 1, rows - 1
+    across = (at - 0.5) * (abs(x) * depth + abs(y) * width)
+    middle = np.array([depth / 2 + x * across, width / 2 - y * across])
+    reach = float(np.hypot(rows, cols))
+    line = np.arange(-reach, reach + 0.5, 0.5 if min(abs(x), abs(y)) > 1e-9 else 1.0)
+    start = middle + np.outer(line, (y, x))
+    if abs(x) > 1 - 1e-9 or abs(y) > 1 - 1e-9:
+        start = np.round(start - middle + np.round(middle))
+    cells = np.rint(start).astype(np.int64)
+    inside = ((cells >= 0) & (cells < (rows, cols))).all(axis=1)
+    cells = cells[inside]
+    fresh = np.ones(len(cells), bool)
+    fresh[1:] = (np.diff(cells, axis=0) != 0).any(axis=1)
+    cells = cells[fresh]
+    along = (cells - cells[0]) @ (y, x) * lattice.cell_size
+    straight = min(abs(x), abs(y)) < 1e-9
+    boundary = lattice.boundary_x if abs(x) > abs(y) else lattice.boundary_y
+    return Section(cells[:, 0], cells[:, 1], along, straight and boundary == "periodic")
+
+
+def shadow_line(section: Section, surface: NDArray, angle: float, cell_size: float) -> NDArray[np.float64]:
+    """Height (m) of the shadow line over each point of a section; below the surface where it is lit."""
+    distance = section.distance
+    slope = np.tan(np.radians(angle))
+    if section.joined:
+        length = distance[-1] + cell_size
+        distance = np.concatenate([distance - length, distance])
+        surface = np.concatenate([surface, surface])
+    tilted = np.maximum.accumulate(surface + slope * distance)
+    line = np.empty_like(tilted)
+    line[0] = -np.inf
+    line[1:] = tilted[:-1]
+    line -= slope * distance
+    return line[-len(section.distance) :]
+
+
+def profile(
+    frame: "xr.Dataset", scenario: Scenario, *, at: float | None = None, smoothing: float = 0.0
+) -> "Figure":
+    """The section along the wind through the highest stack, or at ``at``, its shadow zones shaded."""
+    from barchan.figures.style import smooth
+
+    section = section_along_wind(scenario, _through_highest(frame, scenario) if at is None else at)
+    ground = frame["ground"].values[section.rows, section.cols]
+    surface = smooth(frame["elevation"].values, smoothing, scenario)[section.rows, section.cols]
+    line = shadow_line(section, surface, scenario.model.shadow_angle, scenario.lattice.cell_size)
+    figure = new_figure(9.0, 3.0)
+    axes = figure.add_subplot()
+    axes.fill_between(
+        section.distance, ground.min() - 0.1 * np.ptp(surface), ground, color=GROUND, step="mid"
+    )
+    axes.fill_between(section.distance, ground, surface, color=SAND, step="mid", label="sand")
+    axes.fill_between(
+        section.distance,
+        surface,
+        np.maximum(line, surface),
+        where=line > surface,
+        color=SHADOW,
+        alpha=0.35,
+        step="mid",
+        linewidth=0,
+        label="shadow zone",
+    )
+    axes.set_xlim(section.distance[0], section.distance[-1])
+    axes.set_xlabel("distance downwind (m)")
+    axes.set_ylabel("elevation (m)")
+    axes.set_title(title(scenario, int(frame["step"])), loc="left", fontsize=10)
+    axes.annotate("wind →", (1.0, 1.02), xycoords="axes fraction", ha="right", fontsize=9)
+    axes.legend(loc="upper right", fontsize=8, framealpha=0.8)
+    return figure
+
+
+def space_time(
+    dataset: "xr.Dataset", scenario: Scenario, *, at: float | None = None, colours: Colours = "perceptual"
+) -> "Figure":
+    """The section along the wind through the last frame's highest stack, or at ``at``, over time."""
+    last = dataset.isel(step=-1)
+    section = section_along_wind(scenario, _through_highest(last, scenario) if at is None else at)
+    surface = np.stack(
+        [dataset["elevation"][k].values[section.rows, section.cols] for k in range(dataset.sizes["step"])]
+    )
+    figure = new_figure(7.2, 5.0)
+    axes = figure.add_subplot()
+    steps = dataset["step"].values
+    image = axes.pcolormesh(section.distance, steps, surface, cmap=colour_map(colours), shading="nearest")
+    axes.set_xlabel("distance downwind (m)")
+    axes.set_ylabel("step")
+    axes.set_title(f"{scenario.title or 'Run'}, seed {scenario.run.seed}", loc="left", fontsize=10)
+    axes.annotate("wind →", (1.0, 1.02), xycoords="axes fraction", ha="right", fontsize=9)
+    figure.colorbar(image, ax=axes, label="elevation (m)")
+    return figure
+
+
+def _through_highest(frame: "xr.Dataset", scenario: Scenario) -> float:
+    """Where the section lies that crosses the highest stack."""
+    sand = frame["sand"].values
+    row, col = np.unravel_index(int(np.argmax(sand)), sand.shape)
+    rows, cols = scenario.lattice.shape
+    x, y = downwind(scenario.wind.direction)
+    across = x * (row - (rows - 1) / 2) - y * (col - (cols - 1) / 2)
+    width = abs(x) * (rows - 1) + abs(y) * (cols - 1)
+    return float(np.clip(0.5 + across / width, 0.0, 1.0)) if width else 0.5

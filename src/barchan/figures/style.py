@@ -1,0 +1,96 @@
+"""What all pictures share: colours, the wind's arrow, axes in metres."""
+
+from typing import TYPE_CHECKING, Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy import ndimage
+
+from barchan.scenario import Scenario
+from barchan.wind.segment import downwind
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.colors import Colormap
+    from matplotlib.figure import Figure
+
+Colours = Literal["perceptual", "grey", "red-green"]
+
+SAND = "#d9a441"
+GROUND = "#8c8278"
+SHADOW = "#35507a"
+BARE = (0.80, 0.79, 0.77)
+
+
+def colour_map(colours: Colours) -> "Colormap":
+    """A colour map by what it is for; red-green has red the highest, as in seed 000."""
+    import matplotlib
+    from cmcrameri import cm
+    from matplotlib.colors import LinearSegmentedColormap
+
+    if colours == "perceptual":
+        return LinearSegmentedColormap.from_list("sand", cm.lajolla_r(np.linspace(0.02, 0.8, 256)))
+    return matplotlib.colormaps["gray" if colours == "grey" else "RdYlGn_r"]
+
+
+def new_figure(width: float, height: float) -> "Figure":
+    """An empty figure, sizes in inches."""
+    from matplotlib.figure import Figure
+
+    return Figure(figsize=(width, height), dpi=150, layout="constrained")
+
+
+def smooth(field: NDArray, width: float, scenario: Scenario) -> NDArray[np.float64]:
+    """A field smoothed over ``width`` cells for display; 0 leaves it as it is."""
+    lattice = scenario.lattice
+    if width <= 0:
+        return np.asarray(field, float)
+    modes = ["wrap" if b == "periodic" else "nearest" for b in (lattice.boundary_y, lattice.boundary_x)]
+    result: NDArray[np.float64] = ndimage.gaussian_filter(np.asarray(field, float), width, mode=modes)
+    return result
+
+
+def extent(scenario: Scenario) -> tuple[float, float, float, float]:
+    """West, east, south and north edge (m)."""
+    lattice = scenario.lattice
+    return 0.0, lattice.columns * lattice.cell_size, 0.0, lattice.rows * lattice.cell_size
+
+
+def map_axes(axes: "Axes", scenario: Scenario, step: int) -> None:
+    """Label a map's axes, name it, and draw the wind."""
+    axes.set_xlabel("x (m)")
+    axes.set_ylabel("y (m)")
+    axes.set_aspect("equal")
+    axes.set_title(title(scenario, step), loc="left", fontsize=10)
+    wind_arrow(axes, scenario.wind.direction)
+
+
+def title(scenario: Scenario, step: int) -> str:
+    """What a picture shows."""
+    name = scenario.title or "Run"
+    return f"{name}, step {step}, seed {scenario.run.seed}"
+
+
+def wind_arrow(axes: "Axes", direction: float) -> None:
+    """An arrow that points where the wind blows, above the upper right corner."""
+    x, y = downwind(direction)
+    half = 0.03
+    style: dict[str, Any] = {
+        "arrowstyle": "-|>",
+        "color": "black",
+        "linewidth": 1.4,
+        "shrinkA": 0,
+        "shrinkB": 0,
+    }
+    centre = np.array([0.965, 1.035])
+    box = axes.get_position()
+    step = np.array([x, y]) * half * np.array([1.0, box.width / box.height if box.height else 1.0])
+    axes.annotate(
+        "",
+        xy=tuple(centre + step),
+        xytext=tuple(centre - step),
+        xycoords="axes fraction",
+        arrowprops=style,
+        annotation_clip=False,
+    )
+    axes.text(0.925, 1.035, "wind", transform=axes.transAxes, ha="right", va="center", fontsize=9)
