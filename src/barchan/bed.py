@@ -84,12 +84,12 @@ class Lattice(Parameters):
     @property
     def x(self) -> NDArray[np.float64]:
         """Distance of the cells' centres from the west edge (m)."""
-        return (np.arange(self.columns) + 0.5) * self.cell_size
+        return (np.arange(self.columns, dtype=np.float64) + 0.5) * self.cell_size
 
     @property
     def y(self) -> NDArray[np.float64]:
         """Distance of the cells' centres from the south edge (m)."""
-        return (np.arange(self.rows) + 0.5) * self.cell_size
+        return (np.arange(self.rows, dtype=np.float64) + 0.5) * self.cell_size
 
 
 @dataclass(frozen=True)

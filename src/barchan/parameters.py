@@ -34,7 +34,7 @@ def parameter(
     change during a run; ``group`` and ``scale`` serve display. ``bounds`` are ``ge``, ``gt``, ``le``,
     ``lt``, ``min_length`` and other constraints of pydantic's ``Field``.
     """
-    extra = {"unit": unit, "source": source, "live": live, "group": group, "scale": scale}
+    extra: dict[str, Any] = {"unit": unit, "source": source, "live": live, "group": group, "scale": scale}
     factory = {"default_factory": default} if callable(default) else {"default": default}
     return Field(description=meaning, json_schema_extra=extra, **factory, **bounds)
 

@@ -1,5 +1,7 @@
 """What several measures do to a field first."""
 
+from typing import Literal
+
 import numpy as np
 from numpy.typing import NDArray
 from scipy import ndimage
@@ -11,9 +13,8 @@ Periodic = tuple[bool, bool]
 
 def smoothed(field: NDArray, width: float, periodic: Periodic) -> Field:
     """A field smoothed with a Gaussian of standard deviation ``width`` (cells)."""
-    modes = ["wrap" if p else "nearest" for p in periodic]
-    result: Field = ndimage.gaussian_filter(np.asarray(field, float), width, mode=modes)
-    return result
+    modes: list[Literal["wrap", "nearest"]] = ["wrap" if p else "nearest" for p in periodic]
+    return ndimage.gaussian_filter(np.asarray(field, float), width, mode=modes)
 
 
 def gradient(field: Field, cell_size: float, periodic: Periodic) -> tuple[Field, Field]:

@@ -35,7 +35,7 @@ NOWHERE = Migration(float("nan"), float("nan"), float("nan"))
 
 
 def migration(
-    steps: Sequence[int],
+    steps: Sequence[int] | NDArray[np.integer],
     surfaces: Sequence[NDArray],
     periodic: Periodic = (True, True),
     width: float = 2.0,

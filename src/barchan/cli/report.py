@@ -2,6 +2,8 @@
 
 import math
 
+from rich.markup import escape
+
 from barchan.archive import Outcome, open_run
 from barchan.cli.terminal import console
 from barchan.simulation import Simulation
@@ -14,15 +16,13 @@ def print_facts(simulation: Simulation, drawn: bool) -> None:
     scenario = simulation.scenario
     lattice = scenario.lattice
     if scenario.title:
-        console.print(
-            f"[bold]{scenario.title}[/bold]" + (f" ({scenario.citation})" if scenario.citation else "")
-        )
+        source = f" ({escape(scenario.citation)})" if scenario.citation else ""
+        console.print(f"[bold]{escape(scenario.title)}[/bold]{source}")
     if scenario.look_for:
-        console.print(f"look for: {scenario.look_for}")
-    console.print(
-        f"{lattice.columns} × {lattice.rows} cells of {lattice.cell_size:g} m, slabs of {lattice.thickness:.3g} m, "
-        f"{scenario.run.steps} steps, seed {scenario.run.seed}" + (" (drawn)" if drawn else "")
-    )
+        console.print(f"look for: {escape(scenario.look_for)}")
+    field = f"{lattice.columns} × {lattice.rows} cells of {lattice.cell_size:g} m"
+    seed = f"seed {scenario.run.seed}" + (" (drawn)" if drawn else "")
+    console.print(f"{field}, slabs of {lattice.thickness:.3g} m, {scenario.run.steps} steps, {seed}")
     for name, fact in simulation.model.facts().items():
         console.print(f"{name}: {fact}")
     for remark in scenario.remarks():

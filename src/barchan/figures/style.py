@@ -4,8 +4,9 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy import ndimage
 
+from barchan.analysis.course import periodic
+from barchan.analysis.field import smoothed
 from barchan.scenario import Scenario
 from barchan.wind.segment import downwind
 
@@ -24,13 +25,13 @@ BARE = (0.80, 0.79, 0.77)
 
 def colour_map(colours: Colours) -> "Colormap":
     """A colour map by what it is for; red-green has red the highest, as in seed 000."""
-    import matplotlib
+    import matplotlib as mpl
     from cmcrameri import cm
     from matplotlib.colors import LinearSegmentedColormap
 
     if colours == "perceptual":
         return LinearSegmentedColormap.from_list("sand", cm.lajolla_r(np.linspace(0.02, 0.8, 256)))
-    return matplotlib.colormaps["gray" if colours == "grey" else "RdYlGn_r"]
+    return mpl.colormaps["gray" if colours == "grey" else "RdYlGn_r"]
 
 
 def new_figure(width: float, height: float) -> "Figure":
@@ -42,12 +43,7 @@ def new_figure(width: float, height: float) -> "Figure":
 
 def smooth(field: NDArray, width: float, scenario: Scenario) -> NDArray[np.float64]:
     """A field smoothed over ``width`` cells for display; 0 leaves it as it is."""
-    lattice = scenario.lattice
-    if width <= 0:
-        return np.asarray(field, float)
-    modes = ["wrap" if b == "periodic" else "nearest" for b in (lattice.boundary_y, lattice.boundary_x)]
-    result: NDArray[np.float64] = ndimage.gaussian_filter(np.asarray(field, float), width, mode=modes)
-    return result
+    return smoothed(field, width, periodic(scenario)) if width > 0 else np.asarray(field, float)
 
 
 def extent(scenario: Scenario) -> tuple[float, float, float, float]:

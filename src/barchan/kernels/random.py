@@ -44,7 +44,7 @@ def low(draw: np.uint64) -> np.uint64:
 
 
 @njit(cache=True)
-def below(half: np.uint64, count: int) -> int:
+def below(half: np.uint64, count: int) -> np.int64:
     """A whole number in [0, count) from 32 random bits (multiply and shift, no division)."""
     return np.int64((half * np.uint64(count)) >> _HIGH)
 

@@ -110,10 +110,8 @@ class SlabModel(Model):
         frame = WindFrame.of(direction)
         along = self.lattice.rows if frame.crossed else self.lattice.columns
         if hop > along / 2:
-            return [
-                f"hop length {hop:g} cells is longer than half the field along the wind ({along} cells): "
-                "the field's edges will dominate"
-            ]
+            text = f"hop length {hop:g} cells is longer than half the field along the wind ({along} cells)"
+            return [f"{text}: the field's edges will dominate"]
         return []
 
     def _enter(

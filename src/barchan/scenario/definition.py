@@ -92,7 +92,7 @@ class Scenario(Parameters):
     run: Run = Field(default_factory=Run, description="Run.")
 
     def seeded(self) -> Self:
-        """This scenario with a seed: its own, or one drawn now."""
+        """The same scenario with a seed: its own, or one drawn now."""
         if self.run.seed is not None:
             return self
         seed = secrets.randbelow(2**32)

@@ -42,7 +42,7 @@ def _path_in(data: Any, location: tuple[str | int, ...]) -> Path:
         )
         if known:
             path.append(step)
-            data = data[step]  # type: ignore[index, call-overload]
+            data = data[step]
         elif at == len(location) - 1 and inside and isinstance(data, dict):
             path.append(step)
     return tuple(path)
@@ -94,7 +94,7 @@ def _message(item: Any, owner: type[BaseModel] | None, field: Any) -> str:
         return str(context["error"])
     if field is not None and not isinstance(value, dict):
         text = repr(value) if not isinstance(value, bool) else str(value).lower()
-        choices = [c for c in str(allowed(field)).replace("'", "").split(" | ")]
+        choices = allowed(field).replace("'", "").split(" | ")
         hint = nearest(value, choices) if isinstance(value, str) and len(choices) > 1 else ""
         return f"is {text}{hint}; allowed: {allowed(field)}"
     return str(item["msg"])

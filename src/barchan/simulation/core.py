@@ -208,7 +208,7 @@ class Simulation:
         """Everything it takes to go on from here with the same bits."""
         arrays = {f"bed/{name}": array.copy() for name, array in self.bed.arrays.items()}
         arrays |= {f"model/{name}": np.asarray(value) for name, value in self.model.state().items()}
-        data = {
+        data: dict[str, Any] = {
             "scenario": self.scenario.data(),
             "model": self._model_data(),
             "wind": self.wind.model_dump(mode="json"),
