@@ -121,14 +121,23 @@ def steepest(surface, sand, turns, turn, row, col, here, sign, grid, repose):
     steep = (face >> 6) > repose.face_limit
     if not repose.corners:
         return face & 7 if steep else STABLE
+    itself = level + c
+    no_north = row + 1 == grid.rows and not grid.wrap_across
+    no_south = row == 0 and not grid.wrap_across
+    no_east = col + 1 == grid.cols and not grid.wrap_along
+    no_west = col == 0 and not grid.wrap_along
+    ne = itself if no_north or no_east else n + e
+    nw = itself if no_north or no_west else n + w
+    se = itself if no_south or no_east else s + e
+    sw = itself if no_south or no_west else s + w
     corner = max(
         max(
-            _sorting_key(surface, sand, n + e, here, sign, turns[turn, NORTHEAST]),
-            _sorting_key(surface, sand, n + w, here, sign, turns[turn, NORTHWEST]),
+            _sorting_key(surface, sand, ne, here, sign, turns[turn, NORTHEAST]),
+            _sorting_key(surface, sand, nw, here, sign, turns[turn, NORTHWEST]),
         ),
         max(
-            _sorting_key(surface, sand, s + e, here, sign, turns[turn, SOUTHEAST]),
-            _sorting_key(surface, sand, s + w, here, sign, turns[turn, SOUTHWEST]),
+            _sorting_key(surface, sand, se, here, sign, turns[turn, SOUTHEAST]),
+            _sorting_key(surface, sand, sw, here, sign, turns[turn, SOUTHWEST]),
         ),
     )
     if (corner >> 6) > repose.corner_limit:

@@ -76,18 +76,17 @@ def _forced_cell(surface, sand, heights, first_row, rows, row, col, state, peak,
 
     Returns its row (negative where none is left), column and the advanced random state.
     """
-    for _ in range(FORCED_TRIES):
-        state += GOLDEN
-        draw = mix(state)
-        col = below(high(draw), grid.cols)
-        row = first_row + below(low(draw), rows)
-        if _may_erode(surface, sand, heights, row, col, peak, grid, wind, axis, ray):
-            return row, col, state
-    for _ in range(grid.rows * grid.cols):
-        col += 1
-        if col == grid.cols:
-            col = 0
-            row = row + 1 if row + 1 < grid.rows else 0
+    for attempt in range(FORCED_TRIES + grid.rows * grid.cols):
+        if attempt < FORCED_TRIES:
+            state += GOLDEN
+            draw = mix(state)
+            col = below(high(draw), grid.cols)
+            row = first_row + below(low(draw), rows)
+        else:
+            col += 1
+            if col == grid.cols:
+                col = 0
+                row = row + 1 if row + 1 < grid.rows else 0
         if _may_erode(surface, sand, heights, row, col, peak, grid, wind, axis, ray):
             return row, col, state
     return -1, col, state
@@ -165,16 +164,18 @@ def _run_polls(
 
         r = row
         c = col
+        turn = FEED
         way = 0
         while way != STABLE:
             here = np.int64(surface[np.uint64(r * grid.cols + c)]) - repose.slab
-            way = steepest(surface, sand, turns, FEED, r, c, here, 1, grid, repose)
-            if way != STABLE:
-                if repose.random_order:
-                    state += GOLDEN
-                    draw_turns(turns, FEED, mix(state))
-                    way = steepest(surface, sand, turns, DRAWN, r, c, here, 1, grid, repose)
+            way = steepest(surface, sand, turns, turn, r, c, here, 1, grid, repose)
+            if repose.random_order and way != STABLE and turn == FEED:
+                state += GOLDEN
+                draw_turns(turns, FEED, mix(state))
+                turn = DRAWN
+            elif way != STABLE:
                 r, c = neighbour(r, c, way, grid)
+                turn = FEED
         _change(surface, sand, r, c, grid, repose.slab, -1)
 
         along = col << 32
@@ -203,21 +204,22 @@ def _run_polls(
             if axis is not None or not settled:
                 settled |= in_shadow(heights, row, col, surface[cell], peak, grid, axis, ray)
         hops += flown
-        if flown == wind.max_hops:
-            capped += 1
         if not settled:
             left += 1
         else:
+            capped += flown == wind.max_hops
+            turn = SLIDE
             way = 0
             while way != STABLE:
                 here = np.int64(surface[np.uint64(row * grid.cols + col)]) + repose.slab
-                way = steepest(surface, sand, turns, SLIDE, row, col, here, -1, grid, repose)
-                if way != STABLE:
-                    if repose.random_order:
-                        state += GOLDEN
-                        draw_turns(turns, SLIDE, mix(state))
-                        way = steepest(surface, sand, turns, DRAWN, row, col, here, -1, grid, repose)
+                way = steepest(surface, sand, turns, turn, row, col, here, -1, grid, repose)
+                if repose.random_order and way != STABLE and turn == SLIDE:
+                    state += GOLDEN
+                    draw_turns(turns, SLIDE, mix(state))
+                    turn = DRAWN
+                elif way != STABLE:
                     row, col = neighbour(row, col, way, grid)
+                    turn = SLIDE
             _change(surface, sand, row, col, grid, repose.slab, 1)
             peak = max(peak, np.int64(surface[np.uint64(row * grid.cols + col)]))
         if moved == target:
@@ -228,49 +230,6 @@ def _run_polls(
     tally[TRAVEL_ALONG] += hops * (wind.hop_along >> 16)
     tally[TRAVEL_ACROSS] += hops * (wind.hop_across >> 16)
     return peak
-
-
-@njit(cache=True)
-def _poll_at_random(
-    surface, sand, turns, grid, wind, repose, axis, ray, polls, schedule, key, first, count, tally
-):
-    """Polls ``first`` to ``first + count`` of a step, drawn with replacement."""
-    peak = np.int64(surface.max())
-    exhausted = tally[EXHAUSTED]
-    count_polls_by_row(polls, first, count, derive(key, 1))
-    shuffle_bands(polls, derive(key, 2))
-    poll = first
-    for band in polls.band_order:
-        first_row = band * schedule.band_rows
-        rows = min(schedule.band_rows, grid.rows - first_row)
-        left = polls_in_band(polls, first_row, rows)
-        while left > 0:
-            n = min(BLOCK, left)
-            draw_cells(polls, poll, n, first_row, rows, grid.cols, derive(key, 0))
-            peak = _run_polls(
-                surface,
-                sand,
-                turns,
-                grid,
-                wind,
-                repose,
-                axis,
-                ray,
-                polls.rows,
-                polls.cols,
-                polls.states,
-                n,
-                schedule.forced,
-                first_row,
-                rows,
-                -1,
-                peak,
-                tally,
-            )
-            if tally[EXHAUSTED] > exhausted:
-                return
-            poll += n
-            left -= n
 
 
 @njit(cache=True)
@@ -286,31 +245,44 @@ def _poll_round(
     polls,
     schedule,
     poll_key,
-    key,
+    round_key,
     round_,
     start,
     stop,
     target,
     tally,
 ):
-    """Cells ``start`` to ``stop`` of one shuffled round through the whole lattice.
+    """One round of polls, band by band.
 
-    Every band gives the same share of its own cells, so that a part of a round is spread over the field.
+    Drawn with replacement it is the polls ``start`` to ``stop`` of a step. Otherwise it is the cells
+    ``start`` to ``stop`` of a shuffled round through the lattice, to which every band gives the same share
+    of its own cells, so that a part of a round is spread over the field.
     """
     cells = grid.rows * grid.cols
     peak = np.int64(surface.max())
-    shuffle_bands(polls, derive(key, 0))
+    exhausted = tally[EXHAUSTED]
+    if not schedule.each_once:
+        count_polls_by_row(polls, start, stop - start, derive(round_key, 1))
+    shuffle_bands(polls, derive(round_key, 0 if schedule.each_once else 2))
+    poll = start
     for band in polls.band_order:
         first_row = band * schedule.band_rows
         rows = min(schedule.band_rows, grid.rows - first_row)
         size = rows * grid.cols
-        shuffle_cells(polls, size, derive(key, 1 + band))
-        at = start * size // cells
-        end = stop * size // cells
+        at = 0
+        end = polls_in_band(polls, first_row, rows)
+        if schedule.each_once:
+            shuffle_cells(polls, size, derive(round_key, 1 + band))
+            at = start * size // cells
+            end = stop * size // cells
+            poll = round_ * cells + first_row * grid.cols + at
         while at < end:
             n = min(BLOCK, end - at)
-            poll = round_ * cells + first_row * grid.cols + at
-            take_cells(polls, poll, at, n, first_row, grid.cols, poll_key)
+            if schedule.each_once:
+                take_cells(polls, poll, at, n, first_row, grid.cols, poll_key)
+            else:
+                draw_cells(polls, poll, n, first_row, rows, grid.cols, poll_key)
+            redraw = schedule.forced and not schedule.each_once
             peak = _run_polls(
                 surface,
                 sand,
@@ -324,85 +296,17 @@ def _poll_round(
                 polls.cols,
                 polls.states,
                 n,
-                False,
+                redraw,
                 first_row,
                 rows,
                 target,
                 peak,
                 tally,
             )
-            if tally[MOVED] == target:
+            if tally[MOVED] == target or tally[EXHAUSTED] > exhausted:
                 return
+            poll += n
             at += n
-
-
-@njit(cache=True)
-def _poll_each_once(
-    surface, sand, turns, grid, wind, repose, axis, ray, polls, schedule, key, first, count, tally
-):
-    """Polls ``first`` to ``first + count`` of a step that goes through the cells in random order."""
-    cells = grid.rows * grid.cols
-    poll_key = derive(key, 0)
-    for round_ in range(first // cells, (first + count - 1) // cells + 1):
-        start = max(first - round_ * cells, 0)
-        stop = min(first + count - round_ * cells, cells)
-        round_key = derive(derive(key, 3), round_)
-        _poll_round(
-            surface,
-            sand,
-            turns,
-            grid,
-            wind,
-            repose,
-            axis,
-            ray,
-            polls,
-            schedule,
-            poll_key,
-            round_key,
-            round_,
-            start,
-            stop,
-            -1,
-            tally,
-        )
-
-
-@njit(cache=True)
-def _poll_each_once_forced(
-    surface, sand, turns, grid, wind, repose, axis, ray, polls, schedule, key, first, count, tally
-):
-    """Rounds through the cells in random order until ``count`` slabs have moved or none can."""
-    cells = grid.rows * grid.cols
-    target = tally[MOVED] + count
-    slice_key = derive(derive(key, 4), first)
-    round_ = 0
-    while tally[MOVED] < target:
-        before = tally[MOVED]
-        key = derive(slice_key, round_)
-        _poll_round(
-            surface,
-            sand,
-            turns,
-            grid,
-            wind,
-            repose,
-            axis,
-            ray,
-            polls,
-            schedule,
-            slice_key,
-            key,
-            round_,
-            0,
-            cells,
-            target,
-            tally,
-        )
-        if tally[MOVED] == before:
-            tally[EXHAUSTED] += 1
-            return
-        round_ += 1
 
 
 @njit(cache=True)
@@ -426,17 +330,39 @@ def transport(
 ):
     """Run the polls ``first`` to ``first + count`` of each of ``steps`` steps from ``step`` on.
 
-    ``bed`` is (surface, sand, grid, wind, repose, axis, ray, mixed): the flat surface in whole units and
-    the slabs on it (None over flat ground, where the surface counts slabs), both changed in place; the
-    rules; the shadow of a wind along an axis or oblique, the other None; and work space for eight
-    directions. ``key`` is the stream's. Counts are added to ``tally``; ``tally[SLICES]`` tells how many
-    steps were run before ``schedule.still_limit`` ended the call.
+    ``surface`` (flat, in whole units, with room for ``lanes.LANES`` numbers before it) and the slabs
+    ``sand`` on it (None over flat ground, where the surface counts slabs) are changed in place. ``turns``
+    orders the neighbours, one of ``axis`` and ``ray`` tells how shadows fall, and ``key`` is the stream's.
+    What happens is added to ``tally``; ``tally[SLICES]`` tells how many steps were run before
+    ``schedule.still_limit`` ended the call.
     """
+    cells = grid.rows * grid.cols
+    walking = schedule.each_once and schedule.forced
     for s in range(steps):
         step_key = derive(key, step + s)
+        poll_key = derive(step_key, 0)
         before = tally[MOVED]
-        if not schedule.each_once:
-            _poll_at_random(
+        target = -1
+        round_ = first // cells
+        if walking:
+            poll_key = derive(derive(step_key, 4), first)
+            target = before + count
+            round_ = 0
+        going = True
+        while going:
+            moved = tally[MOVED]
+            round_key = step_key
+            start = first
+            stop = first + count
+            if walking:
+                round_key = derive(poll_key, round_)
+                start = 0
+                stop = cells
+            elif schedule.each_once:
+                round_key = derive(derive(step_key, 3), round_)
+                start = max(first - round_ * cells, 0)
+                stop = min(first + count - round_ * cells, cells)
+            _poll_round(
                 surface,
                 sand,
                 turns,
@@ -447,45 +373,21 @@ def transport(
                 ray,
                 polls,
                 schedule,
-                step_key,
-                first,
-                count,
+                poll_key,
+                round_key,
+                round_,
+                start,
+                stop,
+                target,
                 tally,
             )
-        elif schedule.forced:
-            _poll_each_once_forced(
-                surface,
-                sand,
-                turns,
-                grid,
-                wind,
-                repose,
-                axis,
-                ray,
-                polls,
-                schedule,
-                step_key,
-                first,
-                count,
-                tally,
-            )
-        else:
-            _poll_each_once(
-                surface,
-                sand,
-                turns,
-                grid,
-                wind,
-                repose,
-                axis,
-                ray,
-                polls,
-                schedule,
-                step_key,
-                first,
-                count,
-                tally,
-            )
+            round_ += 1
+            if walking:
+                going = tally[MOVED] < target and tally[MOVED] > moved
+                if tally[MOVED] == moved:
+                    tally[EXHAUSTED] += 1
+            else:
+                going = schedule.each_once and round_ * cells < first + count
         tally[SLICES] += 1
         tally[STILL] = 0 if tally[MOVED] > before else tally[STILL] + 1
         if schedule.still_limit > 0 and tally[STILL] >= schedule.still_limit:

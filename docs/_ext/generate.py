@@ -1,0 +1,192 @@
+"""Pages made from the code's own declarations while the documentation is built.
+
+Models, keys, presets, measures, events and commands are declared once, in the code. These pages are
+written into ``_generated`` (not kept in git); what a page of prose includes is in ``_generated/parts``.
+"""
+
+import inspect
+from collections.abc import Iterable, Iterator
+from itertools import groupby
+from pathlib import Path
+from typing import Any, get_args, get_origin
+
+from sphinx.application import Sphinx
+
+from barchan.parameters import Declaration, Parameters, declarations
+
+
+def setup(app: Sphinx) -> dict[str, Any]:
+    """Make the pages before sources are read."""
+    app.connect("builder-inited", generate)
+    return {"parallel_read_safe": True, "parallel_write_safe": True}
+
+
+def generate(app: Sphinx) -> None:
+    """Write all pages; one whose text is unchanged is left alone, so that it is not built again."""
+    folder = Path(app.srcdir) / "_generated"
+    pages = dict(all_pages())
+    for path in folder.rglob("*.md"):
+        if str(path.relative_to(folder)) not in pages:
+            path.unlink()
+    for name, text in pages.items():
+        path = folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        if not path.is_file() or path.read_text("utf-8") != text:
+            path.write_text(text, "utf-8")
+
+
+def all_pages() -> Iterator[tuple[str, str]]:
+    """Names and texts of all generated pages."""
+    from barchan.models import models
+
+    yield "models.md", models_page()
+    for name, model in models().items():
+        yield f"models/{name}.md", model_page(model)
+    yield "keys.md", keys_page()
+    yield "presets.md", presets_page()
+    yield "commands.md", commands_page()
+    yield "parts/measures.md", measures_table()
+    yield "parts/events.md", events_tables()
+
+
+def table(header: tuple[str, ...], rows: Iterable[tuple[str, ...]], widths: str) -> str:
+    """A table of short Markdown texts."""
+    lines = ["```{list-table}", ":header-rows: 1", ":class: declared", f":widths: {widths}", ""]
+    for first, *rest in [header, *rows]:
+        lines += [f"* - {first}", *(f"  - {cell}" for cell in rest)]
+    return "\n".join([*lines, "```", ""])
+
+
+def code(text: object) -> str:
+    """Text set as code."""
+    return f"`{text}`" if str(text) else ""
+
+
+def default_of(declaration: Declaration) -> str:
+    """A default as the tables show it."""
+    value = declaration.default
+    if value is None:
+        return "none" if "null" in declaration.bounds else "*required*"
+    if isinstance(value, bool):
+        return code(str(value).lower())
+    return code(f"{value:g}" if isinstance(value, float) else value) or "–"
+
+
+def parameter_table(declared: Iterable[Declaration]) -> str:
+    """The table of some declared parameters."""
+    rows = [
+        (
+            code(d.key),
+            default_of(d),
+            "–" if d.unit == "-" else d.unit,
+            d.bounds.replace("'", "`"),
+            d.meaning,
+            d.source or "–",
+            "yes" if d.live else "",
+        )
+        for d in declared
+    ]
+    header = ("Key", "Default", "Unit", "Allowed", "Meaning", "Source", "Live")
+    return table(header, rows, "17 9 7 16 32 14 5")
+
+
+def models_page() -> str:
+    """The list of all models."""
+    from barchan.models import models
+
+    rows = [(f"[`{name}`](models/{name}.md)", m.title, m.citation) for name, m in models().items()]
+    names = "\n".join(f"models/{name}" for name in models())
+    return (
+        "# Models\n\n"
+        "One page a model, with all its parameters. `barchan.model_names()` gives the same list.\n\n"
+        f"{table(('Name', 'Title', 'Citation'), rows, '15 20 65')}\n"
+        f"```{{toctree}}\n:hidden:\n\n{names}\n```\n"
+    )
+
+
+def model_page(model: Any) -> str:
+    """One model: what it is and every parameter it has."""
+    from barchan.bed import Lattice
+
+    parts = [f"# {model.title}", f"Model `{model.name}`. {model.citation}", "```{eval-rst}"]
+    parts += [inspect.getdoc(model) or "", "```", "## Parameters"]
+    parts += ["Keys stand under `model` in a scenario. *Live* parameters may change during a run."]
+    for group, declared in groupby(declarations(model.Parameters), lambda d: d.group):
+        parts += [f"### {group.capitalize() or 'Name'}", parameter_table(declared)]
+    facts = model(model.Parameters(), Lattice()).facts()
+    if facts:
+        parts += ["## What the defaults come to", "On a lattice with its defaults:"]
+        parts += [f"* {name}: {fact}" for name, fact in facts.items()]
+    return "\n\n".join(parts) + "\n"
+
+
+def keys_page() -> str:
+    """Every key of a scenario, by group and variant."""
+    from barchan.scenario import Scenario
+    from barchan.scenario.listing import all_keys, variants
+
+    parts = [
+        "# All keys of a scenario",
+        "`lattice.rows` is the key `rows` in the group `lattice`. `barchan parameters` prints this list too.",
+    ]
+    for heading, keys in groupby(all_keys(), lambda key: key.heading):
+        parts += [f"## {heading}", parameter_table(keys)]
+    for name, field in Scenario.model_fields.items():
+        items = {item for group in variants(field.annotation) for item in lists_in(group, f"{name}.")}
+        for key, item in sorted(items, key=lambda pair: pair[0]):
+            parts += [f"## {key}", parameter_table(declarations(item, f"{key}."))]
+    return "\n\n".join(parts) + "\n"
+
+
+def lists_in(group: type[Parameters], prefix: str) -> Iterator[tuple[str, type[Parameters]]]:
+    """Keys of a group that hold lists of groups, and what is in them."""
+    for name, field in group.model_fields.items():
+        item = next(iter(get_args(field.annotation)), None)
+        if get_origin(field.annotation) is list and isinstance(item, type) and issubclass(item, Parameters):
+            yield f"{prefix}{name}[]", item
+
+
+def presets_page() -> str:
+    """Every preset: where it comes from, what to look for, how to run it."""
+    from barchan.models import models
+    from barchan.scenario import load_scenario, preset_names
+
+    parts = ["# Presets", "Scenarios that ship with Barchan. `barchan presets NAME` prints one as a file."]
+    for name in preset_names():
+        scenario = load_scenario(name)
+        lattice, run = scenario.lattice, scenario.run
+        facts = models()[scenario.model.name](scenario.model, lattice).facts()
+        field = f"{lattice.columns} × {lattice.rows} cells of {lattice.cell_size:g} m, {run.steps} steps"
+        lines = [f"Source\n: {scenario.citation or '–'}", f"Look for\n: {scenario.look_for or '–'}"]
+        lines += [f"Model\n: [`{scenario.model.name}`](models/{scenario.model.name}.md)", f"Size\n: {field}"]
+        lines += [f"{fact.capitalize()}\n: {value}" for fact, value in facts.items()]
+        parts += [f"## {name}: {scenario.title}", *lines, f"```sh\nbarchan run {name}\n```"]
+    return "\n\n".join(parts) + "\n"
+
+
+def commands_page() -> str:
+    """The commands with their options."""
+    from barchan.cli import app
+
+    text: str = app().generate_docs(output_format="markdown", include_hidden=False)
+    body = text[text.index("## barchan ") :]
+    return f"# Commands\n\n{body}"
+
+
+def measures_table() -> str:
+    """The table of declared measures."""
+    from barchan.analysis.course import MEASURES
+
+    rows = [(code(m.name), m.title, "–" if m.unit == "-" else m.unit) for m in MEASURES]
+    return table(("Name", "What", "Unit"), rows, "30 45 25")
+
+
+def events_tables() -> str:
+    """What each kind of event holds."""
+    from barchan.simulation import SetParameter, SetWind, Stroke
+
+    parts = []
+    for event in (SetParameter, SetWind, Stroke):
+        own = (d for d in declarations(event) if not d.key.startswith("wind."))
+        parts += [f"`barchan.{event.__name__}`: {inspect.getdoc(event)}", parameter_table(own)]
+    return "\n\n".join(parts) + "\n"

@@ -1,0 +1,306 @@
+"""Slab transport in plain Python: slow, and meant to be obviously right.
+
+It shares nothing with the compiled kernels but the definition of the random numbers. It works in the wind's
+frame: column + 1 is downwind (within 45 degrees), rows grow to the wind's left.
+"""
+
+import math
+from dataclasses import dataclass, field
+
+from barchan.streams import GOLDEN, MASK, derive, mix
+
+FACES = [(0, 1), (1, 0), (0, -1), (-1, 0)]
+CORNERS = [(1, 1), (1, -1), (-1, -1), (-1, 1)]
+CELL = 1 << 32
+SCALE = 1 << 20
+FORCED_TRIES = 1000
+
+
+@dataclass
+class Draws:
+    """The random sequence of one poll."""
+
+    state: int
+
+    def next(self) -> int:
+        self.state = (self.state + GOLDEN) & MASK
+        return mix(self.state)
+
+
+def high(draw):
+    return draw >> 32
+
+
+def low(draw):
+    return draw & 0xFFFFFFFF
+
+
+def below(half, count):
+    return half * count >> 32
+
+
+def shuffled(count, key):
+    items = list(range(count))
+    for last in range(count - 1, 0, -1):
+        other = below(high(derive(key, last)), last + 1)
+        items[last], items[other] = items[other], items[last]
+    return items
+
+
+@dataclass
+class Field:
+    """A bed in the wind's frame and the rules of its transport."""
+
+    sand: list[list[int]]
+    ground: list[list[float]]  # in slabs
+    rules: object  # SlabTransport
+    aspect: float
+    face_limit: int
+    corner_limit: int
+    hop: float
+    angle: float = 0.0
+    wrap_along: bool = True
+    wrap_across: bool = True
+    tally: dict = field(
+        default_factory=lambda: dict.fromkeys(("moved", "left", "capped", "exhausted", "hops"), 0)
+    )
+
+    @property
+    def rows(self):
+        return len(self.sand)
+
+    @property
+    def cols(self):
+        return len(self.sand[0])
+
+    def __post_init__(self):
+        self.base = [[round(g * SCALE) for g in row] for row in self.ground]
+
+    def height(self, row, col):
+        """Height of the surface in units of 1/SCALE slabs."""
+        return self.base[row][col] + self.sand[row][col] * SCALE
+
+    def neighbour(self, row, col, step):
+        r, c = row + step[0], col + step[1]
+        if not 0 <= r < self.rows:
+            if not self.wrap_across:
+                return None
+            r %= self.rows
+        if not 0 <= c < self.cols:
+            if not self.wrap_along:
+                return None
+            c %= self.cols
+        return r, c
+
+    # --- the shadow zone ---------------------------------------------------------------------------
+
+    def in_shadow(self, row, col):
+        fall = math.tan(math.radians(self.rules.shadow_angle)) / self.aspect
+        start = 0.5 if self.rules.shadow_from == "edge" else 0.0
+        here = self.height(row, col)
+        for k in range(1, self.cols + 1):
+            c = col - k
+            if c < 0 and not self.wrap_along:
+                return False
+            height = self.height_at(row, k, c % self.cols)
+            if height is None:
+                return False
+            distance = k / math.cos(self.angle) - start
+            if height - here > distance * fall * SCALE:
+                return True
+        return False
+
+    def height_at(self, row, k, col):
+        """Height where the ray crosses a column ``k`` upwind, interpolated between two cells."""
+        if self.angle == 0.0:
+            return self.height(row, col)
+        offset = -k * math.tan(self.angle)
+        lower = math.floor(offset + 1e-9)
+        weight = max(offset - lower, 0.0)
+        heights = []
+        for r in (row + lower, row + lower + 1):
+            if 0 <= r < self.rows or self.wrap_across:
+                heights.append(float(self.height(r % self.rows, col)))
+            elif weight > 0.0 or r == row + lower:
+                return None
+            else:
+                heights.append(0.0)
+        return heights[0] + weight * (heights[1] - heights[0]) if weight > 0.0 else heights[0]
+
+    # --- avalanches --------------------------------------------------------------------------------
+
+    def order(self, sliding, draws=None):
+        """Neighbours in the order in which they are checked."""
+        wind = (math.sin(self.angle), math.cos(self.angle))
+        left = (math.cos(self.angle), -math.sin(self.angle))
+        sign = 1 if sliding else -1
+        dot = lambda a, b: round(a[0] * b[0] + a[1] * b[1], 9)
+        groups = [FACES, CORNERS if self.rules.neighbourhood == "moore" else []]
+        result = []
+        for at, group in enumerate(groups):
+            if draws is None:
+                ways = sorted(group, key=lambda s: (-sign * dot(s, wind), -dot(s, left)))
+            else:
+                ways = drawn_order(group, draws, 4 * at)
+            if not self.rules.upwind_avalanches:
+                ways = [s for s in ways if sign * dot(s, wind) > -1e-9]
+            result += ways
+        return result
+
+    def steepest(self, row, col, here, sliding, order):
+        """The first of the steepest ways whose step does not hold."""
+        best, way = 0.0, None
+        for step in order:
+            there = self.neighbour(row, col, step)
+            if there is None or (not sliding and self.sand[there[0]][there[1]] == 0):
+                continue
+            rise = (here - self.height(*there)) if sliding else (self.height(*there) - here)
+            corner = step in CORNERS
+            limit = self.corner_limit if corner else self.face_limit
+            weight = math.sqrt(0.5) if corner and self.rules.corner_limit != "face" else 1.0
+            if rise > limit * SCALE and rise * weight > best:
+                best, way = rise * weight, there
+        return way
+
+    def chain(self, row, col, sliding, draws):
+        """Follow an avalanche from a cell to the one that changes."""
+        while True:
+            here = self.height(row, col) + (SCALE if sliding else -SCALE)
+            way = self.steepest(row, col, here, sliding, self.order(sliding))
+            if way is None:
+                return row, col
+            if self.rules.neighbour_order == "random":
+                way = self.steepest(row, col, here, sliding, self.order(sliding, draws.next()))
+            row, col = way
+
+    # --- one poll ----------------------------------------------------------------------------------
+
+    def may_erode(self, row, col):
+        if self.sand[row][col] == 0:
+            return False
+        return self.rules.lee_erosion or not self.in_shadow(row, col)
+
+    def move(self, row, col, draws):
+        r, c = self.chain(row, col, False, draws)
+        self.sand[r][c] -= 1
+        self.tally["moved"] += 1
+        landed = self.carry(row, col, draws)
+        if landed is None:
+            self.tally["left"] += 1
+            return
+        r, c = self.chain(*landed, True, draws)
+        self.sand[r][c] += 1
+
+    def carry(self, row, col, draws):
+        dx = round(self.hop * math.cos(self.angle) * CELL)
+        dy = round(self.hop * math.sin(self.angle) * CELL)
+        x, y = col * CELL, row * CELL
+        if dx % CELL or dy % CELL:
+            draw = draws.next()
+            x, y = x + high(draw), y + low(draw)
+        for hops in range(1, self.rules.max_hops + 1):
+            self.tally["hops"] += 1
+            x, y = x + dx, y + dy
+            if not (0 <= x < self.cols * CELL or self.wrap_along):
+                return None
+            if not (0 <= y < self.rows * CELL or self.wrap_across):
+                return None
+            x, y = x % (self.cols * CELL), y % (self.rows * CELL)
+            row, col = y // CELL, x // CELL
+            chance = high(draws.next())
+            p = self.rules.p_s if self.sand[row][col] > 0 else self.rules.p_ns
+            if chance < round(p * 2**32) or self.in_shadow(row, col):
+                break
+        if hops == self.rules.max_hops:
+            self.tally["capped"] += 1
+        return row, col
+
+    # --- the polls of a step -----------------------------------------------------------------------
+
+    def bands(self, key):
+        """First row and number of rows of each band, in their order."""
+        size = self.rules.band_rows
+        count = -(-self.rows // size)
+        for band in shuffled(count, key):
+            yield band, band * size, min(size, self.rows - band * size)
+
+    def step(self, key, first, count):
+        if self.rules.polling == "repeated":
+            self.at_random(key, first, count)
+        elif self.rules.forced_erosion:
+            self.each_once_forced(key, first, count)
+        else:
+            self.each_once(key, first, count)
+
+    def at_random(self, key, first, count):
+        poll_key, row_key = derive(key, 0), derive(key, 1)
+        chosen = [below(high(derive(row_key, poll)), self.rows) for poll in range(first, first + count)]
+        poll = first
+        for _, first_row, rows in self.bands(derive(key, 2)):
+            for _ in range(sum(first_row <= row < first_row + rows for row in chosen)):
+                start = derive(poll_key, poll)
+                draws = Draws(start)
+                row, col = first_row + below(low(start), rows), below(high(start), self.cols)
+                if not self.may_erode(row, col):
+                    found = self.another(first_row, rows, draws) if self.rules.forced_erosion else None
+                    if found is None and self.rules.forced_erosion:
+                        self.tally["exhausted"] += 1
+                        return
+                    if found is not None:
+                        self.move(*found, draws)
+                else:
+                    self.move(row, col, draws)
+                poll += 1
+
+    def another(self, first_row, rows, draws):
+        for _ in range(FORCED_TRIES):
+            draw = draws.next()
+            row, col = first_row + below(low(draw), rows), below(high(draw), self.cols)
+            if self.may_erode(row, col):
+                return row, col
+        cell = row * self.cols + col
+        for _ in range(self.rows * self.cols):
+            cell = (cell + 1) % (self.rows * self.cols)
+            if self.may_erode(cell // self.cols, cell % self.cols):
+                return cell // self.cols, cell % self.cols
+        return None
+
+    def round(self, poll_key, key, number, start, stop, target=None):
+        cells = self.rows * self.cols
+        for band, first_row, rows in self.bands(derive(key, 0)):
+            size = rows * self.cols
+            order = shuffled(size, derive(key, 1 + band))
+            for at in range(start * size // cells, stop * size // cells):
+                row, col = first_row + order[at] // self.cols, order[at] % self.cols
+                if self.may_erode(row, col):
+                    poll = number * cells + first_row * self.cols + at
+                    self.move(row, col, Draws(derive(poll_key, poll)))
+                    if self.tally["moved"] == target:
+                        return
+
+    def each_once(self, key, first, count):
+        cells = self.rows * self.cols
+        for number in range(first // cells, (first + count - 1) // cells + 1):
+            start, stop = max(first - number * cells, 0), min(first + count - number * cells, cells)
+            self.round(derive(key, 0), derive(derive(key, 3), number), number, start, stop)
+
+    def each_once_forced(self, key, first, count):
+        target = self.tally["moved"] + count
+        slice_key = derive(derive(key, 4), first)
+        number = 0
+        while self.tally["moved"] < target:
+            before = self.tally["moved"]
+            self.round(slice_key, derive(slice_key, number), number, 0, self.rows * self.cols, target)
+            if self.tally["moved"] == before:
+                self.tally["exhausted"] += 1
+                return
+            number += 1
+
+
+def drawn_order(group, draw, first):
+    """A group of neighbours in a drawn sequence."""
+    places = list(range(4))
+    for last in range(3, 0, -1):
+        other = below(high(derive(draw, first + last)), last + 1)
+        places[last], places[other] = places[other], places[last]
+    return [step for _, step in sorted(zip(places, group, strict=False))]
