@@ -80,6 +80,7 @@ class Declaration:
     live: bool
     group: str
     scale: str
+    required: bool
 
 
 def declarations(parameters: type[Parameters], prefix: str = "") -> Iterator[Declaration]:
@@ -104,7 +105,10 @@ def declarations(parameters: type[Parameters], prefix: str = "") -> Iterator[Dec
             live=extra.get("live", False),
             group=extra.get("group", ""),
             scale=extra.get("scale", "linear"),
+            required=field.is_required(),
         )
+        if inner is not None:
+            yield from declarations(inner, f"{key}[].")
 
 
 def _extra(field: FieldInfo) -> dict[str, Any]:
@@ -112,10 +116,9 @@ def _extra(field: FieldInfo) -> dict[str, Any]:
 
 
 def _group(annotation: Any) -> type[Parameters] | None:
-    for candidate in (annotation, *get_args(annotation)):
-        if isinstance(candidate, type) and issubclass(candidate, Parameters):
-            return candidate
-    return None
+    if isinstance(annotation, type) and issubclass(annotation, Parameters):
+        return annotation
+    return next((found for inner in get_args(annotation) if (found := _group(inner))), None)
 
 
 def type_name(annotation: Any) -> str:

@@ -1,14 +1,15 @@
 """The measures of a run's frames, one after the other: a table of declared measures."""
 
+from collections import deque
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from barchan.analysis.heights import bare_fraction, highest_stack, sand_volume
-from barchan.analysis.migration import NOWHERE, Migration, migration
+from barchan.analysis.migration import Migration, migration
 from barchan.analysis.orientation import Orientation, crest_orientation
 from barchan.analysis.slopes import Slopes, streamwise_slopes
 from barchan.analysis.spacing import dominant_spacing
@@ -27,6 +28,8 @@ class Moment:
     sand: NDArray[np.int32]
     elevation: NDArray[np.float64]
     scenario: Scenario
+    direction: float
+    """Where the wind comes from (degrees)."""
     orientation: Orientation
     slopes: Slopes
     migration: Migration
@@ -43,7 +46,7 @@ class Moment:
     @property
     def speed(self) -> float:
         """Migration along the wind (cells per step)."""
-        return self.migration.along(*downwind(self.scenario.wind.direction))
+        return self.migration.along(*downwind(self.direction))
 
 
 @dataclass(frozen=True)
@@ -64,9 +67,7 @@ MEASURES = (
         "spacing",
         "dominant spacing",
         "m",
-        lambda m: dominant_spacing(
-            m.elevation, m.scenario.lattice.cell_size, m.scenario.wind.direction, m.periodic
-        ),
+        lambda m: dominant_spacing(m.elevation, m.scenario.lattice.cell_size, m.direction, m.periodic),
     ),
     Measure("crest_azimuth", "crest orientation", "degrees", lambda m: m.orientation.azimuth),
     Measure("straightness", "crest straightness", "-", lambda m: m.orientation.coherence),
@@ -98,30 +99,33 @@ def periodic(scenario: Scenario) -> tuple[bool, bool]:
     return lattice.boundary_y == "periodic", lattice.boundary_x == "periodic"
 
 
+LAGS = 3
+"""Earlier frames that a frame's migration is measured from."""
+
+
 def moments(dataset: "xr.Dataset", scenario: Scenario, first: int = 0) -> Iterator[Moment]:
-    """The frames of a run from number ``first`` on; each speed is from the frame before."""
+    """The frames of a run from number ``first`` on; migration is from up to ``LAGS`` frames before."""
     lattice = scenario.lattice
     joined = periodic(scenario)
     steps = dataset["step"].values
-    x, y = downwind(scenario.wind.direction)
-    travel = dataset["travel_x"].values * x + dataset["travel_y"].values * y
-    before: NDArray[Any] | None = dataset["elevation"][first - 1].values if first else None
+    directions = dataset["wind_direction"].values
+    travelled = np.stack([dataset["travel_x"].values, dataset["travel_y"].values])
+    recent = deque((dataset["elevation"][at].values for at in range(max(0, first - LAGS), first)), LAGS + 1)
     for at in range(first, len(steps)):
         elevation = dataset["elevation"][at].values
-        moved = NOWHERE
-        if before is not None:
-            moved = migration(steps[at - 1 : at + 1], [before, elevation], joined)
+        recent.append(elevation)
+        travel = np.dot(downwind(directions[at]), travelled[:, at] - travelled[:, max(at - 1, 0)])
         yield Moment(
             sand=dataset["sand"][at].values,
             elevation=elevation,
             scenario=scenario,
+            direction=float(directions[at]),
             orientation=crest_orientation(elevation, lattice.cell_size, joined),
-            slopes=streamwise_slopes(elevation, lattice.cell_size, scenario.wind.direction, joined),
-            migration=moved,
-            travel=float(travel[at] - travel[at - 1]) if at else 0.0,
+            slopes=streamwise_slopes(elevation, lattice.cell_size, directions[at], joined),
+            migration=migration(steps[at + 1 - len(recent) : at + 1], list(recent), joined),
+            travel=float(travel),
             steps=int(steps[at] - steps[at - 1]) if at else 0,
         )
-        before = elevation
 
 
 def course(dataset: "xr.Dataset", scenario: Scenario) -> "xr.Dataset":

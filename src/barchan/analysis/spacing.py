@@ -2,7 +2,7 @@
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy import fft, ndimage
+from scipy import fft
 
 from barchan.analysis.field import Field, Periodic, smoothed, tapered
 from barchan.wind.segment import downwind
@@ -17,43 +17,38 @@ def dominant_spacing(
 ) -> float:
     """Dominant distance (m) from one bedform to the next along the wind from ``direction`` (degrees).
 
-    It is the lag of the first maximum of the surface's autocorrelation along the wind, after smoothing
-    over ``width`` cells. NaN where there is none: a flat bed, a single ridge that fills the field.
+    The inverse of the mean wavenumber along the wind, each wavenumber weighted with the square of its
+    power: the wavelength itself for a train of waves, hardly moved by the harmonics of sharp crests, and
+    steady where several wavelengths compete. The surface is smoothed over ``width`` cells first. NaN on a
+    bed without relief along the wind.
     """
-    lags, correlation = autocorrelation_along(elevation, direction, periodic, width)
-    falling = np.flatnonzero(np.diff(correlation) > 0)
-    if falling.size == 0:
-        return float("nan")
-    trough = falling[0]
-    peaks = (
-        np.flatnonzero((correlation[1:-1] >= correlation[:-2]) & (correlation[1:-1] > correlation[2:])) + 1
+    wavenumber, power = streamwise_spectrum(
+        smoothed(elevation, width, periodic), cell_size, direction, periodic
     )
-    peaks = peaks[peaks > trough]
-    if peaks.size == 0:
+    weight = power**2
+    if not weight.sum() > 0:
         return float("nan")
-    peak = int(peaks[np.argmax(correlation[peaks] > 0.5 * correlation[peaks].max())])
-    return float((lags[peak] + _vertex(correlation[peak - 1 : peak + 2]) * (lags[1] - lags[0])) * cell_size)
+    return float(weight.sum() / (weight * wavenumber).sum())
 
 
-def autocorrelation_along(
-    elevation: NDArray, direction: float, periodic: Periodic, width: float
+def streamwise_spectrum(
+    elevation: NDArray, cell_size: float, direction: float, periodic: Periodic = (True, True)
 ) -> tuple[Field, Field]:
-    """Lags (cells) along the wind, up to half the field, and the autocorrelation there."""
-    field = tapered(smoothed(elevation, width, periodic), periodic)
-    shape = [n if p else 2 * n for n, p in zip(field.shape, periodic, strict=True)]
-    spectrum = fft.rfft2(field, shape)
-    correlation = fft.irfft2(np.abs(spectrum) ** 2, shape)
-    x, y = downwind(direction)
+    """Wavenumbers along the wind (cycles per metre) and the power of a surface at them.
+
+    Power is summed over all waves with the same component along the wind, which for a wind along a
+    lattice axis is the mean spectrum of the profiles along it; what does not vary along the wind is left
+    out.
+    """
+    field = tapered(np.asarray(elevation, float), periodic)
+    power = np.abs(fft.fft2(field)) ** 2
     rows, cols = field.shape
-    limits = [n / 2 / abs(s) for n, s in ((cols, x), (rows, y)) if abs(s) > 1e-9]
-    lags = np.arange(0.0, min(limits), 0.5)
-    along = ndimage.map_coordinates(correlation, [lags * y, lags * x], order=3, mode="grid-wrap")
-    top = correlation[0, 0]
-    return lags, along / top if top > 0 else np.zeros_like(along)
-
-
-def _vertex(three: Field) -> float:
-    """Where the parabola through three equally spaced values peaks, from the middle one."""
-    left, middle, right = three
-    curvature = left - 2 * middle + right
-    return float(0.5 * (left - right) / curvature) if curvature < 0 else 0.0
+    x, y = downwind(direction)
+    along = np.abs(np.add.outer(fft.fftfreq(rows, cell_size) * y, fft.fftfreq(cols, cell_size) * x)).ravel()
+    step = 1.0 / (abs(x) * cols + abs(y) * rows) / cell_size
+    place = np.rint(along / step).astype(np.int64)
+    total = np.bincount(place, power.ravel()).astype(np.float64)
+    moment = np.bincount(place, power.ravel() * along).astype(np.float64)
+    rounding = 1e-24 * elevation.size * float(np.sum(np.square(elevation, dtype=float)))
+    filled = (np.arange(total.size) > 0) & (total > rounding)
+    return moment[filled] / total[filled], total[filled]

@@ -12,7 +12,7 @@ from barchan.simulation import Simulation
 from barchan.wind.segment import downwind
 
 LOOKS = 20
-"""Looks at the bed in one window."""
+"""Looks at the bed in one window, about."""
 
 
 class SteadyWatch:
@@ -22,6 +22,7 @@ class SteadyWatch:
         """Watch a run of ``scenario``."""
         self.asked = asked
         self.every = max(1, asked.window // LOOKS)
+        self.looks = -(-asked.window // self.every) + 1
         lattice = scenario.lattice
         self.cell_size = lattice.cell_size
         self.periodic = lattice.boundary_y == "periodic", lattice.boundary_x == "periodic"
@@ -39,21 +40,23 @@ class SteadyWatch:
             moved = migration([0, self.every], [self.previous, surface], self.periodic)
             speed = moved.along(*downwind(wind))
         self.previous = surface
-        self.seen = [*self.seen, [spacing, straightness, speed]][-LOOKS - 1 :]
+        self.seen = [*self.seen, [spacing, straightness, speed]][-self.looks :]
         return self._verdict()
 
     def _verdict(self) -> str | None:
         measures = np.array(self.seen)
-        if len(measures) <= LOOKS or not np.isfinite(measures).all():
+        if len(measures) < self.looks or not np.isfinite(measures).all():
             return None
         spread = np.ptp(measures, axis=0)
         mean = measures.mean(axis=0)
         relative = spread[[0, 2]] / np.abs(mean[[0, 2]])
         if max(relative.max(), spread[1]) > self.asked.tolerance:
             return None
+        steps = (self.looks - 1) * self.every
+        spacing, straightness, speed = mean
         return (
-            f"steady for {self.asked.window} steps: spacing {mean[0]:.3g} m, straightness {mean[1]:.2f}, "
-            f"speed {mean[2]:.3g} cells per step"
+            f"steady for {steps} steps: spacing {spacing:.3g} m, straightness {straightness:.2f}, "
+            f"speed {speed:.3g} cells per step"
         )
 
     def state(self) -> dict[str, Any]:

@@ -4,7 +4,7 @@ Everything is written so that a process killed at any moment leaves a run that c
 """
 
 from barchan.archive.dataset import dataset_of, simulate
-from barchan.archive.folder import Archive
+from barchan.archive.folder import Archive, check_room
 from barchan.archive.reading import RunInfo, load, open_run, run_info
 from barchan.archive.running import Outcome, Reopened, reopen, resume, run
 
@@ -13,6 +13,7 @@ __all__ = [
     "Outcome",
     "Reopened",
     "RunInfo",
+    "check_room",
     "dataset_of",
     "load",
     "open_run",

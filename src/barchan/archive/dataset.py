@@ -8,9 +8,6 @@ import numpy as np
 from barchan.archive.frames import (
     COUNTERS,
     coordinate_attributes,
-    counter_attributes,
-    counter_type,
-    counters,
     field_attributes,
     run_attributes,
 )
@@ -46,14 +43,7 @@ def dataset_of(simulation: Simulation, frames: Iterable[Frame]) -> "xr.Dataset":
         "y": ("y", lattice.y, coordinate_attributes("y")),
         "x": ("x", lattice.x, coordinate_attributes("x")),
     }
-    values = {
-        name: (
-            "step",
-            np.array([counters(f)[name] for f in frames], counter_type(name)),
-            counter_attributes(name),
-        )
-        for name in COUNTERS
-    }
+    values = {c.name: ("step", np.array([c.of(f) for f in frames], c.dtype), c.attributes) for c in COUNTERS}
     fields = {
         name: (("step", "y", "x"), np.stack([f.fields[name] for f in frames]), field_attributes(info))
         for name, info in simulation.bed.declared.items()

@@ -47,8 +47,9 @@ class Archive:
     def create(cls, path: Path, simulation: Simulation, overwrite: bool = False) -> "Archive":
         """Make the folder of a new run; one that is not empty is refused unless asked."""
         with writing(path):
+            check_room(path, overwrite)
             if path.is_dir() and any(path.iterdir()):
-                _make_room(path, overwrite)
+                _remove_run(path)
             path.mkdir(parents=True, exist_ok=True)
             archive = cls(path)
             archive.write_scenario(simulation)
@@ -60,6 +61,8 @@ class Archive:
         """Write the scenario as it is now."""
         with writing(self.path):
             _write(self.path / SCENARIO, simulation.scenario.text())
+            if self.frames is not None:
+                self.frames.describe(simulation.scenario)
 
     def start(self, simulation: Simulation) -> None:
         """Make an empty store of frames and the first checkpoint."""
@@ -92,6 +95,10 @@ class Archive:
         entry = {"time": datetime.now(UTC).isoformat(timespec="seconds"), "event": event, **details}
         with writing(self.path), (self.path / LOG).open("a", encoding="utf-8") as file:
             file.write(json.dumps(entry) + "\n")
+
+    def last_version(self) -> str:
+        """The version of the program that wrote last."""
+        return str(next((e["version"] for e in reversed(log_of(self.path)) if "version" in e), ""))
 
     def last_state(self) -> State:
         """The newest complete checkpoint, with the frames newer than it dropped."""
@@ -132,11 +139,21 @@ def log_of(path: Path) -> list[dict[str, Any]]:
     return entries
 
 
-def _make_room(path: Path, overwrite: bool) -> None:
+def check_room(path: Path, overwrite: bool) -> None:
+    """Raise ArchiveError unless a new run may be written to ``path``."""
+    with writing(path):
+        if path.exists() and not path.is_dir():
+            raise ArchiveError(f"{path} is a file, not a folder")
+        if not path.is_dir() or not any(path.iterdir()):
+            return
     if not overwrite:
         raise ArchiveError(f"{path} is not empty; choose another folder, or add --overwrite to replace it")
     if not (path / SCENARIO).is_file():
         raise ArchiveError(f"{path} is not empty and holds no run; it is not overwritten")
+
+
+def _remove_run(path: Path) -> None:
+    """Delete what a run wrote, and nothing else."""
     _lock(path / LOCK).close()
     for name in OWN:
         if (path / name).is_dir():

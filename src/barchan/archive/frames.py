@@ -1,6 +1,8 @@
 """Frames in a Zarr store: one chunk a frame, and the consolidated metadata last, as the commit."""
 
 import warnings
+from collections.abc import Callable
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -12,34 +14,55 @@ from barchan.bed import FieldInfo
 from barchan.scenario import Scenario
 from barchan.simulation import Frame
 
-COUNTERS = {
-    "moved": "slabs that the wind took since the start",
-    "left": "slabs that left the field since the start",
-    "entered": "slabs that entered the field since the start",
-    "airborne": "slabs in the air",
-    "capped": "slabs put down after the most hops allowed, since the start",
-    "travel_x": "distance travelled eastwards on the wind since the start, summed over slabs",
-    "travel_y": "distance travelled northwards on the wind since the start, summed over slabs",
-}
-"""What frames tell beside the fields, and what it means."""
+
+@dataclass(frozen=True)
+class Counter:
+    """A number that frames tell beside the fields."""
+
+    name: str
+    unit: str
+    meaning: str
+    of: Callable[[Frame], float]
+    dtype: str = "int64"
+
+    @property
+    def attributes(self) -> dict[str, Any]:
+        """Unit and meaning, in CF's words and in ours."""
+        units = "degree" if self.unit == "degrees" else "1"
+        return {"units": units, "long_name": self.meaning, "unit": self.unit}
+
+
+COUNTERS = (
+    Counter("moved", "slabs", "slabs that the wind took since the start", lambda f: f.tally.moved),
+    Counter("left", "slabs", "slabs that left the field since the start", lambda f: f.ledger.left),
+    Counter("entered", "slabs", "slabs that entered the field since the start", lambda f: f.ledger.entered),
+    Counter("airborne", "slabs", "slabs in the air", lambda f: f.ledger.airborne),
+    Counter("capped", "slabs", "slabs put down because they never settled", lambda f: f.tally.capped),
+    Counter(
+        "travel_x",
+        "cells",
+        "distance all slabs travelled eastwards on the wind",
+        lambda f: f.tally.travel_x,
+        "float64",
+    ),
+    Counter(
+        "travel_y",
+        "cells",
+        "distance all slabs travelled northwards on the wind",
+        lambda f: f.tally.travel_y,
+        "float64",
+    ),
+    Counter(
+        "wind_direction",
+        "degrees",
+        "where the wind comes from, clockwise from north",
+        lambda f: f.direction,
+        "float64",
+    ),
+)
+"""What frames tell beside the fields."""
 
 _CHUNK = 1024
-_LEDGER = ("left", "entered", "airborne")
-
-
-def counters(frame: Frame) -> dict[str, float]:
-    """A frame's counters by name."""
-    return {n: getattr(frame.ledger if n in _LEDGER else frame.tally, n) for n in COUNTERS}
-
-
-def counter_type(name: str) -> str:
-    """The type a counter is kept in."""
-    return "float64" if name.startswith("travel") else "int64"
-
-
-def counter_attributes(name: str) -> dict[str, Any]:
-    """Unit and meaning of a counter."""
-    return {"units": "1", "long_name": COUNTERS[name], "unit": "cells" if "travel" in name else "slabs"}
 
 
 def field_attributes(field: FieldInfo) -> dict[str, Any]:
@@ -89,9 +112,9 @@ class Frames:
             array.attrs.update(coordinate_attributes(name))
             array[...] = places
         _make(group, "step", (0,), (_CHUNK,), "int64", ("step",)).attrs.update(coordinate_attributes("step"))
-        for name in COUNTERS:
-            array = _make(group, name, (0,), (_CHUNK,), counter_type(name), ("step",))
-            array.attrs.update(counter_attributes(name))
+        for counter in COUNTERS:
+            array = _make(group, counter.name, (0,), (_CHUNK,), counter.dtype, ("step",))
+            array.attrs.update(counter.attributes)
         for field in fields.values():
             if field.in_frames:
                 shape, chunk = (0, *lattice.shape), (1, *lattice.shape)
@@ -104,7 +127,11 @@ class Frames:
     def append(self, frame: Frame) -> None:
         """Add a frame; readers see it when it is complete, never before."""
         count = self.count
-        values: dict[str, Any] = {"step": frame.step, **counters(frame), **frame.fields}
+        values: dict[str, Any] = {
+            "step": frame.step,
+            **{c.name: c.of(frame) for c in COUNTERS},
+            **frame.fields,
+        }
         for name, value in values.items():
             array = self._array(name)
             array.resize((count + 1, *array.shape[1:]))
@@ -113,7 +140,7 @@ class Frames:
 
     def keep(self, count: int) -> None:
         """Drop all but the first ``count`` frames."""
-        for name in ["step", *COUNTERS, *self.fields]:
+        for name in ["step", *(c.name for c in COUNTERS), *self.fields]:
             array = self._array(name)
             array.resize((count, *array.shape[1:]))
         self.commit()
@@ -123,6 +150,11 @@ class Frames:
         with warnings.catch_warnings():
             warnings.filterwarnings("ignore", message="Consolidated metadata")
             zarr.consolidate_metadata(self.path)
+
+    def describe(self, scenario: Scenario) -> None:
+        """Let the store say that it holds a run of ``scenario``."""
+        self.group.attrs.update(run_attributes(scenario))
+        self.commit()
 
     @property
     def steps(self) -> NDArray[np.int64]:

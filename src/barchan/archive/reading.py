@@ -35,6 +35,7 @@ def open_run(path: str | Path) -> "xr.Dataset":
     lazy = _Elevation(dataset["ground"].variable, dataset["sand"].variable, scenario.lattice.thickness)
     from xarray.core.indexing import LazilyIndexedArray
 
+    dataset.attrs["stopped"] = _stopped(path) or "not finished"
     dataset["elevation"] = (("step", "y", "x"), LazilyIndexedArray(lazy), ELEVATION)
     return dataset
 
@@ -65,6 +66,12 @@ def _Elevation(ground: Any, sand: Any, thickness: float) -> Any:  # noqa: N802
     return _elevation_class()(ground, sand, thickness)
 
 
+def _stopped(path: Path) -> str | None:
+    """Why a run ended; None while it can go on."""
+    ends = [entry for entry in log_of(path) if entry["event"] in ("stop", "resume", "interrupted")]
+    return ends[-1].get("reason") if ends and ends[-1]["event"] == "stop" else None
+
+
 @dataclass(frozen=True)
 class RunInfo:
     """What there is to know about a run without reading its frames."""
@@ -92,11 +99,9 @@ def run_info(path: str | Path) -> RunInfo:
     except ArchiveError:
         steps = np.zeros(0, np.int64)
     checkpoint = read_checkpoint(path / CHECKPOINT).step if (path / CHECKPOINT).is_file() else None
-    stops = [entry for entry in log_of(path) if entry["event"] in ("stop", "resume", "interrupted")]
-    stopped = stops[-1].get("reason") if stops and stops[-1]["event"] == "stop" else None
     size = sum(f.stat().st_size for f in path.rglob("*") if f.is_file())
     last = int(steps[-1]) if len(steps) else 0
-    return RunInfo(path, scenario, len(steps), last, checkpoint, stopped, size)
+    return RunInfo(path, scenario, len(steps), last, checkpoint, _stopped(path), size)
 
 
 def load(source: str | Path | Mapping[str, Any], **overrides: Any) -> Scenario:

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from barchan.archive.folder import CHECKPOINT, Archive, scenario_of
-from barchan.errors import ArchiveError
+from barchan.errors import BarchanError
 from barchan.simulation import Simulation
 
 BREATH = 0.1
@@ -46,7 +46,8 @@ def run(
     saved stays good.
     """
     archive = Archive.create(Path(path), simulation, overwrite)
-    archive.log("start", seed=simulation.scenario.seed, steps=simulation.scenario.run.steps)
+    scenario = simulation.scenario
+    archive.log("start", seed=scenario.seed, steps=scenario.run.steps, version=_version())
     return _drive(simulation, archive, progress, stop)
 
 
@@ -57,9 +58,18 @@ class Reopened:
     simulation: Simulation
     archive: Archive
 
+    @property
+    def remark(self) -> str:
+        """What to know before going on: that another version of the program may give other bits."""
+        before = self.archive.last_version()
+        now = _version()
+        return (
+            f"begun with Barchan {before}, now {now}: the bits may differ" if before not in ("", now) else ""
+        )
+
     def go_on(self, *, progress: Progress | None = None, stop: Callable[[], bool] = lambda: False) -> Outcome:
         """Run to the end."""
-        self.archive.log("resume", step=self.simulation.steps_done)
+        self.archive.log("resume", step=self.simulation.steps_done, version=_version())
         return _drive(self.simulation, self.archive, progress, stop)
 
 
@@ -80,7 +90,7 @@ def reopen(path: str | Path, steps: int | None = None) -> Reopened:
         if steps is not None:
             simulation.extend(steps)
             archive.write_scenario(simulation)
-    except ArchiveError:
+    except BarchanError:
         archive.close()
         raise
     return Reopened(simulation, archive)
@@ -130,6 +140,12 @@ def _drive(
         return _finish(simulation, archive, polls / worked if worked else 0.0)
     finally:
         archive.close()
+
+
+def _version() -> str:
+    from barchan import __version__
+
+    return __version__
 
 
 def _finish(simulation: Simulation, archive: Archive, polls_per_second: float) -> Outcome:

@@ -4,6 +4,7 @@ from pathlib import Path
 from typing import Annotated, Literal
 
 from cyclopts import Parameter
+from cyclopts.validators import Number
 
 Colours = Literal["perceptual", "grey", "red-green"]
 
@@ -13,10 +14,10 @@ def film(
     /,
     *,
     out: Path | None = None,
-    frames_per_second: float = 12.0,
-    size: int = 512,
+    frames_per_second: Annotated[float, Parameter(validator=Number(gte=0.1, lte=100))] = 12.0,
+    size: Annotated[int, Parameter(validator=Number(gte=16, lte=8192))] = 512,
     colours: Colours = "perceptual",
-    smoothing: float = 0.0,
+    smoothing: Annotated[float, Parameter(validator=Number(gte=0, lte=1000))] = 0.0,
     follow: Annotated[bool, Parameter(negative=())] = False,
 ) -> None:
     """Write an animated picture of a run.

@@ -24,7 +24,8 @@ def parameters(key: str = "", /) -> None:
             console.print(f"\n[bold]{group}[/bold]")
         unit = "" if declaration.unit == "-" else f" {declaration.unit}"
         live = ", may change during a run" if declaration.live else ""
-        default = "required" if declaration.default is None else f"default {declaration.default}{unit}"
+        value = "null" if declaration.default is None else f"{declaration.default}{unit}"
+        default = "required" if declaration.required else f"default {value}"
         console.print(f"  [cyan]{declaration.key}[/cyan]  {default}; {declaration.bounds}{live}")
         source = f" [dim]({declaration.source})[/dim]" if declaration.source else ""
         console.print(f"      {declaration.meaning}{source}")

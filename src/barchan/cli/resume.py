@@ -37,6 +37,8 @@ def resume(
 
     with compilation_announced(quiet), Interrupts().watched() as stop:
         going = reopen(run, steps)
+        if going.remark and not quiet:
+            console.print(f"[yellow]note:[/yellow] {going.remark}")
         with Reporter(going.simulation, quiet) as reporter:
             outcome = going.go_on(progress=reporter, stop=stop)
         print_outcome(outcome, quiet, picture)

@@ -37,7 +37,7 @@ def run(
     picture
         Draw the last frame and print its measures at the end.
     """
-    from barchan.archive import load
+    from barchan.archive import check_room, load
     from barchan.archive import run as run_into
     from barchan.scenario.files import load_scenario
     from barchan.simulation import Simulation
@@ -46,10 +46,11 @@ def run(
     chosen = load(scenario) if Path(scenario).is_dir() else load_scenario(scenario, given)
     if Path(scenario).is_dir() and given:
         chosen = load_scenario(chosen.data(), given)
+    folder = out or _new_folder(scenario)
+    check_room(folder, overwrite)
     drawn = chosen.run.seed is None
     with compilation_announced(quiet), Interrupts().watched() as stop:
         simulation = Simulation(chosen)
-        folder = out or _new_folder(scenario)
         if not quiet:
             print_facts(simulation, drawn)
         with Reporter(simulation, quiet) as reporter:

@@ -4,6 +4,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Literal
 
 from cyclopts import Parameter
+from cyclopts.validators import Number
 
 from barchan.errors import BarchanError
 
@@ -23,10 +24,10 @@ def show(
     out: Path | None = None,
     colours: Colours = "perceptual",
     limits: Annotated[tuple[float, float] | None, Parameter(negative=())] = None,
-    interval: float | None = None,
-    count: int = 10,
-    smoothing: float | None = None,
-    at: float | None = None,
+    interval: Annotated[float | None, Parameter(validator=Number(gt=0))] = None,
+    count: Annotated[int, Parameter(validator=Number(gte=1, lte=1000))] = 10,
+    smoothing: Annotated[float | None, Parameter(validator=Number(gte=0, lte=1000))] = None,
+    at: Annotated[float | None, Parameter(validator=Number(gte=0, lte=1))] = None,
     bare: bool = True,
 ) -> None:
     """Draw a frame of a run, a section, or its course in time.
@@ -59,6 +60,8 @@ def show(
     """
     from barchan.archive import load, open_run
 
+    if limits is not None and not limits[0] < limits[1]:
+        raise BarchanError(f"--limits {limits[0]:g} {limits[1]:g}: the lowest must be below the highest")
     scenario = load(run)
     with open_run(run) as dataset:
         frame = _frame(dataset, step)

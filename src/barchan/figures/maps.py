@@ -5,6 +5,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from barchan.analysis.course import periodic
+from barchan.analysis.field import gradient
 from barchan.figures.style import BARE, Colours, colour_map, extent, map_axes, new_figure, smooth
 from barchan.scenario import Scenario
 
@@ -38,7 +40,7 @@ def relief_map(
     figure = new_figure(*_size(scenario))
     axes = figure.add_subplot()
     axes.imshow(image, origin="lower", extent=extent(scenario), interpolation="nearest")
-    map_axes(axes, scenario, int(frame["step"]))
+    map_axes(axes, scenario, frame)
     figure.colorbar(
         ScalarMappable(norm, colour_map(colours)), ax=axes, label="elevation (m)", shrink=0.85, aspect=30
     )
@@ -55,19 +57,22 @@ def shaded(
     show_bare: bool = True,
 ) -> NDArray[np.float64]:
     """The colours (red, green, blue in [0, 1]) of a hill-shaded map, row 0 at the south edge."""
-    from matplotlib.colors import LightSource
-
     lattice = scenario.lattice
-    surface = frame["elevation"].values
-    shown = smooth(surface, smoothing, scenario)
+    shown = smooth(frame["elevation"].values, smoothing, scenario)
     base = np.asarray(colour_map(colours)(norm(shown)))[..., :3]  # type: ignore[operator]
     if show_bare:
         base = np.where((frame["sand"].values == 0)[..., None], BARE, base)
-    relief = smooth(surface, max(smoothing, 0.6), scenario)
-    light = LightSource(*SUN).hillshade(relief[::-1], 1.5, lattice.cell_size, lattice.cell_size)[::-1]
-    flat = np.sin(np.radians(SUN[1]))
-    shade = np.clip(1.0 + 0.9 * (light - flat), 0.25, 1.6)[..., None]
+    relief = smooth(frame["elevation"].values, max(smoothing, 0.6), scenario) * 1.5
+    shade = _light(*gradient(relief, lattice.cell_size, periodic(scenario)))[..., None]
     return np.clip(np.where(shade <= 1, base * shade, 1 - (1 - base) * (2 - shade).clip(0.3)), 0.0, 1.0)
+
+
+def _light(east: NDArray[np.float64], north: NDArray[np.float64]) -> NDArray[np.float64]:
+    """How much brighter a slope is than level ground in the light of ``SUN``, within bounds."""
+    azimuth, height = np.radians(SUN)
+    towards = np.sin(azimuth) * np.cos(height), np.cos(azimuth) * np.cos(height)
+    lit = (np.sin(height) - east * towards[0] - north * towards[1]) / np.sqrt(1 + east**2 + north**2)
+    return np.clip(1.0 + 0.9 * (lit - np.sin(height)), 0.25, 1.6)
 
 
 def contour_map(
@@ -95,7 +100,7 @@ def contour_map(
     x, y = scenario.lattice.x, scenario.lattice.y
     if levels.size and min(surface.shape) > 1 and np.ptp(surface) > 0:
         axes.contour(x, y, surface, levels=levels, colors="black", linewidths=0.6)
-    map_axes(axes, scenario, int(frame["step"]))
+    map_axes(axes, scenario, frame)
     figure.colorbar(image, ax=axes, label="elevation (m)", shrink=0.85, aspect=30)
     return figure
 

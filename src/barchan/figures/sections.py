@@ -27,14 +27,14 @@ class Section:
     """Whether the line closes on itself across a periodic edge."""
 
 
-def section_along_wind(scenario: Scenario, at: float) -> Section:
+def section_along_wind(scenario: Scenario, direction: float, at: float) -> Section:
     """The section that crosses the field's middle line at ``at`` (0 to 1, to the wind's left growing).
 
     Along a lattice axis it is a whole row or column; for an oblique wind it is the cells nearest to a
     line from edge to edge.
     """
     lattice = scenario.lattice
-    x, y = downwind(scenario.wind.direction)
+    x, y = downwind(direction)
     rows, cols = lattice.shape
     width, depth = cols - 1, rows - 1
     across = (at - 0.5) * (abs(x) * depth + abs(y) * width)
@@ -56,8 +56,13 @@ def section_along_wind(scenario: Scenario, at: float) -> Section:
     return Section(cells[:, 0], cells[:, 1], along, straight and boundary == "periodic")
 
 
-def shadow_line(section: Section, surface: NDArray, angle: float, cell_size: float) -> NDArray[np.float64]:
-    """Height (m) of the shadow line over each point of a section; below the surface where it is lit."""
+def shadow_line(
+    section: Section, surface: NDArray, angle: float, cell_size: float, start: float = 0.0
+) -> NDArray[np.float64]:
+    """Height (m) of the shadow line over each point of a section; below the surface where it is lit.
+
+    Lines fall at ``angle`` (degrees) from ``start`` cells downwind of each cell's centre.
+    """
     distance = section.distance
     slope = np.tan(np.radians(angle))
     if section.joined:
@@ -68,7 +73,7 @@ def shadow_line(section: Section, surface: NDArray, angle: float, cell_size: flo
     line = np.empty_like(tilted)
     line[0] = -np.inf
     line[1:] = tilted[:-1]
-    line -= slope * distance
+    line += slope * (start * cell_size - distance)
     return line[-len(section.distance) :]
 
 
@@ -78,10 +83,11 @@ def profile(
     """The section along the wind through the highest stack, or at ``at``, its shadow zones shaded."""
     from barchan.figures.style import smooth
 
-    section = section_along_wind(scenario, _through_highest(frame, scenario) if at is None else at)
+    direction = float(frame["wind_direction"])
+    section = section_along_wind(scenario, direction, _through_highest(frame, scenario) if at is None else at)
     ground = frame["ground"].values[section.rows, section.cols]
     surface = smooth(frame["elevation"].values, smoothing, scenario)[section.rows, section.cols]
-    line = shadow_line(section, surface, scenario.model.shadow_angle, scenario.lattice.cell_size)
+    line = _shadow(section, surface, scenario)
     figure = new_figure(9.0, 3.0)
     axes = figure.add_subplot()
     axes.fill_between(
@@ -108,12 +114,22 @@ def profile(
     return figure
 
 
+def _shadow(section: Section, surface: NDArray, scenario: Scenario) -> NDArray[np.float64]:
+    """The shadow line of the scenario's model; a model without shadows has none."""
+    angle = getattr(scenario.model, "shadow_angle", None)
+    if angle is None:
+        return np.full(len(surface), -np.inf)
+    start = 0.5 if getattr(scenario.model, "shadow_from", "centre") == "edge" else 0.0
+    return shadow_line(section, surface, angle, scenario.lattice.cell_size, start)
+
+
 def space_time(
     dataset: "xr.Dataset", scenario: Scenario, *, at: float | None = None, colours: Colours = "perceptual"
 ) -> "Figure":
     """The section along the wind through the last frame's highest stack, or at ``at``, over time."""
     last = dataset.isel(step=-1)
-    section = section_along_wind(scenario, _through_highest(last, scenario) if at is None else at)
+    direction = float(last["wind_direction"])
+    section = section_along_wind(scenario, direction, _through_highest(last, scenario) if at is None else at)
     surface = np.stack(
         [dataset["elevation"][k].values[section.rows, section.cols] for k in range(dataset.sizes["step"])]
     )
@@ -134,7 +150,7 @@ def _through_highest(frame: "xr.Dataset", scenario: Scenario) -> float:
     sand = frame["sand"].values
     row, col = np.unravel_index(int(np.argmax(sand)), sand.shape)
     rows, cols = scenario.lattice.shape
-    x, y = downwind(scenario.wind.direction)
+    x, y = downwind(float(frame["wind_direction"]))
     across = x * (row - (rows - 1) / 2) - y * (col - (cols - 1) / 2)
     width = abs(x) * (rows - 1) + abs(y) * (cols - 1)
     return float(np.clip(0.5 + across / width, 0.0, 1.0)) if width else 0.5

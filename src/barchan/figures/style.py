@@ -11,6 +11,7 @@ from barchan.scenario import Scenario
 from barchan.wind.segment import downwind
 
 if TYPE_CHECKING:
+    import xarray as xr
     from matplotlib.axes import Axes
     from matplotlib.colors import Colormap
     from matplotlib.figure import Figure
@@ -52,13 +53,13 @@ def extent(scenario: Scenario) -> tuple[float, float, float, float]:
     return 0.0, lattice.columns * lattice.cell_size, 0.0, lattice.rows * lattice.cell_size
 
 
-def map_axes(axes: "Axes", scenario: Scenario, step: int) -> None:
+def map_axes(axes: "Axes", scenario: Scenario, frame: "xr.Dataset") -> None:
     """Label a map's axes, name it, and draw the wind."""
     axes.set_xlabel("x (m)")
     axes.set_ylabel("y (m)")
     axes.set_aspect("equal")
-    axes.set_title(title(scenario, step), loc="left", fontsize=10)
-    wind_arrow(axes, scenario.wind.direction)
+    axes.set_title(title(scenario, int(frame["step"])), loc="left", fontsize=10)
+    wind_arrow(axes, float(frame["wind_direction"]))
 
 
 def title(scenario: Scenario, step: int) -> str:

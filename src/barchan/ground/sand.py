@@ -4,7 +4,7 @@ from typing import Annotated, Any, ClassVar, Literal, Self
 
 import numpy as np
 from numpy.typing import NDArray
-from pydantic import Field, model_validator
+from pydantic import AfterValidator, Field, model_validator
 
 from barchan.bed import Lattice
 from barchan.parameters import Parameters, parameter
@@ -48,6 +48,16 @@ def _parts() -> Any:
     )
 
 
+def _whole(parts: list[Part]) -> list[Part]:
+    for number, part in enumerate(parts):
+        if part.mean != round(part.mean):
+            raise ValueError(f"parts[{number}].mean is {part.mean}; allowed here: whole numbers of slabs")
+    return parts
+
+
+WholeParts = Annotated[list[Part], AfterValidator(_whole)]
+
+
 class FlatSand(Parameters):
     """The same number of slabs on every cell."""
 
@@ -63,7 +73,7 @@ class FlatSand(Parameters):
         meaning="Slabs on a cell.",
         source="seed 000, Table 6.1",
     )
-    parts: list[Part] = _parts()
+    parts: WholeParts = _parts()
 
     def slabs(self, lattice: Lattice, _stream: Stream) -> NDArray[np.int32]:
         """Slabs on each cell."""
@@ -85,7 +95,7 @@ class RandomSand(Parameters):
         meaning="Slabs on a cell before one is added, taken away or neither.",
         source="seed 000, §6.5.2",
     )
-    parts: list[Part] = _parts()
+    parts: WholeParts = _parts()
 
     def slabs(self, lattice: Lattice, stream: Stream) -> NDArray[np.int32]:
         """Slabs on each cell."""

@@ -187,6 +187,7 @@ def _run_polls(
             across |= np.int64(low(draw))
         flown = 0
         settled = False
+        sticks = False
         while not settled:
             flown += 1
             along = _wrapped(along + wind.hop_along, grid.cols, grid.wrap_along)
@@ -200,14 +201,15 @@ def _run_polls(
             chance = high(mix(state))
             cell = np.uint64(row * grid.cols + col)
             settle = wind.settle_on_sand if has_sand(surface, sand, cell) else wind.settle_on_ground
-            settled = (chance < settle) | (flown == wind.max_hops)
-            if axis is not None or not settled:
-                settled |= in_shadow(heights, row, col, surface[cell], peak, grid, axis, ray)
+            sticks = chance < settle
+            if axis is not None or not sticks:
+                sticks |= in_shadow(heights, row, col, surface[cell], peak, grid, axis, ray)
+            settled = sticks | (flown == wind.max_hops)
         hops += flown
         if not settled:
             left += 1
         else:
-            capped += flown == wind.max_hops
+            capped += not sticks
             turn = SLIDE
             way = 0
             while way != STABLE:

@@ -9,6 +9,7 @@ import pkgutil
 from functools import cache
 from importlib.metadata import entry_points
 
+from barchan.errors import BarchanError
 from barchan.models.base import Layer, Model, Tally
 
 __all__ = ["Layer", "Model", "Tally", "model", "model_names", "models"]
@@ -24,6 +25,8 @@ def models() -> dict[str, type[Model]]:
                 found[candidate.name] = candidate
     for point in entry_points(group="barchan.models"):
         candidate = point.load()
+        if candidate.name in found:
+            raise BarchanError(f"two models are called '{candidate.name}'; the second is {point.value}")
         found[candidate.name] = candidate
     return dict(sorted(found.items()))
 

@@ -156,8 +156,8 @@ class SlabTransport(Parameters):
         ge=1,
         le=65536,
         group="polling",
-        meaning="The polls of a step go through the field band by band, so many rows at a time and the "
-        "bands in random order; a value of the field's rows or more means no bands.",
+        meaning="The polls of a step go through the field band by band, the bands in random order; a band "
+        "is so many cells wide across the wind's nearer axis. The field's width or more means no bands.",
     )
 
     def face_limit(self, lattice: Lattice) -> int:

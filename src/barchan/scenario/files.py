@@ -50,7 +50,7 @@ def validate(
     found = list(problems)
     if not isinstance(data, dict):
         raise ScenarioError([Problem("", "must be a JSON object { … }", name)], name)
-    data = json.loads(json.dumps(data))
+    data = {key: value for key, value in json.loads(json.dumps(data)).items() if key != "$schema"}
     data, trouble = migrate(data)
     found += [Problem("barchan", trouble, name)] if trouble else []
     given: set[KeyPath] = set()
@@ -59,8 +59,10 @@ def validate(
         given.add(path)
         found += _override(data, path, text)
 
+    _name_variants(data)
+
     def place(path: KeyPath) -> str:
-        if any(path[: len(g)] == g for g in given):
+        if any(path[: len(g)] == g or (path and g[: len(path)] == path) for g in given):
             return "command line"
         line = (
             next((lines[path[:n]] for n in range(len(path), 0, -1) if path[:n] in lines), 0) if lines else 0
@@ -75,6 +77,15 @@ def validate(
     if found:
         raise ScenarioError(found, name)
     return scenario
+
+
+def _name_variants(data: dict[str, Any]) -> None:
+    """Where a group of several variants does not say which one it is, it is the one that is the default."""
+    for name, field in Scenario.model_fields.items():
+        default = field.get_default(call_default_factory=True)
+        tag = getattr(default, "kind_key", "")
+        if tag and isinstance(data.get(name), dict) and tag not in data[name]:
+            data[name] = {tag: getattr(default, tag), **data[name]}
 
 
 def _find(source: str) -> tuple[str, str]:
@@ -102,6 +113,10 @@ def _override(data: dict[str, Any], path: KeyPath, text: str) -> list[Problem]:
         if not isinstance(inner, dict):
             return [Problem(".".join(map(str, path[: at + 1])), "is not a group of keys", "command line")]
         group = inner
+    field = Scenario.model_fields.get(str(path[0])) if len(path) == 1 else None
+    if field is not None and field.annotation is str:
+        group[path[-1]] = text
+        return []
     try:
         group[path[-1]] = json.loads(text, parse_constant=_text)
     except json.JSONDecodeError:

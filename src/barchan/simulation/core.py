@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from barchan.bed import Bed, Lattice
-from barchan.errors import Problem, ScenarioError
+from barchan.errors import BarchanError, Problem, ScenarioError
 from barchan.ground.brush import brushed
 from barchan.models import Model, Tally, models
 from barchan.parameters import declarations
@@ -25,6 +25,8 @@ class Frame:
     """The bed at one moment, with what had happened until then."""
 
     step: int
+    direction: float
+    """Where the wind comes from (degrees)."""
     fields: dict[str, NDArray]
     ledger: Ledger
     tally: Tally
@@ -134,7 +136,14 @@ class Simulation:
         return self.finished is not None or self.steps_done >= self.scenario.run.steps
 
     def extend(self, steps: int) -> None:
-        """Let the run go on to ``steps`` steps in all."""
+        """Let the run go on to ``steps`` steps in all.
+
+        Raises BarchanError where it has done more already, or has ended for another reason.
+        """
+        if steps < self.steps_done:
+            raise BarchanError(f"{self.steps_done} steps are done already; {steps} cannot be the last one")
+        if self.finished is not None:
+            raise BarchanError(f"the run ended at step {self.steps_done}: {self.finished}")
         run = self.scenario.run.model_copy(update={"steps": steps})
         self.scenario = self.scenario.model_copy(update={"run": run})
 
@@ -150,7 +159,11 @@ class Simulation:
         """The bed as it is now, copied."""
         self._framed = self.steps_done
         return Frame(
-            self.steps_done, self.bed.frame(), Ledger(**vars(self.ledger)), Tally(**vars(self.tally))
+            self.steps_done,
+            self.wind.direction,
+            self.bed.frame(),
+            Ledger(**vars(self.ledger)),
+            Tally(**vars(self.tally)),
         )
 
     @property
