@@ -134,7 +134,10 @@ class Field:
         wind = (math.sin(self.angle), math.cos(self.angle))
         left = (math.cos(self.angle), -math.sin(self.angle))
         sign = 1 if sliding else -1
-        dot = lambda a, b: round(a[0] * b[0] + a[1] * b[1], 9)
+
+        def dot(a, b):
+            return round(a[0] * b[0] + a[1] * b[1], 9)
+
         groups = [FACES, CORNERS if self.rules.neighbourhood == "moore" else []]
         result = []
         for at, group in enumerate(groups):
@@ -198,7 +201,7 @@ class Field:
         if dx % CELL or dy % CELL:
             draw = draws.next()
             x, y = x + high(draw), y + low(draw)
-        for hops in range(1, self.rules.max_hops + 1):
+        for _ in range(self.rules.max_hops):
             self.tally["hops"] += 1
             x, y = x + dx, y + dy
             if not (0 <= x < self.cols * CELL or self.wrap_along):
@@ -210,9 +213,8 @@ class Field:
             chance = high(draws.next())
             p = self.rules.p_s if self.sand[row][col] > 0 else self.rules.p_ns
             if chance < round(p * 2**32) or self.in_shadow(row, col):
-                break
-        if hops == self.rules.max_hops:
-            self.tally["capped"] += 1
+                return row, col
+        self.tally["capped"] += 1
         return row, col
 
     # --- the polls of a step -----------------------------------------------------------------------
@@ -234,7 +236,8 @@ class Field:
 
     def at_random(self, key, first, count):
         poll_key, row_key = derive(key, 0), derive(key, 1)
-        chosen = [below(high(derive(row_key, poll)), self.rows) for poll in range(first, first + count)]
+        draws = [derive(row_key, first + pair) for pair in range((count + 1) // 2)]
+        chosen = [below(half(draw), self.rows) for draw in draws for half in (high, low)][:count]
         poll = first
         for _, first_row, rows in self.bands(derive(key, 2)):
             for _ in range(sum(first_row <= row < first_row + rows for row in chosen)):

@@ -67,11 +67,14 @@ def shuffle_bands(polls, key):
 
 @njit(cache=True)
 def count_polls_by_row(polls, first, count, key):
-    """Draw how many of the polls ``first`` to ``first + count`` fall on each row."""
+    """Draw how many of the polls ``first`` to ``first + count`` fall on each row, two from a draw."""
     rows = polls.row_polls.size
     polls.row_polls[:] = 0
-    for poll in range(first, first + count):
-        polls.row_polls[below(high(derive(key, poll)), rows)] += 1
+    for pair in range((count + 1) // 2):
+        draw = derive(key, first + pair)
+        polls.row_polls[below(high(draw), rows)] += 1
+        if 2 * pair + 1 < count:
+            polls.row_polls[below(low(draw), rows)] += 1
 
 
 @njit(cache=True)

@@ -1,7 +1,8 @@
 """Full relaxation of a bed: slopes that no poll touches, brought to rest all at once.
 
-For initial surfaces, painted sand, changed limits and dying plants. No randomness: the order of work is
-fixed, and neighbours of equal steepness take turns so that a heap does not lean.
+For initial surfaces, painted sand, changed limits and dying plants. The order of work is fixed; slabs slide
+one at a time, and equally steep neighbours are checked in sequences that alternate without a pattern, so
+that a heap does not lean.
 """
 
 import numpy as np
@@ -15,16 +16,18 @@ from barchan.kernels.avalanche import (
     steepest,
     turn_code,
 )
+from barchan.kernels.random import mix
 
 
 def settling_turns(corners: bool) -> np.ndarray:
-    """Four checking sequences, each a quarter turn on from the one before."""
-    turns = np.full((4, 8), CLOSED, np.int64)
-    for start in range(4):
-        for k in range(4):
-            turns[start, (start + k) % 4] = turn_code((start + k) % 4, k)
+    """Eight checking sequences: from each of four directions, one way round and the other."""
+    turns = np.full((8, 8), CLOSED, np.int64)
+    for sequence in range(8):
+        for place in range(4):
+            way = (sequence + (place if sequence < 4 else -place)) % 4
+            turns[sequence, way] = turn_code(way, place)
             if corners:
-                turns[start, 4 + (start + k) % 4] = turn_code(4 + (start + k) % 4, 4 + k)
+                turns[sequence, 4 + way] = turn_code(4 + way, 4 + place)
     return turns
 
 
@@ -65,23 +68,25 @@ def settle_field(surface, sand, upset, turns, grid, repose):
         waiting[cell] = False
         row = cell // grid.cols
         col = cell % grid.cols
-        while has_sand(surface, sand, cell):
-            here = np.int64(surface[cell])
-            way = steepest(surface, None, turns, moves & 3, row, col, here, -1, grid, repose)
-            if way == STABLE:
-                break
-            r, c = neighbour(row, col, way, grid)
-            lower = r * grid.cols + c
-            surface[cell] -= repose.slab
-            surface[lower] += repose.slab
-            if sand is not None:
-                sand[cell] -= 1
-                sand[lower] += 1
-            moves += 1
-            for k in range(9):
-                other = _ninth(cell, k, grid) if k < 8 else lower
-                if not waiting[other] and other != cell:
-                    waiting[other] = True
-                    queue[(at + length) % cells] = other
-                    length += 1
+        if not has_sand(surface, sand, cell):
+            continue
+        here = np.int64(surface[cell])
+        turn = np.int64(mix(np.uint64(moves)) & np.uint64(7))
+        way = steepest(surface, None, turns, turn, row, col, here, -1, grid, repose)
+        if way == STABLE:
+            continue
+        r, c = neighbour(row, col, way, grid)
+        lower = r * grid.cols + c
+        surface[cell] -= repose.slab
+        surface[lower] += repose.slab
+        if sand is not None:
+            sand[cell] -= 1
+            sand[lower] += 1
+        moves += 1
+        for k in range(9):
+            other = _ninth(cell, (k + turn) & 7 if k < 8 else 8, grid)
+            if not waiting[other]:
+                waiting[other] = True
+                queue[(at + length) % cells] = other
+                length += 1
     return moves

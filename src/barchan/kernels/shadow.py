@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 from numba import njit
 
-from barchan.kernels.lanes import LANES, any_above, peek
+from barchan.kernels.lanes import LANES, any_above, any_of_last_above, peek
 
 _BLOCK = np.int64(LANES)
 
@@ -55,28 +55,37 @@ class RayShadow(NamedTuple):
 
 
 @njit(cache=True, error_model="numpy")
+def _across_edge(surface, row, col, here, count, grid, axis):
+    """The test of ``count`` cells upwind where the field's upwind edge is among them."""
+    stride = _BLOCK * axis.width
+    for far in range(2 if grid.wrap_along else 1):
+        start = grid.cols if far else col
+        cells = min(count, grid.cols) - col if far else col
+        distance = col if far else 0
+        height = surface + (row * grid.cols + start - _BLOCK) * axis.width
+        fall = axis.falls + (axis.size - distance - _BLOCK) * axis.width
+        k = np.int64(0)
+        while k < cells:
+            if any_of_last_above(height, fall, here, cells - k):
+                return True
+            height -= stride
+            fall -= stride
+            k += _BLOCK
+    return False
+
+
+@njit(cache=True, error_model="numpy")
 def _in_axis_shadow(surface, row, col, here, peak, grid, axis):
     rise = ((peak - here) >> axis.shift) + 1
     count = min((((rise * axis.reach) >> 16) + _BLOCK) & -_BLOCK, axis.size)
-    near = min(count, col)
     height = surface + (row * grid.cols + col - _BLOCK) * axis.width
     fall = axis.falls + (axis.size - _BLOCK) * axis.width
     stride = _BLOCK * axis.width
+    if count > col:
+        return _across_edge(surface, row, col, here, count, grid, axis)
     k = np.int64(0)
-    while k < near:
-        if any_above(height, fall, here, near - k):
-            return True
-        height -= stride
-        fall -= stride
-        k += _BLOCK
-    if count <= col or not grid.wrap_along:
-        return False
-    rest = min(count, grid.cols) - col
-    height = surface + (row * grid.cols + grid.cols - _BLOCK) * axis.width
-    fall = axis.falls + (axis.size - col - _BLOCK) * axis.width
-    k = np.int64(0)
-    while k < rest:
-        if any_above(height, fall, here, rest - k):
+    while k < count:
+        if any_above(height, fall, here):
             return True
         height -= stride
         fall -= stride

@@ -1,0 +1,1 @@
+"""How fast Barchan is: ``python -m benchmarks`` measures and prints, ``--write`` puts it into the docs."""

@@ -1,0 +1,31 @@
+"""``barchan parameters``: every key of a scenario."""
+
+from barchan.scenario.listing import all_keys
+
+
+def test_every_key_is_listed_with_its_meaning(barchan):
+    out = barchan("parameters").out
+    for key in all_keys():
+        assert f"  {key.key}  " in out
+        assert key.meaning in out
+
+
+def test_only_keys_that_begin_alike_are_listed(barchan):
+    out = barchan("parameters", "run.until").out
+    keys = [line.split()[0] for line in out.splitlines() if line.startswith("  run")]
+    assert keys == ["run.until.still", "run.until.steady.window", "run.until.steady.tolerance"]
+
+
+def test_dashes_are_as_good_as_underscores(barchan):
+    assert barchan("parameters", "model.hop-length").out == barchan("parameters", "model.hop_length").out
+
+
+def test_a_key_is_listed_with_unit_default_bounds_source_and_whether_it_may_change(barchan):
+    out = barchan("parameters", "model.hop_length").out
+    assert "model.hop_length  default 5.0 cells; number > 0 and ≤ 100000, may change during a run" in out
+    assert "(Werner 1995; seed 000, Table 6.1)" in out
+
+
+def test_what_may_be_left_out_is_not_called_required(barchan):
+    assert "run.seed  default null; whole number" in barchan("parameters", "run.seed").out
+    assert "sand.parts[].mean  required; number" in barchan("parameters", "sand.parts").out

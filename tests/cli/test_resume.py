@@ -1,0 +1,121 @@
+"""``barchan resume``: going on, after an interruption or beyond the end."""
+
+import shlex
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from barchan.archive import Archive, load, open_run, resume, run, run_info
+from barchan.archive.folder import log_of
+from barchan.simulation import Simulation
+from tests.tiny import tiny
+
+BARCHAN = [sys.executable, "-c", "from barchan.cli import main; main()"]
+
+LONG = tiny(lattice__rows=96, lattice__columns=128, run__steps=3000, run__save_every=1500)
+
+
+@pytest.fixture(scope="module")
+def long_run(tmp_path_factory):
+    """The folder of a run of a second or two that nothing interrupted."""
+    return run(Simulation(LONG), tmp_path_factory.mktemp("long") / "run").path
+
+
+def interrupt(number):
+    """Begin the long run, send it a signal when it has saved something; what it did."""
+    process = subprocess.Popen(
+        [*BARCHAN, "run", "long.json", "--out", "my run"],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    )
+    while not any(entry["event"] == "frame" for entry in log_of(Path("my run"))):
+        assert process.poll() is None
+        time.sleep(0.002)
+    process.send_signal(number)
+    out, err = process.communicate()
+    return process.returncode, out, err
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_a_run_that_is_interrupted_is_saved_and_tells_how_to_go_on(here, long_run, number):
+    (here / "long.json").write_text(LONG.text())
+    code, out, err = interrupt(number)
+    assert code == 130
+    assert err == ""
+    known = run_info("my run")
+    assert known.checkpoint < 3000
+    assert known.stopped is None
+    assert f"interrupted at step {known.checkpoint}" in out
+    assert out.splitlines()[-1].startswith("go on with: barchan resume ")
+    resume("my run")
+    with open_run("my run") as one, open_run(long_run) as other:
+        assert one.identical(other)
+
+
+@pytest.mark.xfail(strict=True, reason="cli.run and cli.resume do not quote the folder")
+def test_the_command_that_goes_on_can_be_pasted(here, barchan, monkeypatch):
+    monkeypatch.setattr("barchan.cli.terminal.Interrupts.__call__", lambda _: True)
+    out = barchan("run", "tiny.json", "--out", "my run", "--no-picture").out
+    command = out.splitlines()[-1].removeprefix("go on with: ")
+    assert shlex.split(command) == ["barchan", "resume", "my run"]
+
+
+def test_an_interrupted_run_draws_no_picture(here, barchan, monkeypatch):
+    monkeypatch.setattr("barchan.cli.terminal.Interrupts.__call__", lambda _: True)
+    result = barchan("run", "tiny.json")
+    assert result.code == 130
+    assert "interrupted at step 0" in result.out
+    assert result.out.endswith("go on with: barchan resume tiny\n")
+    assert not (here / "tiny" / "last.png").exists()
+
+
+def test_the_printed_command_finishes_the_run(here, barchan, monkeypatch):
+    with monkeypatch.context() as patch:
+        patch.setattr("barchan.cli.terminal.Interrupts.__call__", lambda _: True)
+        barchan("run", "tiny.json")
+    result = barchan("resume", "tiny")
+    assert result.code == 0
+    assert "all steps done at step 20" in result.out
+    assert (here / "tiny" / "last.png").exists()
+    run(Simulation(tiny()), here / "whole")
+    with open_run("tiny") as one, open_run("whole") as other:
+        assert one.identical(other)
+
+
+def test_a_run_goes_on_beyond_its_end(finished, barchan):
+    result = barchan("resume", finished, "--steps", 30, "--no-picture")
+    assert result.code == 0
+    assert "all steps done at step 30" in result.out
+    assert load(finished).run.steps == 30
+    assert run_info(finished).frames == 7
+
+
+@pytest.mark.parametrize("steps", [-5, 7])
+def test_a_run_cannot_be_made_shorter(finished, barchan, steps):
+    result = barchan("resume", finished, f"--steps={steps}")
+    assert result.code == 1
+    assert "20 steps are done already" in result.err
+    assert load(finished).run.steps == 20
+
+
+def test_a_run_that_another_process_writes_is_refused(finished, barchan):
+    archive = Archive(finished)
+    result = barchan("resume", finished)
+    archive.close()
+    assert result.code == 1
+    assert "is being written by process" in result.err
+
+
+def test_a_quiet_resume_prints_nothing(finished, barchan):
+    result = barchan("resume", finished, "--steps", 25, "--quiet")
+    assert (result.code, result.out, result.err) == (0, "", "")
+
+
+def test_going_on_with_another_version_is_remarked_on(finished, barchan, monkeypatch):
+    monkeypatch.setattr("barchan.archive.running._version", lambda: "99.0")
+    assert "now 99.0: the bits may differ" in barchan("resume", finished, "--steps", 25, "--no-picture").out

@@ -1,0 +1,66 @@
+"""``barchan schema``: the JSON schema of scenarios."""
+
+import json
+
+import pytest
+
+from barchan.scenario import Scenario, load_scenario, preset_names
+from tests.tiny import data
+
+
+@pytest.fixture
+def schema(barchan):
+    """The printed schema."""
+    return json.loads(barchan("schema").out)
+
+
+@pytest.fixture
+def validator(schema):
+    """What checks data against the schema."""
+    jsonschema = pytest.importorskip("jsonschema")
+    return jsonschema.Draft202012Validator(schema)
+
+
+def groups_in(schema):
+    """Every object that the schema describes."""
+    yield schema
+    yield from schema["$defs"].values()
+
+
+def test_the_schema_describes_every_key(schema):
+    assert set(schema["properties"]) == set(Scenario.model_fields)
+    for group in groups_in(schema):
+        assert group["type"] == "object"
+        assert group["additionalProperties"] is False
+        for name, key in group["properties"].items():
+            assert key.get("description") or "$ref" in key, name
+
+
+def test_the_schema_holds_bounds_units_and_choices(schema):
+    rows = schema["$defs"]["Lattice"]["properties"]["rows"]
+    assert (rows["minimum"], rows["maximum"], rows["unit"]) == (1, 65536, "cells")
+    assert schema["$defs"]["Lattice"]["properties"]["boundary_x"]["enum"] == ["periodic", "open"]
+
+
+@pytest.mark.parametrize("name", preset_names())
+def test_every_preset_holds_to_the_schema(validator, name):
+    assert list(validator.iter_errors(load_scenario(name).data())) == []
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        {"lattice": {"rows": 0}},
+        {"latice": {}},
+        {"model": {"name": "wernr"}},
+        {"sand": {"kind": "flat", "mean": 2.5}},
+        {"run": {"until": {"still": 0}}},
+    ],
+)
+def test_what_barchan_refuses_the_schema_refuses(validator, change):
+    assert not validator.is_valid({**data(), **change})
+
+
+@pytest.mark.xfail(strict=True, reason="the schema lets a file be without the version of its format")
+def test_the_schema_asks_for_the_formats_version(schema):
+    assert "barchan" in schema["required"]

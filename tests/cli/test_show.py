@@ -1,0 +1,75 @@
+"""``barchan show``: pictures of a run."""
+
+import pytest
+from PIL import Image
+
+VIEWS = {
+    "map": "map-20.png",
+    "contours": "contours-20.png",
+    "profile": "profile-20.png",
+    "space-time": "space-time.png",
+    "series": "series.png",
+}
+
+
+@pytest.mark.parametrize(("view", "name"), VIEWS.items(), ids=list(VIEWS))
+def test_every_view_is_drawn_into_the_runs_folder_and_told(finished, barchan, view, name):
+    result = barchan("show", finished, "--view", view)
+    assert (result.code, result.err) == (0, "")
+    assert result.out == f"{finished / name}\n"
+    with Image.open(finished / name) as picture:
+        assert min(picture.size) > 300
+
+
+@pytest.mark.parametrize(("step", "nearest"), [(0, 0), (4, 5), (11, 10), (999, 20)])
+def test_the_frame_nearest_to_a_step_is_drawn(finished, barchan, step, nearest):
+    assert barchan("show", finished, "--step", step).out == f"{finished / f'map-{nearest}.png'}\n"
+
+
+@pytest.mark.parametrize("ending", ["png", "pdf", "svg"])
+def test_a_picture_is_of_the_kind_of_its_ending(here, finished, barchan, ending):
+    assert barchan("show", finished, "--out", f"picture.{ending}").code == 0
+    begins = {"png": b"\x89PNG", "pdf": b"%PDF", "svg": b"<?xml"}[ending]
+    assert (here / f"picture.{ending}").read_bytes().startswith(begins)
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ["--colours", "grey"],
+        ["--colours", "red-green", "--no-bare"],
+        ["--limits", "0", "4.5"],
+        ["--limits", "-1", "4.5"],
+        ["--smoothing", "2"],
+        ["--view", "contours", "--interval", "0.5"],
+        ["--view", "contours", "--count", "3", "--smoothing", "0"],
+        ["--view", "profile", "--at", "0"],
+        ["--view", "space-time", "--at", "1", "--colours", "grey"],
+    ],
+    ids=" ".join,
+)
+def test_how_a_picture_is_drawn_can_be_chosen(here, finished, barchan, words):
+    result = barchan("show", finished, "--out", "picture.png", *words)
+    assert (result.code, result.err) == (0, "")
+    assert (here / "picture.png").exists()
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (["--view", "profile", "--at", "2"], "--at"),
+        (["--interval", "0"], "--interval"),
+        (["--count", "0"], "--count"),
+        (["--smoothing", "-1"], "--smoothing"),
+        (["--limits", "3", "1"], "--limits"),
+        (["--out", "picture.txt"], "cannot write picture.txt"),
+        (["--out", "nowhere/picture.png"], "cannot write nowhere/picture.png"),
+    ],
+    ids=lambda value: " ".join(value) if isinstance(value, list) else "",
+)
+def test_what_cannot_be_drawn_is_a_clear_error(finished, barchan, words, said):
+    result = barchan("show", finished, *words)
+    assert result.code not in (0, 130)
+    assert result.out == ""
+    assert said in result.err
+    assert "Traceback" not in result.err

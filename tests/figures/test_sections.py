@@ -1,0 +1,191 @@
+"""Sections along the wind, from the upwind to the downwind edge, with the shadows the wind casts."""
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from barchan.archive import simulate
+from barchan.bed import Bed
+from barchan.figures.sections import profile, section_along_wind, shadow_line, space_time
+from barchan.models import models
+from barchan.wind.segment import downwind
+from tests.tiny import COLUMNS, ROWS, tiny
+
+directions = st.floats(0, 360, exclude_max=True)
+places = st.floats(0, 1)
+
+EASTWARDS, NORTHWARDS = list(range(COLUMNS)), list(range(ROWS))
+
+
+@pytest.mark.parametrize(
+    ("direction", "at", "rows", "columns"),
+    [
+        (270.0, 0.0, [0] * COLUMNS, EASTWARDS),
+        (270.0, 1.0, [15] * COLUMNS, EASTWARDS),
+        (180.0, 0.0, NORTHWARDS, [23] * ROWS),
+        (180.0, 1.0, NORTHWARDS, [0] * ROWS),
+        (90.0, 0.0, [15] * COLUMNS, EASTWARDS[::-1]),
+        (90.0, 1.0, [0] * COLUMNS, EASTWARDS[::-1]),
+        (0.0, 0.0, NORTHWARDS[::-1], [0] * ROWS),
+        (0.0, 1.0, NORTHWARDS[::-1], [23] * ROWS),
+    ],
+)
+def test_a_section_along_an_axis_is_a_row_or_column_from_the_upwind_edge(direction, at, rows, columns):
+    section = section_along_wind(tiny(lattice__cell_size=2.0), direction, at)
+    assert section.rows.tolist() == rows
+    assert section.cols.tolist() == columns
+    np.testing.assert_allclose(section.distance, 2.0 * np.arange(len(rows)))
+    assert section.joined
+
+
+@pytest.mark.parametrize(("direction", "joined"), [(270.0, False), (90.0, False), (0.0, True), (180.0, True)])
+def test_a_section_closes_on_itself_only_across_joined_edges(direction, joined):
+    assert section_along_wind(tiny(lattice__boundary_x="open"), direction, 0.5).joined == joined
+
+
+@settings(max_examples=200)
+@given(directions, places)
+def test_a_section_runs_downwind_through_the_field_cell_by_cell(direction, at):
+    section = section_along_wind(tiny(), direction, at)
+    assert ((section.rows >= 0) & (section.rows < ROWS)).all()
+    assert ((section.cols >= 0) & (section.cols < COLUMNS)).all()
+    assert section.distance[0] == 0.0
+    assert (np.diff(section.distance) > 0).all()
+    steps = np.stack([np.diff(section.rows), np.diff(section.cols)])
+    assert (np.abs(steps).max(axis=0) == 1).all() if steps.size else True
+
+
+@settings(max_examples=100)
+@given(directions, places)
+def test_an_oblique_section_stays_within_a_cell_of_its_line(direction, at):
+    section = section_along_wind(tiny(), direction, at)
+    x, y = downwind(direction)
+    beside = x * (section.rows - (ROWS - 1) / 2) - y * (section.cols - (COLUMNS - 1) / 2)
+    width = abs(x) * (ROWS - 1) + abs(y) * (COLUMNS - 1)
+    assert np.abs(beside - (at - 0.5) * width).max() <= math.sqrt(0.5) + 1e-6
+
+
+@settings(max_examples=100)
+@given(directions, places)
+def test_a_section_reaches_from_edge_to_edge(direction, at):
+    """One more step up or down the wind leads out of the field."""
+    section = section_along_wind(tiny(), direction, at)
+    x, y = downwind(direction)
+    for end, sign in ((0, -1), (-1, 1)):
+        row, col = section.rows[end] + sign * 1.5 * y, section.cols[end] + sign * 1.5 * x
+        assert not (0 <= row <= ROWS - 1 and 0 <= col <= COLUMNS - 1)
+
+
+def highest_line(distance, surface, i, slope, start, length):
+    """The highest of the lines that fall over point ``i`` from all points upwind, one by one."""
+    lines = [
+        surface[j] - slope * (distance[i] - distance[j] - start + turn)
+        for turn in ([0.0, length] if length else [0.0])
+        for j in range(len(surface))
+        if distance[j] - turn < distance[i]
+    ]
+    return max(lines, default=-math.inf)
+
+
+@settings(max_examples=60)
+@given(
+    st.lists(st.integers(0, 12), min_size=24, max_size=24),
+    st.sampled_from([270.0, 90.0]),
+    st.sampled_from(["periodic", "open"]),
+    st.floats(1, 80),
+    st.sampled_from([0.0, 0.5]),
+)
+def test_the_shadow_line_is_the_highest_line_that_falls_from_anything_upwind(
+    stacks, direction, boundary, angle, start
+):
+    scenario = tiny(lattice__cell_size=2.0, lattice__boundary_x=boundary)
+    section = section_along_wind(scenario, direction, 0.5)
+    surface = np.array(stacks, float)
+    length = 48.0 if boundary == "periodic" else 0.0
+    line = shadow_line(section, surface, angle, 2.0, start)
+    slope = math.tan(math.radians(angle))
+    expected = [
+        highest_line(section.distance, surface, i, slope, start * 2.0, length) for i in range(len(stacks))
+    ]
+    np.testing.assert_allclose(line, expected, rtol=1e-9, atol=1e-9)
+
+
+@pytest.mark.parametrize("direction", [270.0, 180.0, 90.0, 0.0])
+@pytest.mark.parametrize("shadow_from", ["centre", "edge"])
+@pytest.mark.parametrize("boundary", ["periodic", "open"])
+def test_shadows_in_a_section_are_the_models_shadows(direction, shadow_from, boundary):
+    scenario = tiny(
+        wind__direction=direction,
+        lattice__boundary_x=boundary,
+        lattice__boundary_y=boundary,
+        model__shadow_from=shadow_from,
+    )
+    sand = np.random.default_rng(2).integers(0, 6, (ROWS, COLUMNS)).astype(np.int32)
+    bed = Bed(scenario.lattice, np.zeros((ROWS, COLUMNS)), sand)
+    zone = models()["werner"](scenario.model, scenario.lattice).shadow_zone(bed, direction)
+    assert zone.any()
+    for at in (0.0, 0.4, 1.0):
+        section = section_along_wind(scenario, direction, at)
+        surface = bed.elevation[section.rows, section.cols]
+        line = shadow_line(section, surface, 15.0, 1.0, 0.5 if shadow_from == "edge" else 0.0)
+        np.testing.assert_array_equal(line > surface, zone[section.rows, section.cols])
+
+
+@settings(max_examples=25)
+@given(directions, st.integers(0, ROWS - 1), st.integers(0, COLUMNS - 1))
+def test_the_profile_goes_through_the_highest_stack(one_stack, direction, row, col):
+    frame, scenario = one_stack(row, col, direction)
+    axes = profile(frame, scenario).axes[0]
+    highest = max(path.vertices[:, 1].max() for c in axes.collections for path in c.get_paths())
+    assert highest == pytest.approx(9 / 3)
+
+
+@pytest.fixture(scope="session")
+def one_stack():
+    """Make a frame with a single stack, under any wind."""
+    scenario = tiny(run__steps=0)
+    level = simulate(scenario).isel(step=-1)
+
+    def make(row, col, direction):
+        frame = level.copy(deep=True)
+        frame["sand"][...] = 0
+        frame["sand"][row, col] = 9
+        frame["elevation"][...] = frame["sand"] / 3
+        frame["wind_direction"] = frame["wind_direction"] * 0 + direction
+        return frame, scenario
+
+    return make
+
+
+@pytest.mark.parametrize("direction", [270.0, 90.0])
+def test_a_profile_shows_the_surface_from_the_upwind_edge(painted, direction):
+    heap = np.zeros((ROWS, COLUMNS), int)
+    heap[8, 4] = 6
+    frame, scenario = painted(heap, direction)
+    axes = profile(frame, scenario).axes[0]
+    sand = next(c for c in axes.collections if c.get_label() == "sand")
+    places = [p for p in sand.get_paths()[0].vertices if p[1] == pytest.approx(2.0)]
+    centre = np.mean([p[0] for p in places])
+    assert centre == pytest.approx(4.0 if direction == 270.0 else 19.0)
+    assert axes.get_xlabel() == "distance downwind (m)"
+
+
+def test_space_and_time_shows_every_frame_at_its_step():
+    scenario = tiny()
+    dataset = simulate(scenario)
+    figure = space_time(dataset, scenario, at=0.0)
+    (mesh,) = figure.axes[0].collections
+    np.testing.assert_array_equal(np.asarray(mesh.get_array()), dataset["elevation"].values[:, 0, :])
+    assert mesh.get_coordinates()[:, 0, 1].tolist() == [-2.5, 2.5, 7.5, 12.5, 17.5, 22.5]
+
+
+@pytest.mark.xfail(
+    strict=True, raises=IndexError, reason="sections.section_along_wind takes any number for a place"
+)
+@pytest.mark.parametrize("at", [-0.5, 2.0])
+def test_a_place_beside_the_field_is_refused(at):
+    with pytest.raises(ValueError, match="0 to 1"):
+        section_along_wind(tiny(), 270.0, at)

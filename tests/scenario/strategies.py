@@ -1,0 +1,83 @@
+"""Valid scenarios drawn at random from the declarations themselves, so that new keys are covered."""
+
+from typing import Any, Literal, Union, get_args, get_origin
+
+from hypothesis import strategies as st
+
+from barchan.bed import Lattice
+from barchan.ground.sand import Part
+from barchan.parameters import NOTE, Parameters
+from barchan.scenario import Scenario
+
+WIDEST = 10**6
+"""Numbers without bounds are drawn within this."""
+
+notes = st.none() | st.text(max_size=5) | st.lists(st.text(max_size=5), max_size=2)
+
+
+def scenarios() -> st.SearchStrategy[dict[str, Any]]:
+    """Plain data of valid scenarios; every key may be there or be left to its default."""
+    return group(Scenario).map(lambda data: {"barchan": 1, **data})
+
+
+def group(parameters: type[Parameters]) -> st.SearchStrategy[dict[str, Any]]:
+    """Plain data of one group."""
+    if parameters is Part:
+        return _parts()
+    given = {
+        name: values(field.annotation, field.metadata)
+        for name, field in parameters.model_fields.items()
+        if name != NOTE
+    }
+    needed = {n: s for n, s in given.items() if n == parameters.kind_key}
+    needed |= {n: s for n, s in given.items() if parameters.model_fields[n].is_required()}
+    optional = {n: s for n, s in given.items() if n not in needed} | {NOTE: notes}
+    drawn = st.fixed_dictionaries(needed, optional=optional)
+    return drawn.map(_one_height) if parameters is Lattice else drawn
+
+
+def values(annotation: Any, metadata: Any = ()) -> st.SearchStrategy[Any]:
+    """Values of an annotation within the bounds of its metadata."""
+    origin, args = get_origin(annotation), get_args(annotation)
+    if hasattr(annotation, "__metadata__"):
+        inner = [part for m in annotation.__metadata__ for part in getattr(m, "metadata", [m])]
+        return values(args[0], inner)
+    if isinstance(annotation, type) and issubclass(annotation, Parameters):
+        return group(annotation)
+    if origin is Literal:
+        return st.sampled_from(args)
+    if origin is list:
+        return st.lists(values(args[0]), max_size=3)
+    if origin is Union or args:
+        return st.one_of([values(arg, metadata) for arg in args])
+    return _plain(annotation, metadata)
+
+
+def _plain(kind: type, metadata: Any) -> st.SearchStrategy[Any]:
+    bounds = {
+        name: getattr(m, name) for m in metadata for name in ("ge", "gt", "le", "lt") if hasattr(m, name)
+    }
+    low, high = bounds.get("ge", bounds.get("gt", -WIDEST)), bounds.get("le", bounds.get("lt", WIDEST))
+    if kind is bool:
+        return st.booleans()
+    if kind is int:
+        return st.integers(low + ("gt" in bounds), high - ("lt" in bounds))
+    if kind is float:
+        return st.floats(low, high, exclude_min="gt" in bounds, exclude_max="lt" in bounds)
+    return st.none() if kind is type(None) else st.text(max_size=10)
+
+
+def _parts() -> st.SearchStrategy[dict[str, Any]]:
+    edges = st.lists(st.floats(0, 1), min_size=2, max_size=2, unique=True).map(sorted)
+    return st.builds(
+        lambda mean, x, y: {"mean": mean, "west": x[0], "east": x[1], "south": y[0], "north": y[1]},
+        st.integers(0, 20),
+        edges,
+        edges,
+    )
+
+
+def _one_height(lattice: dict[str, Any]) -> dict[str, Any]:
+    if lattice.get("slab_aspect") is not None:
+        lattice.pop("slab_height", None)
+    return lattice
