@@ -89,7 +89,6 @@ def test_counts_of_slabs_are_pure_numbers_to_others_and_slabs_to_us():
     assert field_attributes(GROUND)["units"] == field_attributes(GROUND)["unit"] == "m"
 
 
-@pytest.mark.xfail(strict=True, reason="frames.Frames.keep takes chunks away before readers know of it")
 def test_a_reader_never_sees_a_frame_whose_sand_is_already_dropped(monkeypatch, store):
     frames, made = store
     for frame in made:

@@ -30,8 +30,6 @@ MAKING = [f"{0.05 + 0.5 * (n + random.Random(n).random()) / 6:.4f}" for n in ran
 LATER = [f"{0.6 + 0.4 * (n + random.Random(n).random()) / 16:.4f}" for n in range(16)]
 """Shares of a run, at random, in the time after that."""
 
-LEFTOVERS = pytest.mark.filterwarnings("ignore:Object at .* is not recognized as a component")
-
 
 @pytest.fixture(scope="session")
 def killed(tmp_path_factory):
@@ -42,7 +40,6 @@ def killed(tmp_path_factory):
     return root
 
 
-@LEFTOVERS
 @pytest.mark.parametrize("moment", EARLY + LATER)
 def test_a_run_killed_at_any_moment_can_be_read_or_says_that_it_has_no_frames(killed, begins_like, moment):
     said = None
@@ -55,7 +52,6 @@ def test_a_run_killed_at_any_moment_can_be_read_or_says_that_it_has_no_frames(ki
         assert run_info(killed / moment).stopped in (None, "all steps done")
 
 
-@LEFTOVERS
 @pytest.mark.parametrize("moment", ["5", "6", *MAKING, *LATER])
 def test_a_run_killed_at_any_moment_is_resumed_to_the_same_bits(killed, same_frames, moment):
     outcome = resume(killed / moment)
@@ -63,7 +59,6 @@ def test_a_run_killed_at_any_moment_is_resumed_to_the_same_bits(killed, same_fra
     same_frames(killed / "whole", killed / moment)
 
 
-@LEFTOVERS
 def test_a_command_killed_again_and_again_comes_to_the_same_bits(tmp_path, same_frames):
     scenario = tiny(run__steps=60, run__save_every=2)
     (tmp_path / "tiny.json").write_text(scenario.text())
@@ -107,8 +102,6 @@ def made_as_far_as(monkeypatch, folder, arrays):
             run(Simulation(tiny()), folder)
 
 
-@pytest.mark.filterwarnings("ignore:unclosed file:ResourceWarning")
-@pytest.mark.xfail(strict=True, reason="reading.open_run reads a store of frames that was never committed")
 @pytest.mark.parametrize("arrays", [0, 2, 3, 9])
 def test_a_run_killed_while_its_store_was_made_says_that_it_has_no_frames(monkeypatch, tmp_path, arrays):
     made_as_far_as(monkeypatch, tmp_path / "run", arrays)
@@ -116,7 +109,6 @@ def test_a_run_killed_while_its_store_was_made_says_that_it_has_no_frames(monkey
         open_run(tmp_path / "run")
 
 
-@pytest.mark.filterwarnings("ignore:unclosed file:ResourceWarning")
 @pytest.mark.parametrize("arrays", [0, 2, 3, 9])
 def test_a_run_killed_while_its_store_was_made_is_resumed(monkeypatch, tmp_path, whole, same_frames, arrays):
     made_as_far_as(monkeypatch, tmp_path / "run", arrays)
@@ -124,9 +116,6 @@ def test_a_run_killed_while_its_store_was_made_is_resumed(monkeypatch, tmp_path,
     same_frames(whole, tmp_path / "run")
 
 
-@pytest.mark.xfail(
-    strict=True, reason="frames.Frames lets zarr warn of the unfinished files that a kill leaves"
-)
 def test_what_a_killed_writer_left_unfinished_gives_no_warning(fresh):
     (fresh / "frames.zarr" / "zarr.0123456789abcdef.partial").write_text("{")
     with closing(reopen(fresh).archive) as archive:

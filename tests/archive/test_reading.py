@@ -204,9 +204,6 @@ def test_a_folder_without_a_scenario_is_not_loaded(tmp_path):
         load(tmp_path)
 
 
-@pytest.mark.xfail(
-    strict=True, raises=ScenarioError, reason="reading.load takes any folder of that name for a run"
-)
 def test_a_folder_that_is_no_run_does_not_hide_a_preset(monkeypatch, tmp_path):
     (tmp_path / "barchans").mkdir()
     monkeypatch.chdir(tmp_path)

@@ -146,9 +146,6 @@ def test_the_frames_of_a_longer_run_tell_of_the_longer_scenario(fresh):
         assert scenario_in(dataset).run.steps == 35
 
 
-@pytest.mark.xfail(
-    strict=True, reason="running.reopen writes the new total into the scenario, not the checkpoint"
-)
 def test_a_longer_total_holds_even_if_the_program_is_killed_before_the_next_checkpoint(fresh):
     reopen(fresh, steps=35).archive.close()
     assert resume(fresh).simulation.steps_done == 35

@@ -1,8 +1,9 @@
 """The newest complete state of a run, in one file that is replaced as a whole."""
 
+import hashlib
 import json
 import os
-import zipfile
+from io import BytesIO
 from pathlib import Path
 
 import numpy as np
@@ -12,13 +13,18 @@ from barchan.simulation import State
 
 _DATA = "data"
 
+_DIGEST = hashlib.sha256().digest_size
+"""Bytes at the end of the file that tell whether the bytes before them are as they were written."""
+
 
 def write_checkpoint(path: Path, state: State) -> None:
     """Write a state; what stood there before stays whole until the new file is complete."""
     partial = path.with_suffix(".partial")
     text = np.frombuffer(json.dumps(state.data).encode(), np.uint8)
-    with partial.open("wb") as file:
+    with partial.open("w+b") as file:
         np.savez(file, allow_pickle=False, **{_DATA: text}, **state.arrays)
+        file.seek(0)
+        file.write(hashlib.file_digest(file, "sha256").digest())
         file.flush()
         os.fsync(file.fileno())
     partial.replace(path)
@@ -27,11 +33,15 @@ def write_checkpoint(path: Path, state: State) -> None:
 def read_checkpoint(path: Path) -> State:
     """Read a state; raises ArchiveError where there is none or it is damaged."""
     try:
-        with np.load(path, allow_pickle=False) as file:
-            arrays = {name: file[name] for name in file.files}
+        whole = path.read_bytes()
     except FileNotFoundError:
         raise ArchiveError(f"{path.parent}: no checkpoint to resume from") from None
-    except (OSError, ValueError, zipfile.BadZipFile) as error:
-        raise ArchiveError(f"{path}: damaged checkpoint ({error})") from None
+    except OSError as error:
+        raise ArchiveError(f"{path}: the checkpoint cannot be read ({error.strerror})") from None
+    content, digest = whole[:-_DIGEST], whole[-_DIGEST:]
+    if hashlib.sha256(content).digest() != digest:
+        raise ArchiveError(f"{path}: damaged checkpoint")
+    with np.load(BytesIO(content), allow_pickle=False) as file:
+        arrays = {name: file[name] for name in file.files}
     data = json.loads(arrays.pop(_DATA).tobytes())
     return State(data, arrays)

@@ -4,13 +4,13 @@ import json
 import os
 import shutil
 from collections.abc import Iterator
-from contextlib import contextmanager, suppress
+from contextlib import closing, contextmanager, suppress
 from datetime import UTC, datetime
 from pathlib import Path
-from typing import Any
+from typing import Any, BinaryIO
 
 from barchan.archive.checkpoint import read_checkpoint, write_checkpoint
-from barchan.archive.frames import Frames
+from barchan.archive.frames import Frames, published
 from barchan.errors import ArchiveError
 from barchan.scenario import Scenario
 from barchan.simulation import Frame, Simulation, State
@@ -19,6 +19,8 @@ SCENARIO, FRAMES, CHECKPOINT = "scenario.json", "frames.zarr", "checkpoint.npz"
 EVENTS, LOG, LOCK = "events.jsonl", "log.jsonl", "writer.lock"
 OWN = (SCENARIO, FRAMES, CHECKPOINT, "checkpoint.partial", EVENTS, LOG, LOCK)
 """All that an archive writes into its folder."""
+FIRST = {LOCK, f"{SCENARIO}.partial"}
+"""What a run that was killed before it had a scenario may leave."""
 
 
 @contextmanager
@@ -39,9 +41,11 @@ class Archive:
         self.path = path
         self._lock = _lock(path / LOCK)
         self._events = 0
-        with writing(path):
+        self.frames: Frames | None = None
+        with self.closed_on_failure(), writing(path):
             _end_last_line(path / LOG)
-        self.frames: Frames | None = Frames(path / FRAMES) if (path / FRAMES).is_dir() else None
+            if published(path / FRAMES):
+                self.frames = Frames(path / FRAMES)
 
     @classmethod
     def create(cls, path: Path, simulation: Simulation, overwrite: bool = False) -> "Archive":
@@ -52,9 +56,10 @@ class Archive:
                 _remove_run(path)
             path.mkdir(parents=True, exist_ok=True)
             archive = cls(path)
-            archive.write_scenario(simulation)
-            (path / EVENTS).touch()
-            archive.start(simulation)
+            with archive.closed_on_failure():
+                archive.write_scenario(simulation)
+                (path / EVENTS).touch()
+                archive.start(simulation)
         return archive
 
     def write_scenario(self, simulation: Simulation) -> None:
@@ -115,9 +120,17 @@ class Archive:
 
     def close(self) -> None:
         """Let others write."""
-        self._lock.close()
-        with suppress(OSError):
+        with closing(self._lock), suppress(OSError):
             (self.path / LOCK).unlink()
+
+    @contextmanager
+    def closed_on_failure(self) -> Iterator[None]:
+        """Let others write if what is tried here fails."""
+        try:
+            yield
+        except BaseException:
+            self.close()
+            raise
 
 
 def scenario_of(path: Path) -> Scenario:
@@ -144,22 +157,23 @@ def check_room(path: Path, overwrite: bool) -> None:
     with writing(path):
         if path.exists() and not path.is_dir():
             raise ArchiveError(f"{path} is a file, not a folder")
-        if not path.is_dir() or not any(path.iterdir()):
-            return
+        names = {entry.name for entry in path.iterdir()} if path.is_dir() else set()
+    if not names:
+        return
     if not overwrite:
         raise ArchiveError(f"{path} is not empty; choose another folder, or add --overwrite to replace it")
-    if not (path / SCENARIO).is_file():
+    if SCENARIO not in names and not names <= FIRST:
         raise ArchiveError(f"{path} is not empty and holds no run; it is not overwritten")
 
 
 def _remove_run(path: Path) -> None:
     """Delete what a run wrote, and nothing else."""
-    _lock(path / LOCK).close()
-    for name in OWN:
-        if (path / name).is_dir():
-            shutil.rmtree(path / name)
-        else:
-            (path / name).unlink(missing_ok=True)
+    with closing(_lock(path / LOCK)):
+        for name in OWN:
+            if (path / name).is_dir():
+                shutil.rmtree(path / name)
+            else:
+                (path / name).unlink(missing_ok=True)
 
 
 def _write(path: Path, text: str) -> None:
@@ -175,22 +189,38 @@ def _end_last_line(path: Path) -> None:
             file.write(b"\n")
 
 
-def _lock(path: Path) -> Any:
+def _lock(path: Path) -> BinaryIO:
     """Hold the folder for this process; the system lets go when the process ends, however it ends."""
     with writing(path.parent):
-        file = path.open("a+", encoding="utf-8")
+        file = path.open("a+b", buffering=0)
+        try:
+            _hold(file, path.parent)
+            if not _is_at(file, path):  # its last holder took the name away just as we came
+                file.close()
+                return _lock(path)
+            file.truncate(0)
+            file.write(str(os.getpid()).encode())
+        except BaseException:
+            file.close()
+            raise
+    return file
+
+
+def _hold(file: BinaryIO, folder: Path) -> None:
     try:
         import fcntl
     except ImportError:  # no advisory locks on this system: go without
-        return file
+        return
     try:
         fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
     except OSError:
         file.seek(0)
-        owner = file.read().strip() or "another"
-        file.close()
-        raise ArchiveError(f"{path.parent} is being written by process {owner}") from None
-    file.truncate(0)
-    file.write(str(os.getpid()))
-    file.flush()
-    return file
+        owner = file.read().decode().strip() or "another"
+        raise ArchiveError(f"{folder} is being written by process {owner}") from None
+
+
+def _is_at(file: BinaryIO, path: Path) -> bool:
+    try:
+        return os.path.samestat(os.fstat(file.fileno()), path.stat())
+    except FileNotFoundError:
+        return False

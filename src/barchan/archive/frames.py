@@ -1,5 +1,6 @@
 """Frames in a Zarr store: one chunk a frame, and the consolidated metadata last, as the commit."""
 
+import json
 import warnings
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -9,6 +10,7 @@ from typing import Any
 import numpy as np
 import zarr
 from numpy.typing import NDArray
+from zarr.core.sync import sync
 
 from barchan.bed import FieldInfo
 from barchan.scenario import Scenario
@@ -94,12 +96,23 @@ def run_attributes(scenario: Scenario) -> dict[str, Any]:
     }
 
 
+def published(path: Path) -> bool:
+    """Whether there is a store of frames that was ever committed; a kill may leave one half made."""
+    try:
+        root = json.loads((path / "zarr.json").read_text("utf-8"))
+    except FileNotFoundError:
+        return False
+    return root.get("consolidated_metadata") is not None
+
+
 class Frames:
     """The growing store of a run's frames."""
 
     def __init__(self, path: Path) -> None:
         """Open an existing store for writing."""
         self.path = path
+        for unfinished in path.rglob("*.partial"):
+            unfinished.unlink()
         self.group = zarr.open_group(path, mode="r+", use_consolidated=False)
 
     @classmethod
@@ -139,10 +152,10 @@ class Frames:
         self.commit()
 
     def keep(self, count: int) -> None:
-        """Drop all but the first ``count`` frames."""
+        """Drop all but the first ``count`` frames; readers who know of the others still find their chunks."""
         for name in ["step", *(c.name for c in COUNTERS), *self.fields]:
             array = self._array(name)
-            array.resize((count, *array.shape[1:]))
+            sync(array.async_array.resize((count, *array.shape[1:]), delete_outside_chunks=False))
         self.commit()
 
     def commit(self) -> None:
@@ -153,8 +166,7 @@ class Frames:
 
     def describe(self, scenario: Scenario) -> None:
         """Let the store say that it holds a run of ``scenario``."""
-        self.group.attrs.update(run_attributes(scenario))
-        self.commit()
+        zarr.open_consolidated(self.path, mode="r+").attrs.update(run_attributes(scenario))
 
     @property
     def steps(self) -> NDArray[np.int64]:

@@ -2,6 +2,7 @@
 
 import json
 from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -11,8 +12,9 @@ from numpy.typing import NDArray
 
 from barchan.archive.dataset import ELEVATION
 from barchan.archive.folder import CHECKPOINT, FRAMES, SCENARIO, log_of, scenario_of
+from barchan.archive.frames import published
 from barchan.errors import ArchiveError
-from barchan.scenario import Scenario, load_scenario
+from barchan.scenario import Scenario, load_scenario, preset_names
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -27,7 +29,7 @@ def open_run(path: str | Path) -> "xr.Dataset":
 
     path = Path(path)
     scenario = scenario_of(path)
-    if not (path / FRAMES / "zarr.json").is_file():
+    if not published(path / FRAMES):
         raise ArchiveError(f"{path}: no frames were saved")
     dataset = xr.open_zarr(path / FRAMES, chunks=None)
     if dataset.sizes["step"] == 0:
@@ -81,7 +83,7 @@ class RunInfo:
     frames: int
     last_step: int
     checkpoint: int | None
-    """Step of the newest checkpoint."""
+    """Step of the newest checkpoint; None where there is none or it is damaged."""
     stopped: str | None
     """Why the run ended; None while it can go on."""
     bytes: int
@@ -98,7 +100,9 @@ def run_info(path: str | Path) -> RunInfo:
         steps = dataset["step"].values
     except ArchiveError:
         steps = np.zeros(0, np.int64)
-    checkpoint = read_checkpoint(path / CHECKPOINT).step if (path / CHECKPOINT).is_file() else None
+    checkpoint = None
+    with suppress(ArchiveError):
+        checkpoint = read_checkpoint(path / CHECKPOINT).step
     size = sum(f.stat().st_size for f in path.rglob("*") if f.is_file())
     last = int(steps[-1]) if len(steps) else 0
     return RunInfo(path, scenario, len(steps), last, checkpoint, _stopped(path), size)
@@ -110,7 +114,14 @@ def load(source: str | Path | Mapping[str, Any], **overrides: Any) -> Scenario:
     ``overrides`` set single values, ``__`` standing for the dot: ``load("barchans", run__steps=100)``.
     Raises ScenarioError with every problem found.
     """
-    if not isinstance(source, Mapping) and Path(source).is_dir():
-        source = Path(source) / SCENARIO
     pairs = [(key.replace("__", "."), json.dumps(value)) for key, value in overrides.items()]
-    return load_scenario(source, pairs)
+    return load_scenario(source if isinstance(source, Mapping) else source_at(source), pairs)
+
+
+def source_at(name: str | Path) -> str | Path:
+    """Where the scenario of that name stands: in a run's folder, or where the name itself points.
+
+    A folder that bears a preset's name does not hide the preset, unless it is given as a path.
+    """
+    run = Path(name) / SCENARIO
+    return run if name not in preset_names() and run.is_file() else name

@@ -6,7 +6,6 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from barchan.archive.folder import CHECKPOINT, Archive, scenario_of
-from barchan.errors import BarchanError
 from barchan.simulation import Simulation
 
 BREATH = 0.1
@@ -81,18 +80,16 @@ def reopen(path: str | Path, steps: int | None = None) -> Reopened:
     path = Path(path)
     scenario = scenario_of(path)
     archive = Archive(path)
-    try:
+    with archive.closed_on_failure():
         if (path / CHECKPOINT).is_file() and archive.frames is not None:
             simulation = Simulation.from_state(archive.last_state())
         else:
             simulation = Simulation(scenario)
             archive.start(simulation)
-        if steps is not None:
-            simulation.extend(steps)
+        total = scenario.run.steps if steps is None else steps
+        if total != simulation.scenario.run.steps:
+            simulation.extend(total)
             archive.write_scenario(simulation)
-    except BarchanError:
-        archive.close()
-        raise
     return Reopened(simulation, archive)
 
 
