@@ -37,7 +37,8 @@ def rows():
 
 
 READING = """
-Less sand leaves more ground bare and makes shorter, more bent crests, under both seeds' rules. With erosion in
-shadow allowed (seed 000) the ground between barchans is dotted with bumps, so less of it is bare than 30 %.
-One slab a cell forms nothing in 1000 steps under either seed's rules, two form nothing under those of seed 000.
+Less sand leaves more ground bare and makes shorter, more bent crests, under both seeds' rules. With erosion
+in shadow allowed (seed 000) the ground between barchans is dotted with bumps, so less of it is bare than 30
+%. One slab a cell forms nothing in 1000 steps under either seed's rules, two form nothing under those of
+seed 000.
 """
