@@ -7,6 +7,7 @@ frame: column + 1 is downwind (within 45 degrees), rows grow to the wind's left.
 import math
 from dataclasses import dataclass, field
 
+from barchan.models.slab_tables import Rules
 from barchan.streams import GOLDEN, MASK, derive, mix
 
 FACES = [(0, 1), (1, 0), (0, -1), (-1, 0)]
@@ -61,8 +62,12 @@ class Field:
     angle: float = 0.0
     wrap_along: bool = True
     wrap_across: bool = True
+    extra: Rules = field(default_factory=Rules)
+    mobile: list[list[int]] | None = None  # in units of 1/SCALE
+    firm_limits: tuple[int, int] = (0, 0)
+    release_limits: tuple[int, int] | None = None
     tally: dict = field(
-        default_factory=lambda: dict.fromkeys(("moved", "left", "capped", "exhausted", "hops"), 0)
+        default_factory=lambda: dict.fromkeys(("moved", "left", "capped", "exhausted", "x", "y"), 0)
     )
 
     @property
@@ -150,7 +155,16 @@ class Field:
             result += ways
         return result
 
-    def steepest(self, row, col, here, sliding, order):
+    def limit(self, row, col, corner, at_rest=False):
+        """The step down from a cell that still holds, in units of 1/SCALE slabs."""
+        limit = (self.face_limit, self.corner_limit)[corner]
+        if self.mobile is not None and self.mobile[row][col] <= round(self.extra.firm_mobility * SCALE):
+            limit = self.firm_limits[corner]
+        if at_rest and self.release_limits is not None:
+            limit += self.release_limits[corner] - (self.face_limit, self.corner_limit)[corner]
+        return limit * SCALE
+
+    def steepest(self, row, col, here, sliding, order, at_rest=False):
         """The first of the steepest ways whose step does not hold."""
         best, way = 0.0, None
         for step in order:
@@ -159,9 +173,9 @@ class Field:
                 continue
             rise = (here - self.height(*there)) if sliding else (self.height(*there) - here)
             corner = step in CORNERS
-            limit = self.corner_limit if corner else self.face_limit
+            higher = (row, col) if sliding else there
             weight = math.sqrt(0.5) if corner and self.rules.corner_limit != "face" else 1.0
-            if rise > limit * SCALE and rise * weight > best:
+            if rise > self.limit(*higher, corner, at_rest) and rise * weight > best:
                 best, way = rise * weight, there
         return way
 
@@ -176,46 +190,174 @@ class Field:
                 way = self.steepest(row, col, here, sliding, self.order(sliding, draws.next()))
             row, col = way
 
+    def slide(self, row, col, key):
+        """Let sand about a changed cell slide that exceeds the release, until all of it rests."""
+        queue, waiting = [], {}
+
+        def upset(cell, moving):
+            if cell not in waiting:
+                queue.append(cell)
+            waiting[cell] = moving or waiting.get(cell, False)
+
+        def upset_about(cell, first):
+            for k in range(8):
+                upset(self.neighbour(*cell, (FACES + CORNERS)[(first + k) % 8]) or cell, False)
+
+        upset((row, col), False)
+        upset_about((row, col), 0)
+        orders = self.sequences()
+        moves = 0
+        while queue:
+            cell = queue.pop(0)
+            moving = waiting.pop(cell)
+            if self.sand[cell[0]][cell[1]] == 0:
+                continue
+            turn = mix((key + moves) & MASK) % len(orders)
+            way = self.steepest(*cell, self.height(*cell), True, orders[turn], not moving)
+            if way is None:
+                continue
+            self.change(*cell, -1)
+            self.change(*way, 1)
+            moves += 1
+            upset(way, True)
+            upset_about(cell, turn)
+            upset(cell, True)
+
+    def sequences(self):
+        """The orders in which an avalanche that runs until all holds may check neighbours."""
+        allowed = self.order(True)
+        if self.rules.neighbour_order == "wind":
+            return [allowed]
+        orders = []
+        for start in range(8):
+            ways = [(start + place * (1 if start < 4 else -1)) % 4 for place in range(4)]
+            order = [FACES[way] for way in ways] + [CORNERS[way] for way in ways]
+            orders.append([step for step in order if step in allowed])
+        return orders
+
+    def change(self, row, col, count):
+        self.sand[row][col] += count
+
     # --- one poll ----------------------------------------------------------------------------------
 
-    def may_erode(self, row, col):
+    def gives(self, row, col, draws):
+        chance = high(draws.next()) if self.mobile is not None else 0
         if self.sand[row][col] == 0:
+            return False
+        if self.mobile is not None:
+            share, shift = round(self.extra.giving.share * 2**32), round(self.extra.giving.shift * 2**32)
+            if chance >= self.mobile[row][col] * share // SCALE + shift:
+                return False
+        if self.extra.hop is not None and self.hop_from(row, col) == 0:
             return False
         return self.rules.lee_erosion or not self.in_shadow(row, col)
 
+    def start_of_slice(self):
+        """Take the mean height anew."""
+        heights = [self.height(row, col) for row in range(self.rows) for col in range(self.cols)]
+        self.mean = sum(heights) // len(heights)
+
+    def hop_from(self, row, col):
+        """Hop (cells) from a cell, by its height over a reference taken from the bed as it is now."""
+        rule = self.extra.hop
+        if rule is None:
+            return self.hop
+        deviation = sum(
+            abs(self.height(r, c) - self.mean) for r in range(self.rows) for c in range(self.cols)
+        )
+        share = 0.5 / (self.rows * self.cols) if rule.follows_relief else 0.0
+        reference = float(self.mean) - share * float(deviation)
+        rise = self.height(row, col) / SCALE - reference / SCALE
+        hop = self.hop + rule.linear * rise
+        if rise > 0:
+            hop += rule.quadratic * rise * rise
+        hop = min(max(hop, -float(self.cols)), float(self.cols))
+        return float(math.floor(hop + 0.5)) if rule.whole else hop
+
     def move(self, row, col, draws):
-        r, c = self.chain(row, col, False, draws)
-        self.sand[r][c] -= 1
+        hop = self.hop_from(row, col)
         self.tally["moved"] += 1
-        landed = self.carry(row, col, draws)
+        if self.release_limits is None:
+            self.change(*self.chain(row, col, False, draws), -1)
+        else:
+            self.change(row, col, -1)
+            self.slide(row, col, draws.next())
+        landed = self.carry(row, col, hop, draws)
         if landed is None:
             self.tally["left"] += 1
-            return
-        r, c = self.chain(*landed, True, draws)
-        self.sand[r][c] += 1
+        elif self.release_limits is None:
+            self.change(*self.chain(*landed, True, draws), 1)
+        else:
+            self.change(*landed, 1)
+            self.slide(*landed, draws.next())
 
-    def carry(self, row, col, draws):
-        dx = round(self.hop * math.cos(self.angle) * CELL)
-        dy = round(self.hop * math.sin(self.angle) * CELL)
+    def carry(self, row, col, hop, draws):
+        dx, dy = self.fixed(hop)
         x, y = col * CELL, row * CELL
         if dx % CELL or dy % CELL:
             draw = draws.next()
             x, y = x + high(draw), y + low(draw)
         for _ in range(self.rules.max_hops):
-            self.tally["hops"] += 1
-            x, y = x + dx, y + dy
-            if not (0 <= x < self.cols * CELL or self.wrap_along):
+            x, y, stopped = self.fly(x, y, dx, dy)
+            if x is None:
                 return None
-            if not (0 <= y < self.rows * CELL or self.wrap_across):
-                return None
-            x, y = x % (self.cols * CELL), y % (self.rows * CELL)
             row, col = y // CELL, x // CELL
             chance = high(draws.next())
-            p = self.rules.p_s if self.sand[row][col] > 0 else self.rules.p_ns
-            if chance < round(p * 2**32) or self.in_shadow(row, col):
+            if stopped or chance < self.chance_to_settle(row, col) or self.in_shadow(row, col):
                 return row, col
+            if self.extra.hop is not None and self.extra.hop.every_hop:
+                hop = self.hop_from(row, col)
+                if hop == 0:
+                    return row, col
+                dx, dy = self.fixed(hop)
         self.tally["capped"] += 1
         return row, col
+
+    def fixed(self, hop):
+        return round(hop * (math.cos(self.angle) * CELL)), round(hop * (math.sin(self.angle) * CELL))
+
+    def chance_to_settle(self, row, col):
+        settle = round((self.rules.p_s if self.sand[row][col] > 0 else self.rules.p_ns) * 2**32)
+        if self.mobile is None:
+            return settle
+        return 2**32 - (2**32 - settle) * self.mobile[row][col] // SCALE
+
+    def fly(self, x, y, dx, dy):
+        """One hop: the new place (None: the slab left) and whether something stopped it on the way."""
+        test = self.rules.path_test
+        pieces = max(1, -(-max(abs(dx), abs(dy)) // CELL)) if test != "off" else 1
+        here, flown = (x, y), (0, 0)
+        for piece in range(1, pieces + 1):
+            part = (dx, dy) if piece == pieces else (dx // pieces * piece, dy // pieces * piece)
+            there = (
+                self.place(x + part[0], self.cols, self.wrap_along),
+                self.place(y + part[1], self.rows, self.wrap_across),
+            )
+            if None in there:
+                self.travel(dx, dy)
+                return None, None, False
+            if test != "off" and self.blocked(here, there):
+                self.travel(*flown)
+                return *here, True
+            here, flown = there, part
+        self.travel(*flown)
+        return *here, False
+
+    def blocked(self, here, there):
+        col, row = here[0] // CELL, here[1] // CELL
+        c, r = there[0] // CELL, there[1] // CELL
+        top = self.height(r, c) if self.rules.path_test == "surface" else self.base[r][c]
+        limit = self.corner_limit if r != row and c != col else self.face_limit
+        return (r, c) != (row, col) and top - self.height(row, col) > limit * SCALE
+
+    def place(self, place, size, wrap):
+        if 0 <= place < size * CELL:
+            return place
+        return place % (size * CELL) if wrap else None
+
+    def travel(self, dx, dy):
+        self.tally["x"] += dx >> 16
+        self.tally["y"] += dy >> 16
 
     # --- the polls of a step -----------------------------------------------------------------------
 
@@ -227,6 +369,7 @@ class Field:
             yield band, band * size, min(size, self.rows - band * size)
 
     def step(self, key, first, count):
+        self.start_of_slice()
         if self.rules.polling == "repeated":
             self.at_random(key, first, count)
         elif self.rules.forced_erosion:
@@ -244,9 +387,10 @@ class Field:
                 start = derive(poll_key, poll)
                 draws = Draws(start)
                 row, col = first_row + below(low(start), rows), below(high(start), self.cols)
-                if not self.may_erode(row, col):
-                    found = self.another(first_row, rows, draws) if self.rules.forced_erosion else None
-                    if found is None and self.rules.forced_erosion:
+                if not self.gives(row, col, draws):
+                    forced = self.rules.forced_erosion
+                    found = self.another(row, col, first_row, rows, draws) if forced else None
+                    if found is None and forced:
                         self.tally["exhausted"] += 1
                         return
                     if found is not None:
@@ -255,16 +399,16 @@ class Field:
                     self.move(row, col, draws)
                 poll += 1
 
-    def another(self, first_row, rows, draws):
+    def another(self, row, col, first_row, rows, draws):
         for _ in range(FORCED_TRIES):
             draw = draws.next()
             row, col = first_row + below(low(draw), rows), below(high(draw), self.cols)
-            if self.may_erode(row, col):
+            if self.gives(row, col, draws):
                 return row, col
         cell = row * self.cols + col
         for _ in range(self.rows * self.cols):
             cell = (cell + 1) % (self.rows * self.cols)
-            if self.may_erode(cell // self.cols, cell % self.cols):
+            if self.gives(cell // self.cols, cell % self.cols, draws):
                 return cell // self.cols, cell % self.cols
         return None
 
@@ -275,9 +419,9 @@ class Field:
             order = shuffled(size, derive(key, 1 + band))
             for at in range(start * size // cells, stop * size // cells):
                 row, col = first_row + order[at] // self.cols, order[at] % self.cols
-                if self.may_erode(row, col):
-                    poll = number * cells + first_row * self.cols + at
-                    self.move(row, col, Draws(derive(poll_key, poll)))
+                draws = Draws(derive(poll_key, number * cells + first_row * self.cols + at))
+                if self.gives(row, col, draws):
+                    self.move(row, col, draws)
                     if self.tally["moved"] == target:
                         return
 

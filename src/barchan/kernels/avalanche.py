@@ -42,6 +42,22 @@ class Repose(NamedTuple):
     """Whether the four corner neighbours count at all (Moore) or not (von Neumann)."""
     random_order: bool
     """Whether neighbours are checked in a sequence drawn anew each time."""
+    firm_face_limit: int
+    """The same limits where plants hold the sand."""
+    firm_corner_limit: int
+    firm_below: int
+    """Mobility up to which a cell is firm."""
+    release_face: int
+    """How far a step at rest may exceed its limit before it lets go."""
+    release_corner: int
+
+
+class Hold(NamedTuple):
+    """Which steps of one kind hold, on bare and on firm cells."""
+
+    limit: int
+    firm_limit: int
+    firm_below: int
 
 
 def turn_code(direction: int, place: int) -> int:
@@ -74,22 +90,40 @@ def has_sand(surface, sand, cell):
 
 
 @njit(cache=True, forceinline=True)
-def _sorting_key(surface, sand, cell, here, sign, code):
+def _sorting_key(surface, sand, mobility, cell, here, sign, code, hold):
     """A number that sorts neighbours by their step from ``here`` and, at equal steps, by their turn."""
     step = (np.int64(surface[cell]) - here) * sign
     if sand is not None:
         if sign > 0 and sand[cell] == 0:
             code = np.int64(CLOSED)
+    if mobility is not None:
+        if sign > 0 and step <= (hold.firm_limit if mobility[cell] <= hold.firm_below else hold.limit):
+            code = np.int64(CLOSED)
     return (step << 6) + code
 
 
 @njit(cache=True, forceinline=True)
-def steepest(surface, sand, turns, turn, row, col, here, sign, grid, repose):
+def steepest(surface, sand, mobility, turns, turn, row, col, here, sign, at_rest, grid, repose):
     """The way of the steepest step up (``sign`` 1) or down (-1) from ``here`` that does not hold.
 
     ``turns[turn]`` holds the neighbours' codes; of equally steep ways the first in turn is taken, a face
-    before a corner. Returns ``STABLE`` where every step holds.
+    before a corner. The higher cell's limit decides; a step ``at_rest`` must exceed it by the release.
+    Returns ``STABLE`` where every step holds.
     """
+    face_limit = repose.face_limit
+    corner_limit = repose.corner_limit
+    face_hold = Hold(face_limit, repose.firm_face_limit, repose.firm_below)
+    corner_hold = Hold(corner_limit, repose.firm_corner_limit, repose.firm_below)
+    if mobility is not None:
+        if sign > 0:
+            face_limit = min(face_limit, repose.firm_face_limit)
+            corner_limit = min(corner_limit, repose.firm_corner_limit)
+        elif mobility[np.uint64(row * grid.cols + col)] <= repose.firm_below:
+            face_limit = repose.firm_face_limit
+            corner_limit = repose.firm_corner_limit
+    if at_rest:
+        face_limit += repose.release_face
+        corner_limit += repose.release_corner
     north = row + 1
     if north == grid.rows:
         north = 0 if grid.wrap_across else row
@@ -110,15 +144,15 @@ def steepest(surface, sand, turns, turn, row, col, here, sign, grid, repose):
     c = np.uint64(col)
     face = max(
         max(
-            _sorting_key(surface, sand, n + c, here, sign, turns[turn, NORTH]),
-            _sorting_key(surface, sand, s + c, here, sign, turns[turn, SOUTH]),
+            _sorting_key(surface, sand, mobility, n + c, here, sign, turns[turn, NORTH], face_hold),
+            _sorting_key(surface, sand, mobility, s + c, here, sign, turns[turn, SOUTH], face_hold),
         ),
         max(
-            _sorting_key(surface, sand, level + e, here, sign, turns[turn, EAST]),
-            _sorting_key(surface, sand, level + w, here, sign, turns[turn, WEST]),
+            _sorting_key(surface, sand, mobility, level + e, here, sign, turns[turn, EAST], face_hold),
+            _sorting_key(surface, sand, mobility, level + w, here, sign, turns[turn, WEST], face_hold),
         ),
     )
-    steep = (face >> 6) > repose.face_limit
+    steep = (face >> 6) > face_limit
     if not repose.corners:
         return face & 7 if steep else STABLE
     itself = level + c
@@ -132,15 +166,15 @@ def steepest(surface, sand, turns, turn, row, col, here, sign, grid, repose):
     sw = itself if no_south or no_west else s + w
     corner = max(
         max(
-            _sorting_key(surface, sand, ne, here, sign, turns[turn, NORTHEAST]),
-            _sorting_key(surface, sand, nw, here, sign, turns[turn, NORTHWEST]),
+            _sorting_key(surface, sand, mobility, ne, here, sign, turns[turn, NORTHEAST], corner_hold),
+            _sorting_key(surface, sand, mobility, nw, here, sign, turns[turn, NORTHWEST], corner_hold),
         ),
         max(
-            _sorting_key(surface, sand, se, here, sign, turns[turn, SOUTHEAST]),
-            _sorting_key(surface, sand, sw, here, sign, turns[turn, SOUTHWEST]),
+            _sorting_key(surface, sand, mobility, se, here, sign, turns[turn, SOUTHEAST], corner_hold),
+            _sorting_key(surface, sand, mobility, sw, here, sign, turns[turn, SOUTHWEST], corner_hold),
         ),
     )
-    if (corner >> 6) > repose.corner_limit:
+    if (corner >> 6) > corner_limit:
         if not steep or (corner >> 6) * repose.corner_weight > (face >> 6):
             return corner & 7
     return face & 7 if steep else STABLE

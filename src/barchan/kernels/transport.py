@@ -1,24 +1,13 @@
-"""Slab transport: polled cells give a slab to the wind, which carries it until it settles.
+"""Slab transport: the polls of a step, band by band, and steps one after the other.
 
-This is Werner's rule (1995, Geology 23, 1107-1110) with the variants of later models told apart by data.
-All work is done in the wind's frame (see ``shadow``), on flat arrays of whole numbers.
+This is Werner's rule (1995, Geology 23, 1107-1110) with the variants of later models told apart by data; a
+poll itself is in ``saltation``.
 """
-
-from typing import NamedTuple
 
 import numpy as np
 from numba import njit
 
-from barchan.kernels.avalanche import (
-    DRAWN,
-    FEED,
-    SLIDE,
-    STABLE,
-    draw_turns,
-    has_sand,
-    neighbour,
-    steepest,
-)
+from barchan.kernels.flight import measure_levels
 from barchan.kernels.polling import (
     BLOCK,
     count_polls_by_row,
@@ -28,219 +17,24 @@ from barchan.kernels.polling import (
     shuffle_cells,
     take_cells,
 )
-from barchan.kernels.random import GOLDEN, below, derive, high, low, mix
-from barchan.kernels.shadow import in_shadow
-
-CELL = 1 << 32
-"""One cell in the fixed-point numbers that positions and hops are kept in."""
-
-TRAVEL_UNIT = 1 << 16
-"""One cell in the tally of distances travelled."""
-
-MOVED, LEFT, CAPPED, TRAVEL_ALONG, TRAVEL_ACROSS, SLICES, STILL, EXHAUSTED = range(8)
-"""Places in a tally: slabs moved, slabs that left, slabs put down after ``max_hops``, distances
-travelled on the wind, slices run, how many of the last slices moved nothing, and slices cut short
-because no cell could erode."""
-TALLY_SIZE = 8
-
-FORCED_TRIES = 1000
-"""Cells that a forced poll draws before it walks on through the lattice in order."""
-
-
-class Wind(NamedTuple):
-    """How the wind takes, carries and drops a slab."""
-
-    lee_erosion: bool
-    """Whether a cell in shadow may give a slab."""
-    hop_along: int
-    """One hop in 1/``CELL`` cells."""
-    hop_across: int
-    settle_on_sand: np.uint64
-    """Chance of settling where there is sand, in 2**-32."""
-    settle_on_ground: np.uint64
-    max_hops: int
-
-
-@njit(cache=True, forceinline=True)
-def _may_erode(surface, sand, heights, row, col, peak, grid, wind, axis, ray):
-    cell = np.uint64(row * grid.cols + col)
-    sandy = has_sand(surface, sand, cell)
-    if wind.lee_erosion or (ray is not None and not sandy):
-        return sandy
-    return not in_shadow(heights, row, col, surface[cell], peak, grid, axis, ray) and sandy
-
-
-@njit(cache=True)
-def _forced_cell(surface, sand, heights, first_row, rows, row, col, state, peak, grid, wind, axis, ray):
-    """Look for a cell that can erode: at random within the band, then onwards through the lattice.
-
-    Returns its row (negative where none is left), column and the advanced random state.
-    """
-    for attempt in range(FORCED_TRIES + grid.rows * grid.cols):
-        if attempt < FORCED_TRIES:
-            state += GOLDEN
-            draw = mix(state)
-            col = below(high(draw), grid.cols)
-            row = first_row + below(low(draw), rows)
-        else:
-            col += 1
-            if col == grid.cols:
-                col = 0
-                row = row + 1 if row + 1 < grid.rows else 0
-        if _may_erode(surface, sand, heights, row, col, peak, grid, wind, axis, ray):
-            return row, col, state
-    return -1, col, state
-
-
-@njit(cache=True, forceinline=True)
-def _wrapped(place, size, wrap):
-    """A fixed-point position brought back into the field, or -1 where it has left."""
-    length = size << 32
-    while place >= length:
-        if not wrap:
-            return -1
-        place -= length
-    while place < 0:
-        if not wrap:
-            return -1
-        place += length
-    return place
-
-
-@njit(cache=True, forceinline=True)
-def _change(surface, sand, row, col, grid, slab, count):
-    cell = np.uint64(row * grid.cols + col)
-    surface[cell] += slab * count
-    if sand is not None:
-        sand[cell] += count
-
-
-@njit(cache=True)
-def _run_polls(
-    surface,
-    sand,
-    turns,
-    grid,
-    wind,
-    repose,
-    axis,
-    ray,
-    rows,
-    cols,
-    states,
-    count,
-    redraw,
-    band_row,
-    band_rows,
-    target,
-    peak,
-    tally,
-):
-    """Let ``count`` polls happen, one after the other, until ``target`` slabs have moved in all.
-
-    With ``redraw`` a cell that cannot erode is replaced by one that can. Returns a height that no cell
-    exceeds now.
-    """
-    heights = surface.ctypes.data
-    oblique = (wind.hop_along | wind.hop_across) & (CELL - 1) != 0
-    moved = tally[MOVED]
-    hops = 0
-    left = 0
-    capped = 0
-    for k in range(count):
-        row = rows[np.uint64(k)]
-        col = cols[np.uint64(k)]
-        state = states[np.uint64(k)]
-        if not _may_erode(surface, sand, heights, row, col, peak, grid, wind, axis, ray):
-            if not redraw:
-                continue
-            row, col, state = _forced_cell(
-                surface, sand, heights, band_row, band_rows, row, col, state, peak, grid, wind, axis, ray
-            )
-            if row < 0:
-                tally[EXHAUSTED] += 1
-                break
-        moved += 1
-
-        r = row
-        c = col
-        turn = FEED
-        way = 0
-        while way != STABLE:
-            here = np.int64(surface[np.uint64(r * grid.cols + c)]) - repose.slab
-            way = steepest(surface, sand, turns, turn, r, c, here, 1, grid, repose)
-            if repose.random_order and way != STABLE and turn == FEED:
-                state += GOLDEN
-                draw_turns(turns, FEED, mix(state))
-                turn = DRAWN
-            elif way != STABLE:
-                r, c = neighbour(r, c, way, grid)
-                turn = FEED
-        _change(surface, sand, r, c, grid, repose.slab, -1)
-
-        along = col << 32
-        across = row << 32
-        if oblique:
-            state += GOLDEN
-            draw = mix(state)
-            along |= np.int64(high(draw))
-            across |= np.int64(low(draw))
-        flown = 0
-        settled = False
-        sticks = False
-        while not settled:
-            flown += 1
-            along = _wrapped(along + wind.hop_along, grid.cols, grid.wrap_along)
-            if wind.hop_across != 0:
-                across = _wrapped(across + wind.hop_across, grid.rows, grid.wrap_across)
-                row = across >> 32
-            col = along >> 32
-            if along < 0 or across < 0:
-                break
-            state += GOLDEN
-            chance = high(mix(state))
-            cell = np.uint64(row * grid.cols + col)
-            settle = wind.settle_on_sand if has_sand(surface, sand, cell) else wind.settle_on_ground
-            sticks = chance < settle
-            if axis is not None or not sticks:
-                sticks |= in_shadow(heights, row, col, surface[cell], peak, grid, axis, ray)
-            settled = sticks | (flown == wind.max_hops)
-        hops += flown
-        if not settled:
-            left += 1
-        else:
-            capped += not sticks
-            turn = SLIDE
-            way = 0
-            while way != STABLE:
-                here = np.int64(surface[np.uint64(row * grid.cols + col)]) + repose.slab
-                way = steepest(surface, sand, turns, turn, row, col, here, -1, grid, repose)
-                if repose.random_order and way != STABLE and turn == SLIDE:
-                    state += GOLDEN
-                    draw_turns(turns, SLIDE, mix(state))
-                    turn = DRAWN
-                elif way != STABLE:
-                    row, col = neighbour(row, col, way, grid)
-                    turn = SLIDE
-            _change(surface, sand, row, col, grid, repose.slab, 1)
-            peak = max(peak, np.int64(surface[np.uint64(row * grid.cols + col)]))
-        if moved == target:
-            break
-    tally[MOVED] = moved
-    tally[LEFT] += left
-    tally[CAPPED] += capped
-    tally[TRAVEL_ALONG] += hops * (wind.hop_along >> 16)
-    tally[TRAVEL_ACROSS] += hops * (wind.hop_across >> 16)
-    return peak
+from barchan.kernels.random import derive
+from barchan.kernels.saltation import EXHAUSTED, MOVED, SLICES, STILL, run_polls
 
 
 @njit(cache=True)
 def _poll_round(
     surface,
     sand,
+    mobility,
+    levels,
     turns,
+    sequences,
+    queue,
+    waiting,
     grid,
     wind,
+    speedup,
+    path,
     repose,
     axis,
     ray,
@@ -285,12 +79,19 @@ def _poll_round(
             else:
                 draw_cells(polls, poll, n, first_row, rows, grid.cols, poll_key)
             redraw = schedule.forced and not schedule.each_once
-            peak = _run_polls(
+            peak = run_polls(
                 surface,
                 sand,
+                mobility,
+                levels,
                 turns,
+                sequences,
+                queue,
+                waiting,
                 grid,
                 wind,
+                speedup,
+                path,
                 repose,
                 axis,
                 ray,
@@ -315,9 +116,16 @@ def _poll_round(
 def transport(
     surface,
     sand,
+    mobility,
+    levels,
     turns,
+    sequences,
+    queue,
+    waiting,
     grid,
     wind,
+    speedup,
+    path,
     repose,
     axis,
     ray,
@@ -333,8 +141,12 @@ def transport(
     """Run the polls ``first`` to ``first + count`` of each of ``steps`` steps from ``step`` on.
 
     ``surface`` (flat, in whole units, with room for ``lanes.LANES`` numbers before it) and the slabs
-    ``sand`` on it (None over flat ground, where the surface counts slabs) are changed in place. ``turns``
-    orders the neighbours, one of ``axis`` and ``ray`` tells how shadows fall, and ``key`` is the stream's.
+    ``sand`` on it (None over flat ground, where the surface counts slabs) are changed in place. ``mobility``
+    tells for each cell how freely the wind works there (None: everywhere), ``levels`` is room for what
+    ``speedup`` measures heights against, and ``path`` tells what stops a slab in flight. ``turns`` orders the
+    neighbours; where sand lets go at another angle than it rests at, ``sequences`` does, and ``queue`` and
+    ``waiting`` are room for the cells that slide. One of ``axis`` and ``ray`` tells how shadows fall, and
+    ``key`` is the stream's.
     What happens is added to ``tally``; ``tally[SLICES]`` tells how many steps were run before
     ``schedule.still_limit`` ended the call.
     """
@@ -350,6 +162,8 @@ def transport(
             poll_key = derive(derive(step_key, 4), first)
             target = before + count
             round_ = 0
+        if speedup is not None:
+            measure_levels(surface, levels, speedup)
         going = True
         while going:
             moved = tally[MOVED]
@@ -367,9 +181,16 @@ def transport(
             _poll_round(
                 surface,
                 sand,
+                mobility,
+                levels,
                 turns,
+                sequences,
+                queue,
+                waiting,
                 grid,
                 wind,
+                speedup,
+                path,
                 repose,
                 axis,
                 ray,

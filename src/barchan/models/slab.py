@@ -9,10 +9,13 @@ from numpy.typing import NDArray
 from barchan.bed import Bed
 from barchan.models.base import Model, Tally
 from barchan.models.slab_parameters import SlabTransport
-from barchan.models.slab_tables import FRACTION_BITS, SlabTables, build
+from barchan.models.slab_tables import FRACTION_BITS, Rules, SlabTables, build, settling_sequences
 from barchan.models.wind_frame import WindFrame
 from barchan.streams import Stream
 from barchan.wind.segment import Segment
+
+_MOST_MOBILE = 2**30
+"""Bound of mobilities in whole numbers, so that chances in proportion to them do not overflow."""
 
 
 class SlabModel(Model):
@@ -21,42 +24,75 @@ class SlabModel(Model):
     Parameters = SlabTransport
     parameters: SlabTransport
 
+    def rules(self) -> Rules:
+        """What the model adds to slab transport."""
+        return Rules()
+
+    def mobility(self, bed: Bed, direction: float) -> NDArray[np.float64] | None:
+        """How freely the wind works on each cell: 1 unhindered, 0 not at all; None: 1 everywhere.
+
+        The chance to give a slab is in proportion to it, and so is the chance to hop on after a landing.
+        """
+        return None
+
+    def spell(self, segment: Segment) -> int:
+        """How many steps the model may run before it looks at the bed again."""
+        return segment.steps
+
+    def passed(self, bed: Bed, segment: Segment) -> None:
+        """Do what is due after some steps were run."""
+
     def advance(self, bed: Bed, segment: Segment, stream: Stream, still: int, limit: int) -> Tally:
         """Poll the cells and let the wind carry what they give."""
-        from barchan.kernels import transport as kernel
+        total = Tally(still=still)
+        while total.steps < segment.steps and not (limit and total.still >= limit):
+            rest = segment.part(total.steps, segment.steps - total.steps)
+            part = rest.part(0, min(self.spell(rest), rest.steps))
+            tally = self._transport(bed, part, stream, total.still, limit)
+            self.passed(bed, part.part(0, tally.steps))
+            total.add(tally)
+        return total
+
+    def _transport(self, bed: Bed, segment: Segment, stream: Stream, still: int, limit: int) -> Tally:
+        from barchan.kernels import saltation, transport
         from barchan.kernels.polling import Schedule, work_space
 
         frame = WindFrame.of(segment.direction)
-        tables, surface, sand = self._enter(bed, frame, self.hop_length(segment))
+        mobility = self.mobility(bed, segment.direction)
+        tables, surface, sand, mobile = self._enter(bed, frame, self.hop_length(segment), mobility)
         schedule = Schedule(
             self.parameters.polling == "non_repeated",
             self.parameters.forced_erosion,
             self.parameters.band_rows,
             limit,
         )
-        counts = np.zeros(kernel.TALLY_SIZE, np.int64)
-        counts[kernel.STILL] = still
-        kernel.transport(
-            *(surface, sand, tables.turns.copy(), tables.grid, tables.wind, tables.repose),
-            *(tables.axis, tables.ray),
+        counts = np.zeros(saltation.TALLY_SIZE, np.int64)
+        counts[saltation.STILL] = still
+        releases = tables.repose.release_face or tables.repose.release_corner
+        transport.transport(
+            *(surface, sand, mobile, np.zeros(2, np.int64) if tables.speedup else None),
+            *(tables.turns.copy(), tables.sequences),
+            np.zeros(self.lattice.cells, np.int64) if releases else None,
+            np.zeros(self.lattice.cells, np.uint8) if releases else None,
+            *(tables.grid, tables.wind, tables.speedup, tables.path, tables.repose, tables.axis, tables.ray),
             *(work_space(tables.grid.rows, tables.grid.cols, schedule), schedule),
             *(np.uint64(stream.key), segment.step, segment.steps, segment.first, segment.polls, counts),
         )
         self._leave(bed, frame, surface if sand is None else sand)
-        unit = kernel.TRAVEL_UNIT
-        travel = counts[kernel.TRAVEL_ALONG] / unit, counts[kernel.TRAVEL_ACROSS] / unit
+        unit = saltation.TRAVEL_UNIT
+        travel = counts[saltation.TRAVEL_ALONG] / unit, counts[saltation.TRAVEL_ACROSS] / unit
         travel_x, travel_y = frame.to_map(*travel)
-        steps = int(counts[kernel.SLICES])
+        steps = int(counts[saltation.SLICES])
         return Tally(
             steps=steps,
             polls=steps * segment.polls,
-            moved=int(counts[kernel.MOVED]),
-            left=int(counts[kernel.LEFT]),
-            capped=int(counts[kernel.CAPPED]),
+            moved=int(counts[saltation.MOVED]),
+            left=int(counts[saltation.LEFT]),
+            capped=int(counts[saltation.CAPPED]),
             travel_x=float(travel_x),
             travel_y=float(travel_y),
-            exhausted=int(counts[kernel.EXHAUSTED]),
-            still=int(counts[kernel.STILL]),
+            exhausted=int(counts[saltation.EXHAUSTED]),
+            still=int(counts[saltation.STILL]),
         )
 
     def hop_length(self, segment: Segment) -> float:
@@ -66,21 +102,21 @@ class SlabModel(Model):
         return self.parameters.hop_length
 
     def slope_limits(self) -> tuple[int, ...]:
-        """The repose limits (slabs) towards faces and corners."""
-        face = self.parameters.face_limit(self.lattice)
-        if self.parameters.neighbourhood == "von_neumann":
-            return (face,)
-        return face, self.parameters.corner_step_limit(self.lattice)
+        """The steps (slabs) that stand on bare and firm cells, towards faces and corners."""
+        angles = (self.parameters.release_angle, self.rules().firm_angle)
+        limits = [limit for angle in angles for limit in self.parameters.limits(self.lattice, angle)]
+        return tuple(limits if self.parameters.neighbourhood == "moore" else limits[::2])
 
     def settle(self, bed: Bed, where: NDArray[np.bool_] | None = None) -> int:
         """Relax slopes to the repose limits."""
-        from barchan.kernels.settle import settle_field, settling_turns
+        from barchan.kernels.settle import settle_field
 
         frame = WindFrame(0, 0.0)
-        tables, surface, sand = self._enter(bed, frame, self.parameters.hop_length)
-        turns = settling_turns(self.parameters.neighbourhood == "moore")
+        mobility = None if self.rules().firm_angle is None else self.mobility(bed, 270.0)
+        tables, surface, sand, mobile = self._enter(bed, frame, self.parameters.hop_length, mobility)
+        sequences = settling_sequences(self.parameters.neighbourhood == "moore")
         upset = np.ones(bed.sand.size, np.bool_) if where is None else where.ravel().copy()
-        moved = int(settle_field(surface, sand, upset, turns, tables.grid, tables.repose))
+        moved = int(settle_field(surface, sand, mobile, upset, sequences, tables.grid, tables.repose))
         self._leave(bed, frame, surface if sand is None else sand)
         return moved
 
@@ -89,20 +125,25 @@ class SlabModel(Model):
         from barchan.kernels.shadow import shadow_zone
 
         frame = WindFrame.of(direction)
-        tables, surface, _ = self._enter(bed, frame, self.parameters.hop_length)
+        tables, surface, _, _ = self._enter(bed, frame, self.parameters.hop_length, None)
         zone = np.zeros(self.lattice.cells, np.bool_)
         shadow_zone(surface, tables.grid, tables.axis, tables.ray, zone)
         return frame.leave(zone.reshape(tables.grid.rows, tables.grid.cols)).copy()
 
     def facts(self) -> dict[str, str]:
         """The angles of repose that whole slabs really hold."""
-        face, corner = self.parameters.effective_angles(self.lattice)
-        steps = f"{self.parameters.face_limit(self.lattice)} slabs"
-        facts = {"effective repose angle": f"{face:.1f}° towards faces ({steps})"}
-        if corner is not None:
-            steps = f"{self.parameters.corner_step_limit(self.lattice)} slabs"
-            facts["effective repose angle"] += f", {corner:.1f}° towards corners ({steps})"
-        return facts
+        named = {
+            "effective repose angle": self.parameters.repose_angle,
+            "effective release angle": self.parameters.release_angle,
+            "effective repose angle of firm cells": self.rules().firm_angle,
+        }
+        return {name: self._angles(angle) for name, angle in named.items() if angle is not None}
+
+    def _angles(self, angle: float) -> str:
+        face, corner = self.parameters.effective_angles(self.lattice, angle)
+        face_limit, corner_limit = self.parameters.limits(self.lattice, angle)
+        text = f"{face:.1f}° towards faces ({face_limit} slabs)"
+        return text if corner is None else f"{text}, {corner:.1f}° towards corners ({corner_limit} slabs)"
 
     def remarks(self, hop_length: float | None, direction: float) -> list[str]:
         """Warn of hops that the field's edges dominate."""
@@ -115,17 +156,26 @@ class SlabModel(Model):
         return []
 
     def _enter(
-        self, bed: Bed, frame: WindFrame, hop: float
-    ) -> tuple[SlabTables, NDArray, NDArray[np.int32] | None]:
-        """Tables, surface and sand (None over flat ground) in the wind's frame, flat, with room before."""
+        self, bed: Bed, frame: WindFrame, hop: float, mobility: NDArray[np.float64] | None
+    ) -> tuple[SlabTables, NDArray, NDArray[np.int32] | None, NDArray[np.int32] | None]:
+        """Tables, surface, sand (None over flat ground) and mobility in the wind's frame, flat.
+
+        The surface has room before it for the shadow test.
+        """
+        from barchan.kernels.flight import MOBILE
+
         flat = bool((bed.ground == bed.ground.flat[0]).all())
-        tables = _tables(self.parameters, self.lattice, frame, hop, flat)
+        tables = _tables(self.parameters, self.rules(), self.lattice, frame, hop, flat)
+        mobile = None
+        if mobility is not None:
+            whole = np.clip(np.rint(mobility * MOBILE), -_MOST_MOBILE, _MOST_MOBILE).astype(np.int32)
+            mobile = np.ascontiguousarray(frame.enter(whole)).ravel()
         sand = frame.enter(bed.sand)
         if flat:
-            return tables, _with_room(sand, np.int32), None
+            return tables, _with_room(sand, np.int32), None, mobile
         units = np.rint(frame.enter(bed.ground) / self.lattice.thickness * 2.0**FRACTION_BITS)
         surface = units.astype(np.int64) + (sand.astype(np.int64) << FRACTION_BITS)
-        return tables, _with_room(surface, np.int64), np.ascontiguousarray(sand).ravel().copy()
+        return tables, _with_room(surface, np.int64), np.ascontiguousarray(sand).ravel().copy(), mobile
 
     def _leave(self, bed: Bed, frame: WindFrame, sand: NDArray) -> None:
         rows, cols = frame.enter(bed.sand).shape
@@ -142,5 +192,7 @@ def _with_room(field: NDArray, dtype: Any) -> NDArray:
 
 
 @lru_cache(maxsize=64)
-def _tables(parameters: SlabTransport, lattice: Any, frame: WindFrame, hop: float, flat: bool) -> SlabTables:
-    return build(parameters, lattice, frame, hop, flat)
+def _tables(
+    parameters: SlabTransport, rules: Rules, lattice: Any, frame: WindFrame, hop: float, flat: bool
+) -> SlabTables:
+    return build(parameters, rules, lattice, frame, hop, flat)

@@ -1,9 +1,9 @@
 """The parameters of slab transport, shared by every slab model."""
 
 import math
-from typing import Annotated, Literal
+from typing import Annotated, Literal, Self
 
-from pydantic import Field
+from pydantic import Field, model_validator
 
 from barchan.bed import Lattice
 from barchan.parameters import Parameters, parameter
@@ -100,6 +100,17 @@ class SlabTransport(Parameters):
         "lets it stand one slab steeper.",
         source="before: seed 000, Alg. 4 and 5",
     )
+    release_angle: float | None = parameter(
+        None,
+        unit="degrees",
+        ge=1,
+        lt=90,
+        live=True,
+        group="avalanches",
+        meaning="Angle above which sand at rest lets go, to come to rest again at the repose angle; the "
+        "repose angle itself where it is not given.",
+        source="seed 000, §2.1.2: 35 degrees, coming to rest at 32 to 33",
+    )
     neighbourhood: Literal["von_neumann", "moore"] = parameter(
         "von_neumann",
         unit="-",
@@ -134,6 +145,15 @@ class SlabTransport(Parameters):
         meaning="Whether sand may slide against the wind; without it profiles become asymmetric.",
         source="seed 004, Fig. 5",
     )
+    path_test: Literal["off", "hard", "surface"] = parameter(
+        "off",
+        unit="-",
+        live=True,
+        group="transport",
+        meaning="What stops a slab in flight: nothing (it hops over whatever lies between), ground that "
+        "stands above the surface it has come over by more than the repose limit, or sand as steep too.",
+        source="hard: seed 000, Alg. 7; surface: seed 000, §4.4 and Fig. 4.2",
+    )
     polling: Literal["repeated", "non_repeated"] = parameter(
         "repeated",
         unit="-",
@@ -160,16 +180,26 @@ class SlabTransport(Parameters):
         "is so many cells wide across the wind's nearer axis. The field's width or more means no bands.",
     )
 
-    def face_limit(self, lattice: Lattice) -> int:
-        """Largest step (slabs) to a face neighbour that stands."""
-        return self._limit(math.tan(math.radians(self.repose_angle)) / lattice.aspect)
+    @model_validator(mode="after")
+    def _lets_go_above_rest(self) -> Self:
+        if self.release_angle is not None and self.release_angle < self.repose_angle:
+            raise ValueError(
+                f"release_angle {self.release_angle} degrees is below repose_angle {self.repose_angle}; "
+                "sand cannot let go at a slope that it rests at"
+            )
+        return self
 
-    def corner_step_limit(self, lattice: Lattice) -> int:
+    def face_limit(self, lattice: Lattice, angle: float | None = None) -> int:
+        """Largest step (slabs) to a face neighbour that stands, at the repose angle or another one."""
+        angle = self.repose_angle if angle is None else angle
+        return self._limit(math.tan(math.radians(angle)) / lattice.aspect)
+
+    def corner_step_limit(self, lattice: Lattice, angle: float | None = None) -> int:
         """Largest step (slabs) to a corner neighbour that stands."""
         if self.corner_limit == "face":
-            return self.face_limit(lattice)
+            return self.face_limit(lattice, angle)
+        slope = math.tan(math.radians(self.repose_angle if angle is None else angle)) / lattice.aspect
         if self.corner_limit == "geometric":
-            slope = math.tan(math.radians(self.repose_angle)) / lattice.aspect
             return self._limit(math.sqrt(2) * slope)
         return self._limit(self.corner_limit)
 
@@ -177,10 +207,14 @@ class SlabTransport(Parameters):
         earlier = 1 if self.repose_test == "before" else 0
         return max(1, math.floor(slabs + _ROUNDING)) + earlier
 
-    def effective_angles(self, lattice: Lattice) -> tuple[float, float | None]:
+    def limits(self, lattice: Lattice, angle: float | None = None) -> tuple[int, int]:
+        """Largest steps (slabs) that stand towards faces and corners."""
+        return self.face_limit(lattice, angle), self.corner_step_limit(lattice, angle)
+
+    def effective_angles(self, lattice: Lattice, angle: float | None = None) -> tuple[float, float | None]:
         """Steepest stable slopes (degrees) towards faces and, in a Moore neighbourhood, corners."""
-        face = math.degrees(math.atan(self.face_limit(lattice) * lattice.aspect))
+        face, corner = self.limits(lattice, angle)
+        steepest = math.degrees(math.atan(face * lattice.aspect))
         if self.neighbourhood == "von_neumann":
-            return face, None
-        step = self.corner_step_limit(lattice) * lattice.aspect
-        return face, math.degrees(math.atan(step / math.sqrt(2)))
+            return steepest, None
+        return steepest, math.degrees(math.atan(corner * lattice.aspect / math.sqrt(2)))

@@ -22,57 +22,168 @@ _DIRECTIONS = ((0, 1), (1, 0), (0, -1), (-1, 0), (1, 1), (1, -1), (-1, -1), (-1,
 
 
 @dataclass(frozen=True)
+class HopRule:
+    """How hops grow with height above a reference: cells a slab, and a slab squared."""
+
+    linear: float
+    quadratic: float
+    follows_relief: bool
+    """Whether the reference is the mean less half the mean distance from it, or the mean itself."""
+    whole: bool
+    every_hop: bool
+
+
+@dataclass(frozen=True)
+class Giving:
+    """Chance that a polled cell gives a slab: ``share`` times its mobility, plus ``shift``."""
+
+    share: float = 1.0
+    shift: float = 0.0
+
+
+@dataclass(frozen=True)
+class Rules:
+    """What a model adds to slab transport."""
+
+    hop: HopRule | None = None
+    giving: Giving = Giving()
+    firm_angle: float | None = None
+    """Angle of repose (degrees) of firm cells."""
+    firm_mobility: float = 0.0
+    """Mobility up to which a cell is firm."""
+
+
+@dataclass(frozen=True)
 class SlabTables:
     """A slab model's rules for one wind, as the kernels take them."""
 
     grid: Any
     wind: Any
+    speedup: Any
+    path: Any
     repose: Any
     axis: Any
     ray: Any
     turns: NDArray[np.int64]
+    sequences: NDArray[np.int64]
+    """Orders in which neighbours are checked by avalanches that run until all holds."""
     memory: tuple[NDArray, ...]
     """The arrays whose addresses ``axis`` and ``ray`` hold."""
 
 
 def build(
-    parameters: SlabTransport, lattice: Lattice, frame: WindFrame, hop: float, flat: bool
+    parameters: SlabTransport, rules: Rules, lattice: Lattice, frame: WindFrame, hop: float, flat: bool
 ) -> SlabTables:
     """The tables for a wind in ``frame`` with hops of ``hop`` cells, over flat ground or not."""
-    from barchan.kernels.avalanche import Repose
+    from barchan.kernels.flight import Path
     from barchan.kernels.shadow import Grid
-    from barchan.kernels.transport import CELL, Wind
 
     rows, cols = reversed(lattice.shape) if frame.crossed else lattice.shape
     wraps = lattice.boundary_x == "periodic", lattice.boundary_y == "periodic"
     along, across = reversed(wraps) if frame.crossed else wraps
     grid = Grid(rows, cols, along, across)
-    one = 1 if flat else 1 << FRACTION_BITS
     moore = parameters.neighbourhood == "moore"
-    repose = Repose(
-        slab=one,
-        face_limit=parameters.face_limit(lattice) * one,
-        corner_limit=parameters.corner_step_limit(lattice) * one,
-        corner_weight=1.0 if parameters.corner_limit == "face" else math.sqrt(0.5),
-        corners=moore,
-        random_order=parameters.neighbour_order == "random",
-    )
-    wind = Wind(
-        lee_erosion=parameters.lee_erosion,
-        hop_along=round(hop * math.cos(frame.angle) * CELL),
-        hop_across=round(hop * math.sin(frame.angle) * CELL),
-        settle_on_sand=np.uint64(round(parameters.p_s * 2**32)),
-        settle_on_ground=np.uint64(round(parameters.p_ns * 2**32)),
-        max_hops=parameters.max_hops,
-    )
     turns = turn_table(frame.angle, moore, parameters.upwind_avalanches)
+    passes = parameters.path_test == "off" or (parameters.path_test == "hard" and flat)
     fall = math.tan(math.radians(parameters.shadow_angle)) / lattice.aspect
     start = 0.5 if parameters.shadow_from == "edge" else 0.0
+    axis, ray = None, None
     if frame.angle == 0.0:
         axis, memory = _axis_shadow(cols, fall, start, flat)
-        return SlabTables(grid, wind, repose, axis, None, turns, memory)
-    ray, memory = _ray_shadow(grid, frame.angle, fall, start, flat)
-    return SlabTables(grid, wind, repose, None, ray, turns, memory)
+    else:
+        ray, memory = _ray_shadow(grid, frame.angle, fall, start, flat)
+    return SlabTables(
+        grid=grid,
+        wind=_wind(parameters, rules.giving, frame, hop),
+        speedup=rules.hop and _speedup(rules.hop, grid, hop, flat),
+        path=None if passes else Path(parameters.path_test == "surface"),
+        repose=_repose(parameters, rules, lattice, 1 if flat else 1 << FRACTION_BITS),
+        axis=axis,
+        ray=ray,
+        turns=turns,
+        sequences=_sequences(parameters, turns),
+        memory=memory,
+    )
+
+
+def _wind(parameters: SlabTransport, giving: Giving, frame: WindFrame, hop: float) -> Any:
+    from barchan.kernels.flight import CELL, Wind
+
+    unit = math.cos(frame.angle) * CELL, math.sin(frame.angle) * CELL
+    return Wind(
+        lee_erosion=parameters.lee_erosion,
+        hop_along=round(hop * unit[0]),
+        hop_across=round(hop * unit[1]),
+        unit_along=unit[0],
+        unit_across=unit[1],
+        settle_on_sand=np.uint64(round(parameters.p_s * 2**32)),
+        settle_on_ground=np.uint64(round(parameters.p_ns * 2**32)),
+        give_share=round(giving.share * 2**32),
+        give_shift=round(giving.shift * 2**32),
+        max_hops=parameters.max_hops,
+    )
+
+
+def _speedup(rule: HopRule, grid: Any, hop: float, flat: bool) -> Any:
+    from barchan.kernels.flight import LEVEL_BITS, Speedup
+
+    return Speedup(
+        linear=rule.linear,
+        quadratic=rule.quadratic,
+        base=float(hop),
+        longest=float(grid.cols),
+        slabs=1.0 if flat else 2.0**-FRACTION_BITS,
+        shift=LEVEL_BITS if flat else LEVEL_BITS - FRACTION_BITS,
+        share=0.5 / (grid.rows * grid.cols) if rule.follows_relief else 0.0,
+        whole=rule.whole,
+        every_hop=rule.every_hop,
+    )
+
+
+def _repose(parameters: SlabTransport, rules: Rules, lattice: Lattice, one: int) -> Any:
+    from barchan.kernels.avalanche import Repose
+    from barchan.kernels.flight import MOBILE
+
+    face, corner = parameters.limits(lattice)
+    firm_face, firm_corner = parameters.limits(lattice, rules.firm_angle)
+    let_face, let_corner = parameters.limits(lattice, parameters.release_angle)
+    return Repose(
+        slab=one,
+        face_limit=face * one,
+        corner_limit=corner * one,
+        corner_weight=1.0 if parameters.corner_limit == "face" else math.sqrt(0.5),
+        corners=parameters.neighbourhood == "moore",
+        random_order=parameters.neighbour_order == "random",
+        firm_face_limit=firm_face * one,
+        firm_corner_limit=firm_corner * one,
+        firm_below=round(rules.firm_mobility * MOBILE),
+        release_face=(let_face - face) * one,
+        release_corner=(let_corner - corner) * one,
+    )
+
+
+def _sequences(parameters: SlabTransport, turns: NDArray[np.int64]) -> NDArray[np.int64]:
+    """The wind's own order, or a choice of orders to draw from."""
+    from barchan.kernels.avalanche import SLIDE
+
+    if parameters.neighbour_order == "wind":
+        return turns[SLIDE : SLIDE + 1].copy()
+    drawn = settling_sequences(parameters.neighbourhood == "moore")
+    return np.where(turns[SLIDE] < 0, turns[SLIDE], drawn)
+
+
+def settling_sequences(corners: bool) -> NDArray[np.int64]:
+    """Eight orders of neighbours: from each of four directions, one way round and the other."""
+    from barchan.kernels.avalanche import CLOSED, turn_code
+
+    sequences = np.full((8, 8), CLOSED, np.int64)
+    for sequence in range(8):
+        for place in range(4):
+            way = (sequence + (place if sequence < 4 else -place)) % 4
+            sequences[sequence, way] = turn_code(way, place)
+            if corners:
+                sequences[sequence, 4 + way] = turn_code(4 + way, 4 + place)
+    return sequences
 
 
 def turn_table(angle: float, moore: bool, upwind: bool) -> NDArray[np.int64]:

@@ -19,10 +19,10 @@ class Segment:
     seconds: float | None = None
     """Duration, where the scenario has a clock."""
 
-    def part(self, steps: int) -> "Segment":
-        """The first ``steps`` steps of the segment."""
+    def part(self, first: int, steps: int) -> "Segment":
+        """``steps`` steps of the segment, from its step ``first`` (0: the segment's own first) on."""
         seconds = None if self.seconds is None else self.seconds * steps / self.steps
-        return replace(self, steps=steps, seconds=seconds)
+        return replace(self, step=self.step + first, steps=steps, seconds=seconds)
 
 
 def downwind(direction: float) -> tuple[float, float]:
