@@ -211,7 +211,12 @@ class Simulation:
 
     def _paint(self, stroke: Stroke) -> None:
         change = brushed(self.bed, stroke.x, stroke.y, stroke.radius, stroke.amount, stroke.falloff)
-        self.bed.sand[...] += change.astype(np.int32)
+        painted = self.bed.sand + change
+        if painted.max() > np.iinfo(self.bed.sand.dtype).max:
+            raise BarchanError(
+                f"a stroke of {stroke.amount} slabs is more than a cell can hold on what it has"
+            )
+        self.bed.sand[...] = painted
         self.ledger.entered += int(change[change > 0].sum())
         self.ledger.left -= int(change[change < 0].sum())
         self.model.settle(self.bed, change != 0)
