@@ -34,7 +34,7 @@ def load_scenario(source: str | Path | Mapping[str, Any], overrides: Sequence[Ov
         return validate(dict(source), overrides=overrides)
     name, text = _find(str(source))
     data, lines, problems = parse(text, name)
-    if data is None:
+    if data is None and problems:
         raise ScenarioError(problems, name)
     return validate(data, name, lines, overrides, problems)
 
@@ -113,16 +113,12 @@ def _override(data: dict[str, Any], path: KeyPath, text: str) -> list[Problem]:
         if not isinstance(inner, dict):
             return [Problem(".".join(map(str, path[: at + 1])), "is not a group of keys", "command line")]
         group = inner
-    field = Scenario.model_fields.get(str(path[0])) if len(path) == 1 else None
-    if field is not None and field.annotation is str:
-        group[path[-1]] = text
-        return []
     try:
-        group[path[-1]] = json.loads(text, parse_constant=_text)
+        value = json.loads(text, parse_constant=str)
     except json.JSONDecodeError:
-        group[path[-1]] = text
+        value = text
+    field = Scenario.model_fields.get(str(path[0])) if len(path) == 1 else None
+    if field is not None and field.annotation is str and not isinstance(value, str):
+        value = text
+    group[path[-1]] = value
     return []
-
-
-def _text(constant: str) -> str:
-    return constant
