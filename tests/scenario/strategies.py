@@ -4,7 +4,7 @@ from typing import Any, Literal, Union, get_args, get_origin
 
 from hypothesis import strategies as st
 
-from barchan.bed import Lattice
+from barchan.bed import LARGEST_ASPECT, LEAST_ASPECT, Lattice
 from barchan.ground.sand import Part
 from barchan.parameters import NOTE, Parameters
 from barchan.scenario import Scenario
@@ -78,6 +78,8 @@ def _parts() -> st.SearchStrategy[dict[str, Any]]:
 
 
 def _one_height(lattice: dict[str, Any]) -> dict[str, Any]:
-    if lattice.get("slab_aspect") is not None:
-        lattice.pop("slab_height", None)
+    height = lattice.pop("slab_height", None)
+    if height is not None and lattice.get("slab_aspect") is None:
+        cell = lattice.get("cell_size", 1.0)
+        lattice["slab_height"] = min(max(height, 2 * LEAST_ASPECT * cell), LARGEST_ASPECT / 2 * cell)
     return lattice
