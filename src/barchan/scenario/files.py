@@ -28,6 +28,7 @@ def preset_names() -> list[str]:
 def load_scenario(source: str | Path | Mapping[str, Any], overrides: Sequence[Override] = ()) -> Scenario:
     """A scenario from a preset's name, a JSON file or plain data, with single values overridden.
 
+    A ``path`` within a file starts where the file lies, elsewhere in the working folder.
     Raises ScenarioError with every problem found: unknown keys, wrong types, values out of range.
     """
     if isinstance(source, Mapping):
@@ -36,6 +37,7 @@ def load_scenario(source: str | Path | Mapping[str, Any], overrides: Sequence[Ov
     data, lines, problems = parse(text, name)
     if data is None and problems:
         raise ScenarioError(problems, name)
+    _anchor(data, Path(source).absolute().parent)
     return validate(data, name, lines, overrides, problems)
 
 
@@ -101,6 +103,15 @@ def _find(source: str) -> tuple[str, str]:
     known = ", ".join(preset_names())
     message = f"no preset and no file of this name{nearest(source, preset_names())}; presets: {known}"
     raise ScenarioError([Problem("", message)], f"'{source}'")
+
+
+def _anchor(data: Any, folder: Path) -> None:
+    """Let every ``path`` in a file's data start where the file lies."""
+    inner = data if isinstance(data, list) else data.values() if isinstance(data, dict) else ()
+    for item in inner:
+        _anchor(item, folder)
+    if isinstance(data, dict) and isinstance(data.get("path"), str):
+        data["path"] = str(folder / data["path"])
 
 
 def _override(data: dict[str, Any], path: KeyPath, text: str) -> list[Problem]:

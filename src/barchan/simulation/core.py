@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from barchan.bed import Bed, Lattice
 from barchan.errors import BarchanError, Problem, ScenarioError
 from barchan.ground.brush import brushed
+from barchan.ground.start import first_bed
 from barchan.models import Model, Tally, models
 from barchan.parameters import declarations
 from barchan.scenario import Scenario, nearest, validate
@@ -68,10 +69,8 @@ class Simulation:
     def __init__(self, scenario: Scenario) -> None:
         """Build the bed of a scenario; without a seed one is drawn, see ``simulation.scenario``."""
         self._set_up(scenario.seeded())
-        lattice = self.scenario.lattice
-        ground = self.scenario.ground.elevation(lattice)
-        slabs = self.scenario.sand.slabs(lattice, Stream(self.scenario.seed, "initial surface"))
-        self.bed = Bed(lattice, ground, slabs)
+        scene = self.scenario
+        self.bed = first_bed(scene.lattice, scene.ground, scene.sand, scene.seed)
         self.model.prepare(self.bed)
         self.ledger = Ledger(self.bed.slabs)
         self.model.settle(self.bed)
