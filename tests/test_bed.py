@@ -93,7 +93,7 @@ def test_frames_carry_the_fields_that_are_declared_for_them_and_no_others():
     assert frame["hardness"].dtype == np.float32
 
 
-@given(st.integers(1, 12), st.integers(8, 20), st.integers(0, 2**20), st.floats(0.001, 100))
+@given(st.integers(1, 12), st.integers(8, 20), st.integers(0, 2**20), st.floats(0.001, 10))
 def test_a_level_bed_stands_at_its_stack_everywhere(rows, columns, stack, height):
     bed = bed_of(np.full((rows, columns), stack), slab_height=height)
     assert bed.elevation.shape == (rows, columns)

@@ -38,9 +38,6 @@ def test_single_values_are_overridden_as_keywords():
     assert (scenario.run.steps, scenario.model.polling, scenario.run.seed) == (5, "non_repeated", None)
 
 
-@pytest.mark.xfail(
-    strict=True, reason="reading.load writes texts as JSON, and files._override keeps the quotes"
-)
 @pytest.mark.parametrize("title", ["Dunes", "2024", 'with "quotes"'])
 def test_a_title_is_overridden_as_a_keyword(title):
     assert barchan.load("barchans", title=title).title == title

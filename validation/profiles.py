@@ -22,7 +22,12 @@ def rows():
         slopes = f"windward {spread(case['windward_slope'])}°, lee {spread(case['lee_slope'])}°"
         yield Row(f"lee to windward slope, {name}", published, f"{spread(ratio)} ({slopes})")
     asymmetry = [np.abs(np.log(ratio)) for ratio in ratios]
-    yield order("|log of the ratio|, none upwind against either way", "larger", asymmetry[1], asymmetry[0])
+    yield order(
+        "asymmetry (log of the ratio, either sign), none upwind against either way",
+        "larger",
+        asymmetry[1],
+        asymmetry[0],
+    )
 
 
 READING = """

@@ -16,6 +16,7 @@ from barchan.parameters import Parameters, parameter
 Boundary = Literal["periodic", "open"]
 
 DEFAULT_ASPECT = 1 / 3
+LEAST_ASPECT, LARGEST_ASPECT = 1e-4, 10.0
 
 
 class Lattice(Parameters):
@@ -29,13 +30,13 @@ class Lattice(Parameters):
         256, unit="cells", ge=8, le=65536, meaning="Cells from west to east.", source="seed 000, Table 6.1"
     )
     cell_size: float = parameter(
-        1.0, unit="m", gt=0, le=1e6, scale="log", meaning="Width of a cell.", source="seed 000, §4.3"
+        1.0, unit="m", ge=1e-4, le=1e6, scale="log", meaning="Width of a cell.", source="seed 000, §4.3"
     )
     slab_aspect: float | None = parameter(
         None,
         unit="-",
-        gt=0,
-        le=10,
+        ge=LEAST_ASPECT,
+        le=LARGEST_ASPECT,
         meaning="Height of a slab as a fraction of the cell's width; 1/3 where neither this nor "
         "slab_height is given.",
         source="Momiji et al. 2000; seed 000, §4.3",
@@ -56,6 +57,11 @@ class Lattice(Parameters):
             raise ValueError(
                 f"slab_aspect {self.slab_aspect} and slab_height {self.slab_height} m are both given; "
                 "give one of them"
+            )
+        if not LEAST_ASPECT <= self.aspect <= LARGEST_ASPECT:
+            raise ValueError(
+                f"slab_height {self.slab_height} m is {self.aspect:g} of cell_size {self.cell_size} m; "
+                f"allowed: {LEAST_ASPECT:g} to {LARGEST_ASPECT:g} of it"
             )
         return self
 

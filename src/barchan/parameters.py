@@ -65,6 +65,10 @@ class Parameters(BaseModel):
         default=None, description="A comment, kept but not used.", repr=False
     )
 
+    def __hash__(self) -> int:
+        """Of all but the note, which may be a list and so have no hash."""
+        return hash(tuple(value for name, value in self if name != NOTE))
+
 
 @dataclass(frozen=True)
 class Declaration:
@@ -129,10 +133,12 @@ def type_name(annotation: Any) -> str:
     if annotation is type(None):
         return "null"
     origin, args = get_origin(annotation), get_args(annotation)
+    if isinstance(annotation, type) and issubclass(annotation, Parameters):
+        return "group { … }"
     if origin is Literal:
         return " | ".join(repr(choice) for choice in args)
     if origin in (Union, UnionType):
-        return " | ".join(type_name(arg) for arg in args)
+        return " | ".join(dict.fromkeys(type_name(arg) for arg in args))
     if origin in (list, tuple):
         return f"list of {type_name(args[0])}"
     if hasattr(annotation, "__metadata__"):
@@ -141,15 +147,14 @@ def type_name(annotation: Any) -> str:
     return getattr(annotation, "__name__", str(annotation))
 
 
-_SIGNS = (("gt", ">"), ("ge", "≥"), ("lt", "<"), ("le", "≤"))
+_SIGNS = (("gt", ">"), ("ge", "≥"), ("lt", "<"), ("le", "≤"), ("max_length", "with length ≤"))
 
 
 def allowed(field: FieldInfo) -> str:
     """The values a parameter may take, in words: type, choices and bounds."""
     parts = [part for constraint in field.metadata for part in _bounds([constraint])]
     text, *rest = type_name(field.annotation).split(" | ")
-    plain = [_bounded(text, parts), *rest] if text.endswith("number") else [text, *rest]
-    return " | ".join(plain)
+    return " | ".join([_bounded(text, parts), *rest])
 
 
 def _bounds(constraints: Iterable[Any]) -> list[str]:

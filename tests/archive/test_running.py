@@ -5,7 +5,7 @@ import pytest
 import barchan
 from barchan.archive import open_run, reopen, resume, run, run_info
 from barchan.archive.dataset import scenario_in
-from barchan.errors import ArchiveError, BarchanError
+from barchan.errors import ArchiveError, BarchanError, ScenarioError
 from barchan.simulation import SetParameter, SetWind, Simulation, Stroke
 from barchan.wind import Steady
 from tests.tiny import RIDGES, VARIANTS, tiny
@@ -121,6 +121,12 @@ def test_a_run_cannot_be_made_shorter_than_it_is(fresh, steps):
         resume(fresh, steps=steps)
     assert (fresh / "scenario.json").read_text() == before
     assert not (fresh / "writer.lock").exists()
+
+
+def test_a_run_cannot_be_made_longer_than_a_scenario_may_be(fresh):
+    with pytest.raises(ScenarioError, match=r"run\.steps: is 10000000000000; allowed"):
+        resume(fresh, steps=10**13)
+    assert resume(fresh).simulation.steps_done == 20
 
 
 def test_a_run_that_ended_early_cannot_be_made_longer(tmp_path):

@@ -44,7 +44,6 @@ def test_checking_runs_nothing_and_writes_nothing(here, barchan):
     assert [path.name for path in here.iterdir()] == ["tiny.json"]
 
 
-@pytest.mark.xfail(strict=True, reason="cli.check prints the scenario's name as markup")
 @pytest.mark.parametrize("name", ["dunes[a].json", "dunes[/a].json"])
 def test_a_file_with_brackets_is_told_by_its_name(here, barchan, name):
     place = here / name

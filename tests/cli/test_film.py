@@ -47,8 +47,5 @@ def test_what_cannot_be_filmed_is_a_clear_error(finished, barchan, words, said):
     assert "Traceback" not in result.err
 
 
-@pytest.mark.xfail(
-    strict=True, raises=OSError, reason="figures.film passes the system's errors on as they are"
-)
 def test_a_place_where_nothing_can_be_written_is_a_clear_error(finished, barchan):
     assert barchan("film", finished, "--out", "nowhere/dunes.gif", "--size", "48").code == 1

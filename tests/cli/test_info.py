@@ -45,14 +45,12 @@ def test_a_long_title_is_told_whole(here, barchan):
     assert title in " ".join(barchan("info", "tiny").out.split())
 
 
-@pytest.mark.xfail(strict=True, reason="cli.report.print_table folds a command like any other text")
 def test_the_command_that_goes_on_stands_on_one_line(here, barchan):
     folder = here / "a-folder-of-a-rather-long-name" / "with-another-one-in-it"
     Archive.create(folder, Simulation(tiny())).close()
     assert f"barchan resume {folder}" in barchan("info", folder).out
 
 
-@pytest.mark.xfail(strict=True, reason="cli.info prints titles as markup")
 @pytest.mark.parametrize("title", ["[/]", "dunes [red] and blue", "[bold]dunes"])
 def test_a_title_with_brackets_is_told_as_it_is(here, barchan, title):
     barchan("run", "tiny.json", "--quiet", "--no-picture", "--title", title)

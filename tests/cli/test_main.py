@@ -36,9 +36,6 @@ def test_what_is_not_there_is_told_on_stderr(here, barchan, words, said):
     assert said in result.err
 
 
-@pytest.mark.xfail(
-    strict=True, reason="cli.show and cli.film ask for the scenario first, and that looks for presets"
-)
 @pytest.mark.parametrize("command", ["show", "film"])
 def test_a_folder_that_is_no_run_is_called_so(here, barchan, command):
     assert "not a run" in barchan(command, "nonesuch").err

@@ -57,7 +57,6 @@ def test_a_run_that_is_interrupted_is_saved_and_tells_how_to_go_on(here, long_ru
         assert one.identical(other)
 
 
-@pytest.mark.xfail(strict=True, reason="cli.run and cli.resume do not quote the folder")
 def test_the_command_that_goes_on_can_be_pasted(here, barchan, monkeypatch):
     monkeypatch.setattr("barchan.cli.terminal.Interrupts.__call__", lambda _: True)
     out = barchan("run", "tiny.json", "--out", "my run", "--no-picture").out

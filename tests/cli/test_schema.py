@@ -61,6 +61,5 @@ def test_what_barchan_refuses_the_schema_refuses(validator, change):
     assert not validator.is_valid({**data(), **change})
 
 
-@pytest.mark.xfail(strict=True, reason="the schema lets a file be without the version of its format")
 def test_the_schema_asks_for_the_formats_version(schema):
     assert "barchan" in schema["required"]

@@ -43,8 +43,5 @@ def profile_of_one_cell(painted, **place):
         pytest.param({"direction": 225.0}, id="through a corner"),
     ],
 )
-@pytest.mark.xfail(
-    strict=True, raises=UserWarning, reason="sections.profile sets two equal limits for a single cell"
-)
 def test_a_section_of_a_single_cell_can_be_drawn(painted, place):
     profile_of_one_cell(painted, **place)

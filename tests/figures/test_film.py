@@ -73,12 +73,10 @@ def test_a_film_of_another_kind_is_refused_before_any_work(tmp_path, dataset):
 
 
 @pytest.mark.parametrize("name", ["film.WEBP", "film.Gif"])
-@pytest.mark.xfail(strict=True, raises=BarchanError, reason="film.film takes only endings in small letters")
 def test_the_case_of_an_ending_makes_no_difference(tmp_path, dataset, name):
     film(dataset, tiny(), tmp_path / name, size=48)
 
 
-@pytest.mark.xfail(strict=True, raises=OSError, reason="film.film passes the system's errors on as they are")
 def test_a_film_that_cannot_be_written_is_a_clear_error(tmp_path, dataset):
     with pytest.raises(BarchanError, match="cannot write"):
         film(dataset, tiny(), tmp_path / "nowhere" / "film.gif", size=48)

@@ -182,9 +182,6 @@ def test_space_and_time_shows_every_frame_at_its_step():
     assert mesh.get_coordinates()[:, 0, 1].tolist() == [-2.5, 2.5, 7.5, 12.5, 17.5, 22.5]
 
 
-@pytest.mark.xfail(
-    strict=True, raises=IndexError, reason="sections.section_along_wind takes any number for a place"
-)
 @pytest.mark.parametrize("at", [-0.5, 2.0])
 def test_a_place_beside_the_field_is_refused(at):
     with pytest.raises(ValueError, match="0 to 1"):

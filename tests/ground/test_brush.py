@@ -3,7 +3,6 @@
 import math
 
 import numpy as np
-import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -77,7 +76,6 @@ def _close_to_a_half(bed, x, y, radius, amount, falloff):
     return near
 
 
-@pytest.mark.xfail(strict=True, reason="brush._distance takes one period off, not as many as it needs")
 def test_a_stroke_a_whole_field_away_is_the_same_stroke_where_edges_are_joined():
     bed = bed_of()
     near = brushed(bed, 27.0, 7.0, 5.0, 4, "smooth")

@@ -9,11 +9,13 @@ from hypothesis import strategies as st
 from pydantic import ValidationError
 
 from barchan.bed import Lattice
-from barchan.ground.sand import DroppedSand, FlatSand, Part, RandomSand
+from barchan.ground.layer import Part
+from barchan.ground.sand import DroppedSand, FlatSand, RandomSand
 from barchan.streams import Stream
 
 SMALL = Lattice(rows=16, columns=24)
 LARGE = Lattice(rows=150, columns=200)
+LEVEL = np.zeros(1)
 KINDS = [FlatSand, RandomSand, DroppedSand]
 
 
@@ -22,11 +24,11 @@ def stream(seed=5):
 
 
 def test_flat_sand_lies_equally_high_everywhere():
-    assert set(FlatSand(mean=4).slabs(SMALL, stream()).ravel()) == {4}
+    assert set(FlatSand(mean=4).slabs(SMALL, LEVEL, stream()).ravel()) == {4}
 
 
 def test_random_sand_has_one_slab_less_none_or_one_more_with_equal_chance():
-    slabs = RandomSand(mean=4).slabs(LARGE, stream())
+    slabs = RandomSand(mean=4).slabs(LARGE, LEVEL, stream())
     counts = np.bincount(slabs.ravel(), minlength=6)
     assert counts[:3].sum() == 0
     assert counts.size == 6
@@ -35,20 +37,20 @@ def test_random_sand_has_one_slab_less_none_or_one_more_with_equal_chance():
 
 
 def test_random_sand_about_nothing_never_takes_what_is_not_there():
-    slabs = RandomSand(mean=0).slabs(SMALL, stream())
+    slabs = RandomSand(mean=0).slabs(SMALL, LEVEL, stream())
     assert set(slabs.ravel()) == {0, 1}
 
 
 @given(st.floats(0, 30), st.integers(1, 20), st.integers(8, 20))
 def test_dropped_sand_has_exactly_the_stated_mean(mean, rows, columns):
     lattice = Lattice(rows=rows, columns=columns)
-    slabs = DroppedSand(mean=mean).slabs(lattice, stream())
+    slabs = DroppedSand(mean=mean).slabs(lattice, LEVEL, stream())
     assert slabs.sum() == round(mean * rows * columns)
 
 
 def test_dropped_sand_falls_on_every_cell_alike():
     mean = 4.0
-    slabs = DroppedSand(mean=mean).slabs(LARGE, stream())
+    slabs = DroppedSand(mean=mean).slabs(LARGE, LEVEL, stream())
     variance = mean * (1 - 1 / LARGE.cells)
     error = variance * math.sqrt((2 + 1 / mean) / LARGE.cells)
     assert abs(slabs.var() - variance) < 4 * error
@@ -60,7 +62,7 @@ def test_dropped_sand_falls_on_every_cell_alike():
 
 def test_a_part_covers_its_share_of_columns_from_west_and_of_rows_from_south():
     part = Part(mean=9.0, west=0.25, east=0.5, south=0.75, north=1.0)
-    slabs = FlatSand(mean=1, parts=[part]).slabs(SMALL, stream())
+    slabs = FlatSand(mean=1, parts=[part]).slabs(SMALL, LEVEL, stream())
     expected = np.ones((16, 24), int)
     expected[12:16, 6:12] = 9
     np.testing.assert_array_equal(slabs, expected)
@@ -68,14 +70,14 @@ def test_a_part_covers_its_share_of_columns_from_west_and_of_rows_from_south():
 
 def test_later_parts_lie_over_earlier_ones():
     parts = [Part(mean=9.0), Part(mean=2.0, east=0.5)]
-    slabs = FlatSand(mean=1, parts=parts).slabs(SMALL, stream())
+    slabs = FlatSand(mean=1, parts=parts).slabs(SMALL, LEVEL, stream())
     assert set(slabs[:, :12].ravel()) == {2}
     assert set(slabs[:, 12:].ravel()) == {9}
 
 
 def test_each_part_of_dropped_sand_has_its_own_mean():
     part = Part(mean=7.5, west=0.5, north=0.5)
-    slabs = DroppedSand(mean=2.0, parts=[part]).slabs(SMALL, stream())
+    slabs = DroppedSand(mean=2.0, parts=[part]).slabs(SMALL, LEVEL, stream())
     assert slabs[:8, 12:].sum() == round(7.5 * 8 * 12)
 
 
@@ -84,16 +86,16 @@ def test_sand_outside_a_part_is_as_it_would_be_without_the_part():
     outside = np.ones((16, 24), bool)
     outside[:8, 12:] = False
     for kind in KINDS:
-        alone = kind(mean=3).slabs(SMALL, stream())
-        parted = kind(mean=3, parts=[part]).slabs(SMALL, stream())
+        alone = kind(mean=3).slabs(SMALL, LEVEL, stream())
+        parted = kind(mean=3, parts=[part]).slabs(SMALL, LEVEL, stream())
         np.testing.assert_array_equal(parted[outside], alone[outside])
 
 
 @pytest.mark.parametrize("kind", [RandomSand, DroppedSand])
 def test_the_same_seed_lays_the_same_sand_and_another_seed_other_sand(kind):
-    first = kind(mean=3).slabs(SMALL, stream())
-    np.testing.assert_array_equal(first, kind(mean=3).slabs(SMALL, stream()))
-    assert (first != kind(mean=3).slabs(SMALL, stream(6))).any()
+    first = kind(mean=3).slabs(SMALL, LEVEL, stream())
+    np.testing.assert_array_equal(first, kind(mean=3).slabs(SMALL, LEVEL, stream()))
+    assert (first != kind(mean=3).slabs(SMALL, LEVEL, stream(6))).any()
 
 
 @pytest.mark.parametrize(

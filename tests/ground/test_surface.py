@@ -1,34 +1,60 @@
-"""The non-erodible ground."""
+"""What holds for every kind of ground."""
+
+from typing import get_args
 
 import numpy as np
 import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
 
 from barchan.bed import Lattice
-from barchan.ground.surface import Bump, FlatGround
+from barchan.errors import ScenarioError
+from barchan.ground.surface import FileGround, Ground
+from barchan.ground.terrain import HIGHEST
+from barchan.scenario import load_scenario
+from barchan.streams import Stream
+from tests.scenario.strategies import group
+from tests.tiny import data
 
-LATTICE = Lattice(rows=16, columns=24, cell_size=2.0)
-
-
-def test_level_ground_has_its_level_everywhere():
-    elevation = FlatGround(level=-3.5).elevation(LATTICE)
-    assert elevation.shape == (16, 24)
-    assert set(elevation.ravel()) == {-3.5}
-
-
-def test_a_hill_is_as_high_as_stated_at_the_place_stated():
-    elevation = Bump(height=10.0, radius=9.0, x=17 / 48, y=5 / 32).elevation(LATTICE)
-    assert np.unravel_index(elevation.argmax(), elevation.shape) == (2, 8)
-    assert elevation[2, 8] == pytest.approx(10.0)
-
-
-def test_a_hill_has_half_its_height_half_way_to_its_foot_and_none_beyond():
-    elevation = Bump(height=10.0, radius=8.0, x=17 / 48, y=17 / 32).elevation(LATTICE)
-    assert elevation[8, 10] == pytest.approx(5.0)
-    assert elevation[10, 8] == pytest.approx(5.0)
-    assert elevation[8, 12] == 0.0
-    assert elevation[12, 8] == 0.0
+KINDS = [kind for kind in get_args(get_args(Ground)[0]) if kind is not FileGround]
+LATTICES = [
+    Lattice(rows=12, columns=17, cell_size=3.0),
+    Lattice(rows=1, columns=9, boundary_x="open"),
+    Lattice(rows=9, columns=8, cell_size=100.0, boundary_y="open"),
+]
 
 
-def test_a_hollow_is_a_hill_upside_down():
-    hill = Bump(height=4.0, radius=8.0).elevation(LATTICE)
-    np.testing.assert_array_equal(Bump(height=-4.0, radius=8.0).elevation(LATTICE), -hill)
+def stream(seed=4):
+    return Stream(seed, "ground")
+
+
+@settings(suppress_health_check=[HealthCheck.too_slow])
+@given(st.sampled_from(KINDS).flatmap(lambda kind: st.tuples(st.just(kind), group(kind))), st.data())
+def test_every_ground_covers_the_lattice_within_the_allowed_range(drawn, choose):
+    kind, values = drawn
+    lattice = choose.draw(st.sampled_from(LATTICES))
+    ground = kind.model_validate(values)
+    elevation = ground.elevation(lattice, stream())
+    assert elevation.shape == lattice.shape
+    assert elevation.dtype == np.float64
+    assert np.isfinite(elevation).all()
+    assert np.abs(elevation).max() <= HIGHEST
+    assert ground.bare(lattice).shape == lattice.shape
+    assert ground.georeference() == {}
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_the_same_seed_makes_the_same_ground(kind):
+    first = kind().elevation(LATTICES[0], stream())
+    np.testing.assert_array_equal(first, kind().elevation(LATTICES[0], stream()))
+
+
+@pytest.mark.parametrize("kind", [kind for kind in KINDS if "height" in kind.model_fields])
+def test_ground_higher_than_allowed_is_one_clear_error(kind):
+    tag = kind.model_fields["kind"].default
+    with pytest.raises(ScenarioError) as caught:
+        load_scenario({**data(), "ground": {"kind": tag, "height": 2e4}})
+    (problem,) = caught.value.problems
+    assert problem.key == "ground.height"
+    assert problem.message.startswith("is 20000.0; allowed: number ≥ ")
+    assert problem.message.endswith("≤ 10000.0")

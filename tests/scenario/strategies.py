@@ -4,8 +4,8 @@ from typing import Any, Literal, Union, get_args, get_origin
 
 from hypothesis import strategies as st
 
-from barchan.bed import Lattice
-from barchan.ground.sand import Part
+from barchan.bed import LARGEST_ASPECT, LEAST_ASPECT, Lattice
+from barchan.ground.area import Area
 from barchan.parameters import NOTE, Parameters
 from barchan.scenario import Scenario
 
@@ -13,6 +13,9 @@ WIDEST = 10**6
 """Numbers without bounds are drawn within this."""
 
 notes = st.none() | st.text(max_size=5) | st.lists(st.text(max_size=5), max_size=2)
+
+paths = st.sampled_from(["/data/dunes.tif", "/data/dunes.png"])
+"""A path from the root means the same file from anywhere."""
 
 
 def scenarios() -> st.SearchStrategy[dict[str, Any]]:
@@ -22,10 +25,8 @@ def scenarios() -> st.SearchStrategy[dict[str, Any]]:
 
 def group(parameters: type[Parameters]) -> st.SearchStrategy[dict[str, Any]]:
     """Plain data of one group."""
-    if parameters is Part:
-        return _parts()
     given = {
-        name: values(field.annotation, field.metadata)
+        name: values(field.annotation, field.metadata) if name != "path" else paths
         for name, field in parameters.model_fields.items()
         if name != NOTE
     }
@@ -33,6 +34,8 @@ def group(parameters: type[Parameters]) -> st.SearchStrategy[dict[str, Any]]:
     needed |= {n: s for n, s in given.items() if parameters.model_fields[n].is_required()}
     optional = {n: s for n, s in given.items() if n not in needed} | {NOTE: notes}
     drawn = st.fixed_dictionaries(needed, optional=optional)
+    if issubclass(parameters, Area):
+        return drawn.map(_with_area)
     return drawn.map(_one_height) if parameters is Lattice else drawn
 
 
@@ -67,17 +70,16 @@ def _plain(kind: type, metadata: Any) -> st.SearchStrategy[Any]:
     return st.none() if kind is type(None) else st.text(max_size=10)
 
 
-def _parts() -> st.SearchStrategy[dict[str, Any]]:
-    edges = st.lists(st.floats(0, 1), min_size=2, max_size=2, unique=True).map(sorted)
-    return st.builds(
-        lambda mean, x, y: {"mean": mean, "west": x[0], "east": x[1], "south": y[0], "north": y[1]},
-        st.integers(0, 20),
-        edges,
-        edges,
-    )
+def _with_area(area: dict[str, Any]) -> dict[str, Any]:
+    for low, high in (("west", "east"), ("south", "north")):
+        edges = sorted((area.get(low, 0.0), area.get(high, 1.0)))
+        area |= {low: edges[0], high: edges[1]} if edges[0] < edges[1] else {low: 0.0, high: 1.0}
+    return {**area, "mean": round(area["mean"])} if "mean" in area else area
 
 
 def _one_height(lattice: dict[str, Any]) -> dict[str, Any]:
-    if lattice.get("slab_aspect") is not None:
-        lattice.pop("slab_height", None)
+    height = lattice.pop("slab_height", None)
+    if height is not None and lattice.get("slab_aspect") is None:
+        cell = lattice.get("cell_size", 1.0)
+        lattice["slab_height"] = min(max(height, 2 * LEAST_ASPECT * cell), LARGEST_ASPECT / 2 * cell)
     return lattice

@@ -7,6 +7,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
+from barchan.errors import ScenarioError
 from barchan.parameters import NOTE, Parameters
 from barchan.scenario import Scenario, load_scenario
 from barchan.scenario.listing import variants
@@ -21,7 +22,7 @@ def buildable():
     """Valid scenarios small enough to build at once, with slabs, hills and angles as there are."""
     return st.builds(
         lambda drawn, lattice, sand, ground: {**drawn, "lattice": lattice, "sand": sand, "ground": ground},
-        scenarios().map(_without_notes).filter(_holds),
+        scenarios().map(_without_notes),
         group(type(tiny().lattice)).map(_small),
         st.fixed_dictionaries(
             {"kind": st.sampled_from(["flat", "random", "dropped"]), "mean": st.integers(0, 20)}
@@ -31,12 +32,6 @@ def buildable():
             {"kind": st.just("bump"), "radius": st.floats(0.5, 20), "height": st.floats(-9, 9)}
         ),
     )
-
-
-def _holds(drawn):
-    """Whether the angles are not upright."""
-    model = drawn.get("model", {})
-    return model.get("repose_angle", 30) <= 85
 
 
 def _small(lattice):
@@ -105,24 +100,44 @@ def test_every_small_scenario_builds_a_bed_at_rest(drawn):
     assert simulation.model.settle(bed) == 0
 
 
-THIN = {"lattice__slab_height": 1e-300}
-THICK = {"lattice__cell_size": 1e-9, "lattice__slab_height": 1e6}
-UPRIGHT = {"model__repose_angle": 89.99999999999999, "ground": {"kind": "bump"}}
+HILL = {"ground": {"kind": "bump", "height": 1e4, "radius": 1e-3}}
+EXTREMES = {
+    "thin": {"lattice__slab_aspect": 1e-4, "lattice__cell_size": 1e-4},
+    "thick": {"lattice__cell_size": 1e5, "lattice__slab_height": 1e6},
+    "upright": {"model__repose_angle": 89},
+    "thin and upright": {
+        "lattice__slab_aspect": 1e-4,
+        "lattice__cell_size": 1e-4,
+        "model__repose_angle": 89,
+        "model__shadow_angle": 89.99999999999999,
+    },
+}
 
 
-@pytest.mark.xfail(
-    strict=True,
-    reason="models/slab_tables.py: limits and reach overflow, and no bound of slab_height, of the aspect "
-    "that comes of it, or of repose_angle keeps a scenario from it",
+@pytest.mark.filterwarnings("error")
+@pytest.mark.parametrize("direction", [270.0, 220.0])
+@pytest.mark.parametrize("ground", [{}, HILL], ids=["flat", "hill"])
+@pytest.mark.parametrize("extreme", EXTREMES.values(), ids=list(EXTREMES))
+def test_extremes_that_are_allowed_can_be_run(extreme, ground, direction):
+    simulation = Simulation(tiny(**extreme, **ground, wind__direction=direction))
+    assert simulation.advance(1).steps == 1
+    assert simulation.bed.slabs == simulation.ledger.initial
+
+
+@pytest.mark.parametrize(
+    ("beyond", "said"),
+    [
+        ({"lattice__slab_height": 1e-300}, "allowed: 0.0001 to 10"),
+        ({"lattice__cell_size": 1e-3, "lattice__slab_height": 1e6}, "allowed: 0.0001 to 10"),
+        ({"lattice__slab_aspect": 1e-300}, "allowed: number ≥ 0.0001"),
+        ({"model__repose_angle": 89.99999999999999}, "allowed: number ≥ 1 and ≤ 89"),
+    ],
 )
-@pytest.mark.parametrize("extreme", [THIN, THICK, UPRIGHT], ids=["thin", "thick", "upright"])
-def test_extremes_that_are_allowed_can_be_run(extreme):
-    assert Simulation(tiny(**extreme)).advance(1).steps == 1
+def test_extremes_whose_limits_no_stack_could_count_are_refused(beyond, said):
+    with pytest.raises(ScenarioError, match=said):
+        tiny(**beyond)
 
 
-@pytest.mark.xfail(
-    strict=True, raises=TypeError, reason="models/slab.py caches tables by parameters, and a list has no hash"
-)
 @pytest.mark.parametrize("key", ["lattice__note", "model__note"])
 def test_a_note_of_several_lines_hinders_no_run(key):
     simulation = Simulation(tiny(**{key: ["one", "two"]}))

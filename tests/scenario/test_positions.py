@@ -107,7 +107,6 @@ def test_numbers_that_are_none_are_refused(constant):
     assert f"{constant} is not a number" in problem.message
 
 
-@pytest.mark.xfail(strict=True, reason="positions._refuse does not know where it stands")
 def test_numbers_that_are_none_are_reported_with_their_line():
     _, _, (problem,) = parse('{"a": 1,\n"b": NaN}', "file")
     assert problem.place.startswith("file:2")

@@ -165,3 +165,19 @@ def test_a_run_that_had_ended_goes_on_after_an_event():
 def test_data_that_is_no_event_is_refused_with_the_key_at_fault(data, said):
     with pytest.raises(ScenarioError, match=said):
         event_from(data)
+
+
+@pytest.mark.parametrize(
+    ("make", "said"),
+    [
+        (lambda: Stroke(x=1.0, y=2.0, radius=-3.0, amount=1), "radius: is -3.0; allowed: number > 0"),
+        (lambda: Stroke(x=1.0, y=2.0, radius=3.0, amount=1, fallof="none"), "did you mean 'falloff'"),
+        (lambda: Stroke(x=object(), y=2.0, radius=3.0, amount=1), "x: is "),
+        (lambda: SetWind(wind={"kind": "steady", "direction": "N"}), "wind.direction: is 'N'"),
+        (lambda: event_from({"kind": "strok"}), "did you mean 'stroke'"),
+    ],
+)
+def test_an_event_that_is_given_wrongly_says_what_is_allowed(make, said):
+    with pytest.raises(ScenarioError) as caught:
+        make()
+    assert said in str(caught.value)

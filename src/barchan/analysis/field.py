@@ -1,5 +1,6 @@
 """What several measures do to a field first."""
 
+from collections.abc import Sequence
 from typing import Literal
 
 import numpy as np
@@ -30,11 +31,16 @@ def gradient(field: Field, cell_size: float, periodic: Periodic) -> tuple[Field,
     return slopes[0], slopes[1]
 
 
-def tapered(field: Field, periodic: Periodic) -> Field:
-    """The field about its mean, faded out towards edges that are not joined (Hann)."""
+def tapered(field: Field, periodic: Periodic, shift: Sequence[float] | Field = (0.0, 0.0)) -> Field:
+    """The field about its mean, faded out towards edges that are not joined (Hann).
+
+    The window's middle lies ``shift`` (rows, columns) from that of the field.
+    """
     result = field - field.mean()
     for axis in (0, 1):
-        if not periodic[axis] and field.shape[axis] > 2:
-            window = np.hanning(field.shape[axis] + 2)[1:-1]
+        size = field.shape[axis]
+        if not periodic[axis] and size > 2:
+            place = np.clip(np.arange(1, size + 1) - shift[axis], 0, size + 1)
+            window = np.sin(np.pi * place / (size + 1)) ** 2
             result = result * (window[:, None] if axis == 0 else window[None, :])
     return result

@@ -49,34 +49,45 @@ def migration(
     squares through the origin. The shortest lag must be shorter than half a spacing over the speed.
     NaN where the bed has no relief or there are fewer than two surfaces.
     """
-    if len(surfaces) < 2:
+    surfaces = surfaces[-lags - 1 :]
+    if len(surfaces) < 2 or any(np.ptp(surface) == 0 for surface in surfaces):
         return NOWHERE
-    fields = [tapered(smoothed(s, width, periodic), periodic) for s in surfaces[-lags - 1 :]]
-    if min(float(np.abs(f).max()) for f in fields) <= 0:
-        return NOWHERE
+    fields = [smoothed(surface, width, periodic) for surface in surfaces]
     times = np.asarray(steps[-lags - 1 :], float)
-    last = fft.rfft2(fields[-1])
     velocity = np.zeros(2)
     sums = np.zeros(2), 0.0
     correlation = 1.0
     for field, time in zip(fields[-2::-1], times[-2::-1], strict=True):
         elapsed = times[-1] - time
         guess = velocity * elapsed if sums[1] else None
-        shift, correlation = _shift(field, last, guess)
+        shift, correlation = _followed(field, fields[-1], guess, periodic)
         sums = sums[0] + shift * elapsed, sums[1] + elapsed**2
         velocity = sums[0] / sums[1]
     return Migration(float(velocity[1]), float(velocity[0]), correlation)
 
 
-def _shift(before: Field, after: NDArray, guess: Field | None) -> tuple[Field, float]:
-    """Displacement (rows, columns) from ``before`` to the field of spectrum ``after``."""
+PASSES = 3
+"""Times that a displacement is sought where edges are open; each leaves about a tenth of the error."""
+
+
+def _followed(before: Field, after: Field, guess: Field | None, periodic: Periodic) -> tuple[Field, float]:
+    """Displacement (rows, columns) between two fields.
+
+    A window that stood still would hold back what moves through it: the windows of open edges go along.
+    """
+    for _ in range(1 if all(periodic) else PASSES):
+        half = np.zeros(2) if guess is None else guess / 2
+        shift, correlation = _shift(tapered(before, periodic, -half), tapered(after, periodic, half), guess)
+        guess = shift
+    return shift, correlation
+
+
+def _shift(before: Field, after: Field, guess: Field | None) -> tuple[Field, float]:
+    """Displacement (rows, columns) from ``before`` to ``after``, both as if periodic."""
     shape = before.shape
-    spectrum = fft.rfft2(before)
-    product = np.conj(spectrum) * after
-    surface = fft.irfft2(product, shape)
-    norm = np.sqrt(
-        fft.irfft2(np.abs(spectrum) ** 2, shape)[0, 0] * fft.irfft2(np.abs(after) ** 2, shape)[0, 0]
-    )
+    first, second = fft.rfft2(before), fft.rfft2(after)
+    surface = fft.irfft2(np.conj(first) * second, shape)
+    norm = np.linalg.norm(before) * np.linalg.norm(after)
     peak = np.unravel_index(int(np.argmax(surface * _near(shape, guess))), shape)
     place = np.array([_refined(surface, peak, axis) for axis in (0, 1)])
     nearest = np.zeros(2) if guess is None else guess

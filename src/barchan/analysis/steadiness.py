@@ -47,16 +47,15 @@ class SteadyWatch:
         measures = np.array(self.seen)
         if len(measures) < self.looks or not np.isfinite(measures).all():
             return None
-        spread = np.ptp(measures, axis=0)
-        mean = measures.mean(axis=0)
-        relative = spread[[0, 2]] / np.abs(mean[[0, 2]])
-        if max(relative.max(), spread[1]) > self.asked.tolerance:
-            return None
         steps = (self.looks - 1) * self.every
-        spacing, straightness, speed = mean
+        spacing, straightness, speed = measures.mean(axis=0)
+        slowest = 1 / steps  # less than a cell in the whole window: bedforms that stand
+        scale = np.array([spacing, 1.0, max(abs(speed), slowest)])
+        if (np.ptp(measures, axis=0) > self.asked.tolerance * scale).any():
+            return None
         return (
             f"steady for {steps} steps: spacing {spacing:.3g} m, straightness {straightness:.2f}, "
-            f"speed {speed:.3g} cells per step"
+            f"speed {round(speed, 6) + 0.0:.3g} cells per step"
         )
 
     def state(self) -> dict[str, Any]:

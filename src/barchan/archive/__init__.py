@@ -5,7 +5,7 @@ Everything is written so that a process killed at any moment leaves a run that c
 
 from barchan.archive.dataset import dataset_of, simulate
 from barchan.archive.folder import Archive, check_room
-from barchan.archive.reading import RunInfo, load, open_run, run_info
+from barchan.archive.reading import RunInfo, load, open_run, run_info, source_at
 from barchan.archive.running import Outcome, Reopened, reopen, resume, run
 
 __all__ = [
@@ -22,4 +22,5 @@ __all__ = [
     "run",
     "run_info",
     "simulate",
+    "source_at",
 ]

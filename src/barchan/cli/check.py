@@ -1,7 +1,5 @@
 """``barchan check``: is a scenario sound?"""
 
-from pathlib import Path
-
 from barchan.cli.overrides import Tokens, pairs
 
 
@@ -13,15 +11,16 @@ def check(scenario: str, /, *values: Tokens) -> None:
     scenario
         A scenario file, a preset's name, or a run's folder.
     """
-    from barchan.archive.folder import SCENARIO
-    from barchan.cli.terminal import console
+    from barchan.archive import source_at
+    from barchan.cli.terminal import console, print_note
+    from barchan.ground.start import first_bed
     from barchan.models import models
     from barchan.scenario.files import load_scenario
 
-    source = Path(scenario) / SCENARIO if Path(scenario).is_dir() else scenario
-    sound = load_scenario(source, pairs(values))
+    sound = load_scenario(source_at(scenario), pairs(values, check)).seeded()
+    first_bed(sound.lattice, sound.ground, sound.sand, sound.seed)
     console.print(f"{scenario}: sound")
     for name, fact in models()[sound.model.name](sound.model, sound.lattice).facts().items():
         console.print(f"{name}: {fact}")
     for remark in sound.remarks():
-        console.print(f"[yellow]note:[/yellow] {remark}")
+        print_note(remark)

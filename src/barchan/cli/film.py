@@ -39,12 +39,13 @@ def film(
     follow
         Let the colour scale follow each frame instead of holding for the whole run.
     """
-    from barchan.archive import load, open_run
+    from barchan.archive import open_run
+    from barchan.archive.folder import scenario_of
     from barchan.cli.terminal import console
     from barchan.figures.film import film as write
 
     path = out or run / "film.webp"
-    scenario = load(run)
+    scenario = scenario_of(run)
     with open_run(run) as dataset:
         write(
             dataset,

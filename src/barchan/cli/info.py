@@ -12,14 +12,14 @@ def info(run: Path, /) -> None:
         The run's folder.
     """
     from barchan.archive import run_info
-    from barchan.cli.report import print_table
+    from barchan.cli.report import print_table, resume_command
     from barchan.models import models
 
     known = run_info(run)
     scenario = known.scenario
     lattice = scenario.lattice
     facts = models()[scenario.model.name](scenario.model, lattice).facts()
-    state = known.stopped or f"not finished; go on with: barchan resume {run}"
+    state = known.stopped or f"not finished; go on with: {resume_command(run)}"
     rows = [
         ("title", scenario.title or "–"),
         ("model", scenario.model.name),

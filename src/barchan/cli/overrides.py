@@ -1,10 +1,13 @@
 """Values of a scenario given on the command line: ``--model.hop-length 7``."""
 
-from typing import Annotated
+import inspect
+from collections.abc import Callable
+from typing import Annotated, Any
 
 from cyclopts import Parameter
 
 from barchan.errors import Problem, ScenarioError
+from barchan.scenario import Scenario, nearest
 from barchan.scenario.files import Override
 
 Tokens = Annotated[
@@ -19,25 +22,38 @@ Tokens = Annotated[
 """What is left of the command line after its own options."""
 
 
-def pairs(tokens: tuple[str, ...]) -> list[Override]:
+def pairs(tokens: tuple[str, ...], command: Callable[..., Any] | None = None) -> list[Override]:
     """Keys and values from ``--key value`` and ``--key=value``.
 
-    Raises ScenarioError for what is neither.
+    Raises ScenarioError for what is neither, with the option of ``command`` that may have been meant.
     """
+    known = [f"--{name}" for name in [*_options(command), *Scenario.model_fields]]
     found: list[Override] = []
     problems = []
     rest = list(tokens)
     while rest:
         token = rest.pop(0)
-        key, equals, value = token.removeprefix("--").partition("=")
+        option, equals, value = token.partition("=")
+        key = option.removeprefix("--")
         if not token.startswith("--") or not key:
             problems.append(Problem(token, "is not a key; write --key value", "command line"))
-        elif equals:
+            continue
+        given = bool(equals)
+        if not given and rest and not rest[0].startswith("--"):
+            given, value = True, rest.pop(0)
+        if "." not in key and option not in known:
+            message = f"is no option and no key{nearest(option, known)}"
+            problems.append(Problem(option, message, "command line"))
+        elif given:
             found.append((key, value))
-        elif rest and not rest[0].startswith("--"):
-            found.append((key, rest.pop(0)))
         else:
             problems.append(Problem(key, "has no value; write --key value", "command line"))
     if problems:
         raise ScenarioError(problems, "command line")
     return found
+
+
+def _options(command: Callable[..., Any] | None) -> list[str]:
+    """The names of a command's own options."""
+    given = inspect.signature(command).parameters.values() if command else ()
+    return [option.name for option in given if option.kind is option.KEYWORD_ONLY]

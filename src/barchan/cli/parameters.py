@@ -11,6 +11,8 @@ def parameters(key: str = "", /) -> None:
     key
         Only keys that begin like this, for instance model or run.until.
     """
+    from rich.text import Text
+
     from barchan.cli.terminal import console
     from barchan.scenario.listing import all_keys
 
@@ -21,11 +23,12 @@ def parameters(key: str = "", /) -> None:
     for declaration in listed:
         if declaration.heading != group:
             group = declaration.heading
-            console.print(f"\n[bold]{group}[/bold]")
+            console.print(f"\n{group}", style="bold")
         unit = "" if declaration.unit == "-" else f" {declaration.unit}"
         live = ", may change during a run" if declaration.live else ""
         value = "null" if declaration.default is None else f"{declaration.default}{unit}"
         default = "required" if declaration.required else f"default {value}"
-        console.print(f"  [cyan]{declaration.key}[/cyan]  {default}; {declaration.bounds}{live}")
-        source = f" [dim]({declaration.source})[/dim]" if declaration.source else ""
-        console.print(f"      {declaration.meaning}{source}")
+        facts = f"  {default}; {declaration.bounds}{live}"
+        console.print(Text.assemble("  ", (declaration.key, "cyan"), facts))
+        source = f" ({declaration.source})" if declaration.source else ""
+        console.print(Text.assemble(f"      {declaration.meaning}", (source, "dim")))

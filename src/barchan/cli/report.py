@@ -1,11 +1,13 @@
 """What a run tells before it starts and when it ends."""
 
 import math
+import shlex
+from pathlib import Path
 
-from rich.markup import escape
+from rich.text import Text
 
 from barchan.archive import Outcome, open_run
-from barchan.cli.terminal import console
+from barchan.cli.terminal import console, print_note
 from barchan.simulation import Simulation
 
 PICTURE = "last.png"
@@ -16,17 +18,17 @@ def print_facts(simulation: Simulation, drawn: bool) -> None:
     scenario = simulation.scenario
     lattice = scenario.lattice
     if scenario.title:
-        source = f" ({escape(scenario.citation)})" if scenario.citation else ""
-        console.print(f"[bold]{escape(scenario.title)}[/bold]{source}")
+        source = f" ({scenario.citation})" if scenario.citation else ""
+        console.print(Text.assemble((scenario.title, "bold"), source))
     if scenario.look_for:
-        console.print(f"look for: {escape(scenario.look_for)}")
+        console.print(f"look for: {scenario.look_for}")
     field = f"{lattice.columns} × {lattice.rows} cells of {lattice.cell_size:g} m"
     seed = f"seed {scenario.run.seed}" + (" (drawn)" if drawn else "")
     console.print(f"{field}, slabs of {lattice.thickness:.3g} m, {scenario.run.steps} steps, {seed}")
     for name, fact in simulation.model.facts().items():
         console.print(f"{name}: {fact}")
     for remark in scenario.remarks():
-        console.print(f"[yellow]note:[/yellow] {remark}")
+        print_note(remark)
 
 
 def print_outcome(outcome: Outcome, quiet: bool, picture: bool) -> None:
@@ -67,15 +69,15 @@ def _draw(outcome: Outcome, quiet: bool) -> str | None:
 
 def print_table(rows: list[tuple[str, str, str]], left: bool = False) -> None:
     """A small table of names, values and units; values stand to the right, or to the ``left``."""
-    from rich.table import Table
-
-    table = Table(box=None, show_header=False, pad_edge=False)
-    table.add_column()
-    table.add_column(justify="left" if left else "right")
-    table.add_column()
+    names = max(len(name) for name, _, _ in rows)
+    values = 0 if left else max(len(value) for _, value, _ in rows)
     for name, value, unit in rows:
-        table.add_row(name, value, "" if unit == "-" else unit)
-    console.print(table)
+        console.out(f"{name:{names}}  {value:>{values}}  {'' if unit == '-' else unit}".rstrip())
+
+
+def resume_command(run: Path) -> str:
+    """The command that goes on with a run, to be pasted."""
+    return f"barchan resume {shlex.quote(str(run))}"
 
 
 def _number(value: float) -> str:

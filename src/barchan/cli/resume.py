@@ -6,8 +6,8 @@ from typing import Annotated
 from cyclopts import Parameter
 
 from barchan.cli import INTERRUPTED
-from barchan.cli.report import print_outcome
-from barchan.cli.terminal import Interrupts, Reporter, compilation_announced, console
+from barchan.cli.report import print_outcome, resume_command
+from barchan.cli.terminal import Interrupts, Reporter, compilation_announced, console, print_note
 
 
 def resume(
@@ -38,11 +38,11 @@ def resume(
     with compilation_announced(quiet), Interrupts().watched() as stop:
         going = reopen(run, steps)
         if going.remark and not quiet:
-            console.print(f"[yellow]note:[/yellow] {going.remark}")
+            print_note(going.remark)
         with Reporter(going.simulation, quiet) as reporter:
             outcome = going.go_on(progress=reporter, stop=stop)
         print_outcome(outcome, quiet, picture)
     if outcome.interrupted:
-        console.print(f"go on with: barchan resume {run}")
+        console.print(f"go on with: {resume_command(run)}")
         return INTERRUPTED
     return 0

@@ -7,7 +7,7 @@ from cyclopts import Parameter
 
 from barchan.cli import INTERRUPTED
 from barchan.cli.overrides import Tokens, pairs
-from barchan.cli.report import print_facts, print_outcome
+from barchan.cli.report import print_facts, print_outcome, resume_command
 from barchan.cli.terminal import Interrupts, Reporter, compilation_announced, console
 
 
@@ -37,15 +37,12 @@ def run(
     picture
         Draw the last frame and print its measures at the end.
     """
-    from barchan.archive import check_room, load
+    from barchan.archive import check_room, source_at
     from barchan.archive import run as run_into
     from barchan.scenario.files import load_scenario
     from barchan.simulation import Simulation
 
-    given = pairs(values)
-    chosen = load(scenario) if Path(scenario).is_dir() else load_scenario(scenario, given)
-    if Path(scenario).is_dir() and given:
-        chosen = load_scenario(chosen.data(), given)
+    chosen = load_scenario(source_at(scenario), pairs(values, run))
     folder = out or _new_folder(scenario)
     check_room(folder, overwrite)
     drawn = chosen.run.seed is None
@@ -57,7 +54,7 @@ def run(
             outcome = run_into(simulation, folder, overwrite=overwrite, progress=reporter, stop=stop)
         print_outcome(outcome, quiet, picture)
     if outcome.interrupted:
-        console.print(f"go on with: barchan resume {folder}")
+        console.print(f"go on with: {resume_command(folder)}")
         return INTERRUPTED
     return 0
 

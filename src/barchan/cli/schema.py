@@ -8,4 +8,6 @@ def schema() -> None:
     from barchan.cli.terminal import console
     from barchan.scenario import Scenario
 
-    console.out(json.dumps(Scenario.model_json_schema(), indent=2, ensure_ascii=False), highlight=False)
+    stated = {"required": ["barchan"]}  # a file states its format, which a Scenario made in Python knows
+    schema = {**Scenario.model_json_schema(), **stated}
+    console.out(json.dumps(schema, indent=2, ensure_ascii=False), highlight=False)

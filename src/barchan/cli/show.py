@@ -58,11 +58,12 @@ def show(
     bare
         Show bare ground in grey on maps.
     """
-    from barchan.archive import load, open_run
+    from barchan.archive import open_run
+    from barchan.archive.folder import scenario_of
 
     if limits is not None and not limits[0] < limits[1]:
         raise BarchanError(f"--limits {limits[0]:g} {limits[1]:g}: the lowest must be below the highest")
-    scenario = load(run)
+    scenario = scenario_of(run)
     with open_run(run) as dataset:
         frame = _frame(dataset, step)
         width = smoothing if smoothing is not None else float(view == "contours")

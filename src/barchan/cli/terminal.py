@@ -4,20 +4,27 @@ import signal
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
+from importlib import import_module
 from types import FrameType
 from typing import TYPE_CHECKING, Self
 
 from rich.console import Console
+from rich.text import Text
 
 from barchan.simulation import Simulation
 
 if TYPE_CHECKING:
     from rich.progress import Progress, TaskID
 
-console = Console(highlight=False, soft_wrap=True)
+console = Console(highlight=False, markup=False, soft_wrap=True)
 
 LOG_EVERY = 10.0
 """Seconds from one line to the next where the output is not a terminal."""
+
+
+def print_note(text: str) -> None:
+    """Something to know, that is no error."""
+    console.print(Text.assemble(("note:", "yellow"), " ", text))
 
 
 class Interrupts:
@@ -108,6 +115,7 @@ class Reporter:
 @contextmanager
 def compilation_announced(quiet: bool) -> Iterator[None]:
     """Say so when a kernel is compiled instead of loaded, once."""
+    import_module("barchan.kernels")  # which tells numba where to keep its cache, before numba asks
     from numba.core import event
 
     class Announcer(event.Listener):

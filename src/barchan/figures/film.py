@@ -33,24 +33,28 @@ def film(
     """Write the shaded maps of all frames as an animation; the longer side gets about ``size`` pixels.
 
     With ``follow`` the colour scale follows each frame instead of holding for the whole run. Raises
-    BarchanError for a file that is neither .webp nor .gif.
+    BarchanError for a file that is neither .webp nor .gif, or that cannot be written.
     """
-    if path.suffix not in FORMATS:
+    ending = path.suffix.lower()
+    if ending not in FORMATS:
         raise BarchanError(f"{path}: a film is {' or '.join(FORMATS)}, not '{path.suffix}'")
     pictures = _pictures(dataset, scenario, size, colours, smoothing, follow, progress)
     first = next(pictures)
     partial = path.with_name(path.name + ".partial")
-    options = {"lossless": False, "quality": 80} if path.suffix == ".webp" else {}
-    first.save(
-        partial,
-        format=path.suffix[1:].upper(),
-        save_all=True,
-        append_images=pictures,
-        duration=round(1000 / frames_per_second),
-        loop=0,
-        **options,
-    )
-    partial.replace(path)
+    options = {"lossless": False, "quality": 80} if ending == ".webp" else {}
+    try:
+        first.save(
+            partial,
+            format=ending[1:].upper(),
+            save_all=True,
+            append_images=pictures,
+            duration=round(1000 / frames_per_second),
+            loop=0,
+            **options,
+        )
+        partial.replace(path)
+    except OSError as error:
+        raise BarchanError(f"cannot write {path}: {error}") from None
 
 
 def _pictures(

@@ -33,6 +33,8 @@ def section_along_wind(scenario: Scenario, direction: float, at: float) -> Secti
     Along a lattice axis it is a whole row or column; for an oblique wind it is the cells nearest to a
     line from edge to edge.
     """
+    if not 0 <= at <= 1:
+        raise ValueError(f"a section lies at {at:g}; allowed: 0 to 1")
     lattice = scenario.lattice
     x, y = downwind(direction)
     rows, cols = lattice.shape
@@ -105,7 +107,7 @@ def profile(
         linewidth=0,
         label="shadow zone",
     )
-    axes.set_xlim(section.distance[0], section.distance[-1])
+    axes.margins(x=0)
     axes.set_xlabel("distance downwind (m)")
     axes.set_ylabel("elevation (m)")
     axes.set_title(title(scenario, int(frame["step"])), loc="left", fontsize=10)

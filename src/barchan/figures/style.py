@@ -70,8 +70,13 @@ def title(scenario: Scenario, step: int) -> str:
 
 def wind_arrow(axes: "Axes", direction: float) -> None:
     """An arrow that points where the wind blows, above the upper right corner."""
+    from matplotlib.transforms import ScaledTranslation, Transform
+
+    def from_corner(right: float, up: float) -> Transform:
+        """So many points (1/72 inch) from the map's upper right corner."""
+        return axes.transAxes + ScaledTranslation(right / 72, up / 72, axes.figure.dpi_scale_trans)
+
     x, y = downwind(direction)
-    half = 0.03
     style: dict[str, Any] = {
         "arrowstyle": "-|>",
         "color": "black",
@@ -79,15 +84,13 @@ def wind_arrow(axes: "Axes", direction: float) -> None:
         "shrinkA": 0,
         "shrinkB": 0,
     }
-    centre = np.array([0.965, 1.035])
-    box = axes.get_position()
-    step = np.array([x, y]) * half * np.array([1.0, box.width / box.height if box.height else 1.0])
     axes.annotate(
         "",
-        xy=tuple(centre + step),
-        xytext=tuple(centre - step),
-        xycoords="axes fraction",
+        xy=(1, 1),
+        xycoords=from_corner(9 * x - 12, 9 * y + 12),
+        xytext=(1, 1),
+        textcoords=from_corner(-9 * x - 12, -9 * y + 12),
         arrowprops=style,
         annotation_clip=False,
     )
-    axes.text(0.925, 1.035, "wind", transform=axes.transAxes, ha="right", va="center", fontsize=9)
+    axes.text(1, 1, "wind", transform=from_corner(-26, 12), ha="right", va="center", fontsize=9)

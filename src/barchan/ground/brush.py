@@ -31,4 +31,7 @@ def brushed(bed: Bed, x: float, y: float, radius: float, amount: int, falloff: F
 
 def _distance(places: NDArray[np.float64], centre: float, length: float, wrap: bool) -> NDArray[np.float64]:
     distance = np.abs(places - centre)
-    return np.minimum(distance, length - distance) if wrap else distance
+    if not wrap:
+        return distance
+    distance %= length
+    return np.minimum(distance, length - distance)

@@ -1,51 +1,49 @@
-"""The non-erodible ground under the sand."""
+"""The non-erodible ground under the sand: every kind there is."""
 
-from typing import Annotated, ClassVar, Literal
+from pathlib import Path
+from typing import Annotated, Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field
 
 from barchan.bed import Lattice
-from barchan.parameters import Parameters, parameter
+from barchan.ground.fitting import FromFile
+from barchan.ground.landforms import Bump, Cliff, DuneForm, Escarpment, FlatGround, Hump, Ramp, Valley
+from barchan.ground.raster import georeference
+from barchan.ground.rocks import ThreeRocks, UnevenGround
+from barchan.ground.terrain import HIGHEST, Terrain
+from barchan.parameters import parameter
+from barchan.streams import Stream
 
 
-class FlatGround(Parameters):
-    """Level ground."""
+class FileGround(Terrain, FromFile):
+    """Ground from an elevation model, an image or an array."""
 
-    kind_key: ClassVar[str] = "kind"
+    kind: Literal["file"] = parameter(
+        "file", unit="-", meaning="An elevation model, an image or an array (m)."
+    )
 
-    kind: Literal["flat"] = parameter("flat", unit="-", meaning="Level ground.")
-    level: float = parameter(0.0, unit="m", ge=-1e5, le=1e5, meaning="Elevation of the ground.")
-
-    def elevation(self, lattice: Lattice) -> NDArray[np.float64]:
+    def elevation(self, lattice: Lattice, _stream: Stream) -> NDArray[np.float64]:
         """Elevation (m) on the lattice."""
-        return np.full(lattice.shape, self.level)
+        return self.heights(lattice, "ground", -HIGHEST, HIGHEST)
+
+    def georeference(self) -> dict[str, Any]:
+        """Where on Earth the field lies, where the file tells it."""
+        return georeference(Path(self.path))
 
 
-class Bump(Parameters):
-    """A single rounded hill on level ground."""
-
-    kind_key: ClassVar[str] = "kind"
-
-    kind: Literal["bump"] = parameter("bump", unit="-", meaning="A single rounded hill.")
-    height: float = parameter(10.0, unit="m", ge=-1e4, le=1e4, meaning="Height of the hill's top.")
-    radius: float = parameter(
-        40.0, unit="m", gt=0, le=1e7, scale="log", meaning="Distance from the top to the foot."
-    )
-    x: float = parameter(
-        0.3, unit="-", ge=0, le=1, meaning="Where the top is, as a fraction of the field from the west."
-    )
-    y: float = parameter(
-        0.5, unit="-", ge=0, le=1, meaning="Where the top is, as a fraction of the field from the south."
-    )
-
-    def elevation(self, lattice: Lattice) -> NDArray[np.float64]:
-        """Elevation (m) on the lattice: a cosine bell."""
-        dx = lattice.x - self.x * lattice.columns * lattice.cell_size
-        dy = lattice.y - self.y * lattice.rows * lattice.cell_size
-        share = np.minimum(np.hypot(dx[None, :], dy[:, None]) / self.radius, 1.0)
-        return self.height * 0.5 * (1.0 + np.cos(np.pi * share))
-
-
-Ground = Annotated[FlatGround | Bump, Field(discriminator="kind")]
+Ground = Annotated[
+    FlatGround
+    | Bump
+    | Hump
+    | DuneForm
+    | Valley
+    | Cliff
+    | Escarpment
+    | Ramp
+    | ThreeRocks
+    | UnevenGround
+    | FileGround,
+    Field(discriminator="kind"),
+]

@@ -85,7 +85,7 @@ class SlabTransport(Parameters):
         33.7,
         unit="degrees",
         ge=1,
-        lt=90,
+        le=89,
         live=True,
         group="avalanches",
         meaning="Angle of repose; whole slabs hold only some angles, see repose_test.",

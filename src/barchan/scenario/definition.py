@@ -6,8 +6,9 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal, Self, Union
 from pydantic import Field
 
 from barchan.bed import Lattice
+from barchan.ground.landforms import FlatGround
 from barchan.ground.sand import FlatSand, Sand
-from barchan.ground.surface import FlatGround, Ground
+from barchan.ground.surface import Ground
 from barchan.models import models
 from barchan.parameters import Parameters, parameter
 from barchan.wind import Steady, Wind

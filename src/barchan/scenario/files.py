@@ -28,14 +28,16 @@ def preset_names() -> list[str]:
 def load_scenario(source: str | Path | Mapping[str, Any], overrides: Sequence[Override] = ()) -> Scenario:
     """A scenario from a preset's name, a JSON file or plain data, with single values overridden.
 
+    A ``path`` within a file starts where the file lies, elsewhere in the working folder.
     Raises ScenarioError with every problem found: unknown keys, wrong types, values out of range.
     """
     if isinstance(source, Mapping):
         return validate(dict(source), overrides=overrides)
     name, text = _find(str(source))
     data, lines, problems = parse(text, name)
-    if data is None:
+    if data is None and problems:
         raise ScenarioError(problems, name)
+    _anchor(data, Path(source).absolute().parent)
     return validate(data, name, lines, overrides, problems)
 
 
@@ -103,6 +105,15 @@ def _find(source: str) -> tuple[str, str]:
     raise ScenarioError([Problem("", message)], f"'{source}'")
 
 
+def _anchor(data: Any, folder: Path) -> None:
+    """Let every ``path`` in a file's data start where the file lies."""
+    inner = data if isinstance(data, list) else data.values() if isinstance(data, dict) else ()
+    for item in inner:
+        _anchor(item, folder)
+    if isinstance(data, dict) and isinstance(data.get("path"), str):
+        data["path"] = str(folder / data["path"])
+
+
 def _override(data: dict[str, Any], path: KeyPath, text: str) -> list[Problem]:
     """Set one value in plain data."""
     group: Any = data
@@ -113,16 +124,12 @@ def _override(data: dict[str, Any], path: KeyPath, text: str) -> list[Problem]:
         if not isinstance(inner, dict):
             return [Problem(".".join(map(str, path[: at + 1])), "is not a group of keys", "command line")]
         group = inner
-    field = Scenario.model_fields.get(str(path[0])) if len(path) == 1 else None
-    if field is not None and field.annotation is str:
-        group[path[-1]] = text
-        return []
     try:
-        group[path[-1]] = json.loads(text, parse_constant=_text)
+        value = json.loads(text, parse_constant=str)
     except json.JSONDecodeError:
-        group[path[-1]] = text
+        value = text
+    field = Scenario.model_fields.get(str(path[0])) if len(path) == 1 else None
+    if field is not None and field.annotation is str and not isinstance(value, str):
+        value = text
+    group[path[-1]] = value
     return []
-
-
-def _text(constant: str) -> str:
-    return constant

@@ -10,18 +10,27 @@ Path = tuple[str | int, ...]
 
 _TOKEN = re.compile(r'"(?:[^"\\]|\\.)*"|[{}\[\]:,]|[^\s{}\[\]:,"]+')
 
+_CONSTANTS = ("NaN", "Infinity", "-Infinity")
+"""What Python takes for JSON beyond the standard."""
+
 
 def parse(text: str, name: str) -> tuple[Any, dict[Path, int], list[Problem]]:
     """The data in a JSON text, the line of each key and item, and what is wrong with the text itself."""
     problems: list[Problem] = []
     try:
-        data = json.loads(text, parse_constant=_refuse)
+        data = json.loads(text)
     except json.JSONDecodeError as error:
         place = f"{name}:{error.lineno}:{error.colno}"
         return None, {}, [Problem("", f"not valid JSON: {error.msg}", place)]
     except ValueError as error:
         return None, {}, [Problem("", f"not valid JSON: {error}", name)]
-    lines, repeated = _lines(text)
+    tokens = [(m.group(), text.count("\n", 0, m.start()) + 1) for m in _TOKEN.finditer(text)]
+    for token, line in tokens:
+        if token in _CONSTANTS:
+            problems.append(Problem("", f"not valid JSON: {token} is not a number here", f"{name}:{line}"))
+    if problems:
+        return None, {}, problems
+    lines, repeated = _lines(tokens)
     for path, line in repeated:
         problems.append(Problem(dotted(path), "given twice", f"{name}:{line}"))
     return data, lines, problems
@@ -35,16 +44,11 @@ def dotted(path: Path) -> str:
     return text
 
 
-def _refuse(constant: str) -> Any:
-    raise ValueError(f"{constant} is not a number here")
-
-
-def _lines(text: str) -> tuple[dict[Path, int], list[tuple[Path, int]]]:
-    """Walk a valid JSON text and note the line of every key and list item."""
+def _lines(tokens: list[tuple[str, int]]) -> tuple[dict[Path, int], list[tuple[Path, int]]]:
+    """The line of every key and list item, from the tokens of a valid JSON text and their lines."""
     lines: dict[Path, int] = {}
     repeated: list[tuple[Path, int]] = []
     stack: list[list[str | int]] = []  # the current key or index of every open object or list
-    tokens = [(m.group(), text.count("\n", 0, m.start()) + 1) for m in _TOKEN.finditer(text)]
     for at, (token, line) in enumerate(tokens):
         following = tokens[at + 1][0] if at + 1 < len(tokens) else ""
         if token in "{[":

@@ -1,6 +1,7 @@
 """What pydantic finds wrong, said in the words of a scenario's user."""
 
 import difflib
+import json
 from collections.abc import Callable, Iterable
 from typing import Any
 
@@ -9,6 +10,9 @@ from pydantic import BaseModel, ValidationError
 from barchan.errors import Problem
 from barchan.parameters import NOTE, allowed
 from barchan.scenario.positions import Path, dotted
+
+LONGEST = 60
+"""Characters of a value that a message shows."""
 
 
 def nearest(name: str, names: Iterable[str]) -> str:
@@ -24,27 +28,26 @@ def problems_of(
     found: dict[Path, Problem] = {}
     for item in error.errors(include_url=False):
         path = _path_in(data, item["loc"])
+        if item["type"] == "missing":
+            path += (item["loc"][-1],)
         if item["type"].startswith("union_tag"):
             path += (item["ctx"]["discriminator"].strip("'"),)
         owner, field = _owner(root, data, path)
         message = _message(item, owner, field)
         found.setdefault(path, Problem(dotted(path), message, place(path)))
-    return list(found.values())
+    return [
+        problem for path, problem in found.items() if not any(path[:n] in found for n in range(len(path)))
+    ]
 
 
 def _path_in(data: Any, location: tuple[str | int, ...]) -> Path:
-    """The path in the data itself: without the tags that pydantic puts in for variants."""
+    """The path in the data itself: without the names that pydantic puts in for variants and types."""
     path: list[str | int] = []
-    for at, step in enumerate(location):
-        inside = isinstance(data, dict | list)
-        known = (isinstance(data, dict) and step in data) or (
-            isinstance(data, list) and isinstance(step, int)
-        )
+    for step in location:
+        known = step in data if isinstance(data, dict) else isinstance(data, list) and isinstance(step, int)
         if known:
             path.append(step)
             data = data[step]
-        elif at == len(location) - 1 and inside and isinstance(data, dict):
-            path.append(step)
     return tuple(path)
 
 
@@ -92,9 +95,14 @@ def _message(item: Any, owner: type[BaseModel] | None, field: Any) -> str:
         return f"is missing; allowed: {allowed(field)}" if field is not None else "is missing"
     if kind == "value_error":
         return str(context["error"])
-    if field is not None and not isinstance(value, dict):
-        text = repr(value) if not isinstance(value, bool) else str(value).lower()
+    if field is not None:
         choices = allowed(field).replace("'", "").split(" | ")
         hint = nearest(value, choices) if isinstance(value, str) and len(choices) > 1 else ""
-        return f"is {text}{hint}; allowed: {allowed(field)}"
+        return f"is {_shown(value)}{hint}; allowed: {allowed(field)}"
     return str(item["msg"])
+
+
+def _shown(value: Any) -> str:
+    """A value of plain data as its user wrote it, long ones cut."""
+    text = repr(value) if isinstance(value, str) else json.dumps(value, ensure_ascii=False, default=repr)
+    return text if len(text) <= LONGEST else f"{text[:LONGEST]}…"

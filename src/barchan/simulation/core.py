@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from barchan.bed import Bed, Lattice
 from barchan.errors import BarchanError, Problem, ScenarioError
 from barchan.ground.brush import brushed
+from barchan.ground.start import first_bed
 from barchan.models import Model, Tally, models
 from barchan.parameters import declarations
 from barchan.scenario import Scenario, nearest, validate
@@ -68,10 +69,8 @@ class Simulation:
     def __init__(self, scenario: Scenario) -> None:
         """Build the bed of a scenario; without a seed one is drawn, see ``simulation.scenario``."""
         self._set_up(scenario.seeded())
-        lattice = self.scenario.lattice
-        ground = self.scenario.ground.elevation(lattice)
-        slabs = self.scenario.sand.slabs(lattice, Stream(self.scenario.seed, "initial surface"))
-        self.bed = Bed(lattice, ground, slabs)
+        scene = self.scenario
+        self.bed = first_bed(scene.lattice, scene.ground, scene.sand, scene.seed)
         self.model.prepare(self.bed)
         self.ledger = Ledger(self.bed.slabs)
         self.model.settle(self.bed)
@@ -144,8 +143,8 @@ class Simulation:
             raise BarchanError(f"{self.steps_done} steps are done already; {steps} cannot be the last one")
         if self.finished is not None:
             raise BarchanError(f"the run ended at step {self.steps_done}: {self.finished}")
-        run = self.scenario.run.model_copy(update={"steps": steps})
-        self.scenario = self.scenario.model_copy(update={"run": run})
+        data = self.scenario.data()
+        self.scenario = validate({**data, "run": {**data["run"], "steps": steps}}, "longer run")
 
     @property
     def next_frame(self) -> int:
@@ -211,7 +210,12 @@ class Simulation:
 
     def _paint(self, stroke: Stroke) -> None:
         change = brushed(self.bed, stroke.x, stroke.y, stroke.radius, stroke.amount, stroke.falloff)
-        self.bed.sand[...] += change.astype(np.int32)
+        painted = self.bed.sand + change
+        if painted.max() > np.iinfo(self.bed.sand.dtype).max:
+            raise BarchanError(
+                f"a stroke of {stroke.amount} slabs is more than a cell can hold on what it has"
+            )
+        self.bed.sand[...] = painted
         self.ledger.entered += int(change[change > 0].sum())
         self.ledger.left -= int(change[change < 0].sum())
         self.model.settle(self.bed, change != 0)

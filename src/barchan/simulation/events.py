@@ -4,17 +4,31 @@ Scenario plus events gives the same bits again.
 """
 
 from dataclasses import dataclass
-from typing import Annotated, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from pydantic import Field, TypeAdapter, ValidationError
 
-from barchan.errors import Problem, ScenarioError
+from barchan.errors import ScenarioError
 from barchan.ground.brush import Falloff
+from barchan.ground.sand import MOST_SLABS
 from barchan.parameters import Parameters, parameter
+from barchan.scenario.wording import problems_of
 from barchan.wind import Wind
 
 
-class SetParameter(Parameters):
+class Change(Parameters):
+    """What may happen between two steps; raises ScenarioError where it is given wrongly."""
+
+    if not TYPE_CHECKING:  # for a type checker the fields are the signature
+
+        def __init__(self, **data: Any) -> None:
+            try:
+                super().__init__(**data)
+            except ValidationError as error:
+                raise _wrong(error, type(self), data) from None
+
+
+class SetParameter(Change):
     """A live parameter of the model takes a new value."""
 
     kind: Literal["set"] = parameter("set", unit="-", meaning="A parameter takes a new value.")
@@ -22,21 +36,26 @@ class SetParameter(Parameters):
     value: Any = parameter(unit="-", meaning="Its value from now on.")
 
 
-class SetWind(Parameters):
+class SetWind(Change):
     """Another wind from now on."""
 
     kind: Literal["wind"] = parameter("wind", unit="-", meaning="Another wind.")
     wind: Wind = Field(description="The wind from now on.")
 
 
-class Stroke(Parameters):
+class Stroke(Change):
     """Sand added to, or taken from, a round patch."""
 
     kind: Literal["stroke"] = parameter("stroke", unit="-", meaning="Sand added or taken away.")
     x: float = parameter(unit="m", meaning="Centre, from the west edge.")
     y: float = parameter(unit="m", meaning="Centre, from the south edge.")
     radius: float = parameter(unit="m", gt=0, meaning="Radius of the patch.")
-    amount: int = parameter(unit="slabs", meaning="Slabs at the centre; negative to take away.")
+    amount: int = parameter(
+        unit="slabs",
+        ge=-MOST_SLABS,
+        le=MOST_SLABS,
+        meaning="Slabs at the centre; negative to take away.",
+    )
     falloff: Falloff = parameter("smooth", unit="-", meaning="How the amount falls towards the rim.")
 
 
@@ -68,8 +87,9 @@ def event_from(data: Any) -> SetParameter | SetWind | Stroke:
     try:
         event: SetParameter | SetWind | Stroke = _EVENTS.validate_python(data)
     except ValidationError as error:
-        problems = [
-            Problem(".".join(map(str, item["loc"])), item["msg"]) for item in error.errors(include_url=False)
-        ]
-        raise ScenarioError(problems, "event") from None
+        raise _wrong(error, Change, data) from None
     return event
+
+
+def _wrong(error: ValidationError, kind: type[Parameters], data: Any) -> ScenarioError:
+    return ScenarioError(problems_of(error, kind, data, lambda _: ""), "event")
