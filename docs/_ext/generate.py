@@ -8,11 +8,11 @@ import inspect
 from collections.abc import Iterable, Iterator
 from itertools import groupby
 from pathlib import Path
-from typing import Any, get_args, get_origin
+from typing import Any
 
 from sphinx.application import Sphinx
 
-from barchan.parameters import Declaration, Parameters, declarations
+from barchan.parameters import Declaration, declarations
 
 
 def setup(app: Sphinx) -> dict[str, Any]:
@@ -122,28 +122,16 @@ def model_page(model: Any) -> str:
 
 def keys_page() -> str:
     """Every key of a scenario, by group and variant."""
-    from barchan.scenario import Scenario
-    from barchan.scenario.listing import all_keys, variants
+    from barchan.scenario.listing import all_keys
 
     parts = [
         "# All keys of a scenario",
-        "`lattice.rows` is the key `rows` in the group `lattice`. `barchan parameters` prints this list too.",
+        "`lattice.rows` is the key `rows` in the group `lattice`; `[]` stands for each item of a list.",
+        "`barchan parameters` prints this list too.",
     ]
     for heading, keys in groupby(all_keys(), lambda key: key.heading):
         parts += [f"## {heading}", parameter_table(keys)]
-    for name, field in Scenario.model_fields.items():
-        items = {item for group in variants(field.annotation) for item in lists_in(group, f"{name}.")}
-        for key, item in sorted(items, key=lambda pair: pair[0]):
-            parts += [f"## {key}", parameter_table(declarations(item, f"{key}."))]
     return "\n\n".join(parts) + "\n"
-
-
-def lists_in(group: type[Parameters], prefix: str) -> Iterator[tuple[str, type[Parameters]]]:
-    """Keys of a group that hold lists of groups, and what is in them."""
-    for name, field in group.model_fields.items():
-        item = next(iter(get_args(field.annotation)), None)
-        if get_origin(field.annotation) is list and isinstance(item, type) and issubclass(item, Parameters):
-            yield f"{prefix}{name}[]", item
 
 
 def presets_page() -> str:
