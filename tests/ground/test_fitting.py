@@ -105,6 +105,16 @@ def test_an_array_has_no_place_on_earth_and_a_lost_file_none_either(array, tmp_p
     assert FileGround(path=str(tmp_path / "gone.tif")).georeference() == {}
 
 
+def test_frames_tell_where_on_earth_they_lie(model):
+    ground = {"kind": "file", "path": str(model())}
+    lattice = {"rows": ROWS, "columns": COLUMNS, "cell_size": 2.0}
+    frames = barchan.simulate(
+        barchan.load({"barchan": 1, "lattice": lattice, "ground": ground}, run__steps=1)
+    )
+    assert frames.attrs["crs"] == "EPSG:32633"
+    assert (frames.attrs["west"], frames.attrs["south"]) == (500_000.0, 4_000_000.0)
+
+
 @pytest.mark.parametrize("crs", ["EPSG:4326", "EPSG:2272", None])
 def test_a_reference_system_without_metres_is_refused(model, crs):
     message = refused(model(crs=crs))

@@ -93,6 +93,7 @@ def run_attributes(scenario: Scenario) -> dict[str, Any]:
         "scenario": scenario.text(),
         "cell_size": scenario.lattice.cell_size,
         "slab_height": scenario.lattice.thickness,
+        **scenario.ground.georeference(),
     }
 
 

@@ -47,11 +47,18 @@ def read(path: Path) -> Raster:
 
 
 def georeference(path: Path) -> dict[str, Any]:
-    """The coordinate reference system of an elevation model and its south-west corner in it (m)."""
-    if path.suffix.lower() not in (".tif", ".tiff") or not path.is_file():
+    """The coordinate reference system of an elevation model and its south-west corner in it (m).
+
+    Nothing where the file has none, or is no longer there.
+    """
+    if READERS.get(path.suffix.lower()) is not _elevation_model:
         return {}
-    with _opened(path) as source:
-        return {"crs": source.crs.to_string(), "west": source.bounds.left, "south": source.bounds.bottom}
+    try:
+        with _opened(path) as source:
+            crs, bounds = source.crs, source.bounds
+    except UnreadableError:
+        return {}
+    return {"crs": crs.to_string(), "west": bounds.left, "south": bounds.bottom} if crs else {}
 
 
 def _array(path: Path) -> Raster:
