@@ -6,11 +6,15 @@ from hypothesis import strategies as st
 
 from barchan.bed import LARGEST_ASPECT, LEAST_ASPECT, Lattice
 from barchan.ground.area import Area
+from barchan.models.slab_parameters import SlabTransport
 from barchan.parameters import NOTE, Parameters
 from barchan.scenario import Scenario
 
 WIDEST = 10**6
 """Numbers without bounds are drawn within this."""
+
+LEAST_REST = 34.0
+"""Above the default angle of repose of every model."""
 
 notes = st.none() | st.text(max_size=5) | st.lists(st.text(max_size=5), max_size=2)
 
@@ -36,6 +40,8 @@ def group(parameters: type[Parameters]) -> st.SearchStrategy[dict[str, Any]]:
     drawn = st.fixed_dictionaries(needed, optional=optional)
     if issubclass(parameters, Area):
         return drawn.map(_with_area)
+    if issubclass(parameters, SlabTransport):
+        return drawn.map(_lets_go_above_rest)
     return drawn.map(_one_height) if parameters is Lattice else drawn
 
 
@@ -83,3 +89,10 @@ def _one_height(lattice: dict[str, Any]) -> dict[str, Any]:
         cell = lattice.get("cell_size", 1.0)
         lattice["slab_height"] = min(max(height, 2 * LEAST_ASPECT * cell), LARGEST_ASPECT / 2 * cell)
     return lattice
+
+
+def _lets_go_above_rest(data: dict[str, Any]) -> dict[str, Any]:
+    rest = data.get("repose_angle", LEAST_REST)
+    if (data.get("release_angle") or rest) < rest:
+        return {**data, "release_angle": rest}
+    return data

@@ -95,7 +95,7 @@ def test_a_mistake_in_plain_data_needs_no_place():
 @pytest.mark.parametrize(
     ("change", "key", "said"),
     [
-        ({"model": {"name": "wernr"}}, "model.name", "is 'wernr'; did you mean 'werner'?; allowed: werner"),
+        ({"model": {"name": "wernr"}}, "model.name", "is 'wernr'; did you mean 'werner'?"),
         (
             {"sand": {"kind": "droped"}},
             "sand.kind",

@@ -30,9 +30,9 @@ def test_downwind_is_a_unit_vector_whose_bearing_is_opposite_to_the_winds(direct
 
 
 def test_part_of_a_segment_takes_its_share_of_the_time():
-    part = Segment(10, 8, 0, 384, 270.0, None, 3600.0).part(2)
-    assert (part.step, part.steps, part.polls, part.seconds) == (10, 2, 384, 900.0)
+    part = Segment(10, 8, 0, 384, 270.0, None, 3600.0).part(3, 2)
+    assert (part.step, part.steps, part.polls, part.seconds) == (13, 2, 384, 900.0)
 
 
 def test_part_of_a_segment_without_a_clock_has_none():
-    assert Segment(10, 8, 0, 384, 270.0).part(2).seconds is None
+    assert Segment(10, 8, 0, 384, 270.0).part(0, 2).seconds is None

@@ -94,9 +94,12 @@ class Model(ABC):
         Returns how many slabs slid.
         """
 
-    def slope_limits(self) -> tuple[int, ...]:
-        """The steps that stand; when they change the bed has to settle."""
-        return ()
+    def slope_limits(self) -> dict[str, tuple[int, ...]]:
+        """The steps (whole units) that stand towards faces and, where they count, corners, by kind of cell.
+
+        When they change the bed has to settle.
+        """
+        return {}
 
     def state(self) -> dict[str, NDArray | float | int | str]:
         """What the model remembers between steps beside the bed."""

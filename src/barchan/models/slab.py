@@ -45,12 +45,14 @@ class SlabModel(Model):
     def advance(self, bed: Bed, segment: Segment, stream: Stream, still: int, limit: int) -> Tally:
         """Poll the cells and let the wind carry what they give."""
         total = Tally(still=still)
-        while total.steps < segment.steps and not (limit and total.still >= limit):
+        while total.steps < segment.steps:
             rest = segment.part(total.steps, segment.steps - total.steps)
             part = rest.part(0, min(self.spell(rest), rest.steps))
             tally = self._transport(bed, part, stream, total.still, limit)
             self.passed(bed, part.part(0, tally.steps))
             total.add(tally)
+            if limit and total.still >= limit:
+                break
         return total
 
     def _transport(self, bed: Bed, segment: Segment, stream: Stream, still: int, limit: int) -> Tally:
@@ -101,11 +103,15 @@ class SlabModel(Model):
             return segment.hop_length
         return self.parameters.hop_length
 
-    def slope_limits(self) -> tuple[int, ...]:
-        """The steps (slabs) that stand on bare and firm cells, towards faces and corners."""
-        angles = (self.parameters.release_angle, self.rules().firm_angle)
-        limits = [limit for angle in angles for limit in self.parameters.limits(self.lattice, angle)]
-        return tuple(limits if self.parameters.neighbourhood == "moore" else limits[::2])
+    def slope_limits(self) -> dict[str, tuple[int, ...]]:
+        """The repose limits (slabs) towards faces and corners, of bare cells and of firm ones."""
+        angles = {"bare": self.parameters.release_angle, "firm": self.rules().firm_angle}
+        ways = 2 if self.parameters.neighbourhood == "moore" else 1
+        return {
+            kind: self.parameters.limits(self.lattice, angle)[:ways]
+            for kind, angle in angles.items()
+            if kind == "bare" or angle is not None
+        }
 
     def settle(self, bed: Bed, where: NDArray[np.bool_] | None = None) -> int:
         """Relax slopes to the repose limits."""
