@@ -58,8 +58,13 @@ def map_axes(axes: "Axes", scenario: Scenario, frame: "xr.Dataset") -> None:
     axes.set_xlabel("x (m)")
     axes.set_ylabel("y (m)")
     axes.set_aspect("equal")
-    axes.set_title(title(scenario, int(frame["step"])), loc="left", fontsize=10)
+    text = title(scenario, int(frame["step"]))
+    axes.set_title(text, loc="left", fontsize=min(10.0, MOST_TITLE / len(text)))
     wind_arrow(axes, float(frame["wind_direction"]))
+
+
+MOST_TITLE = 550.0
+"""Letters of a title times their size (points) that leave room for the wind's arrow."""
 
 
 def title(scenario: Scenario, step: int) -> str:
