@@ -66,8 +66,9 @@ class Parameters(BaseModel):
     )
 
     def __hash__(self) -> int:
-        """Of all but the note, which may be a list and so have no hash."""
-        return hash(tuple(value for name, value in self if name != NOTE))
+        """Of all but the note, with lists taken as tuples."""
+        values = (tuple(value) if isinstance(value, list) else value for name, value in self if name != NOTE)
+        return hash(tuple(values))
 
 
 @dataclass(frozen=True)

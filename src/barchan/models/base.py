@@ -56,6 +56,18 @@ class Layer:
     """Name of a colour map."""
 
 
+@dataclass(frozen=True)
+class Curve:
+    """A curve that is part of a model's parameters, to be drawn."""
+
+    title: str
+    x: tuple[float, ...]
+    y: tuple[float, ...]
+    x_title: str
+    y_title: str
+    remark: str = ""
+
+
 class Model(ABC):
     """One published model. Subclasses with a ``name`` are found by themselves."""
 
@@ -76,8 +88,11 @@ class Model(ABC):
         """Take new parameters from now on; state is kept."""
         self.parameters = parameters
 
-    def prepare(self, bed: Bed) -> None:
-        """Add the model's own fields to a bed."""
+    def prepare(self, bed: Bed, seed: int) -> None:
+        """Add the model's own fields to a bed; ``seed`` is the run's.
+
+        Raises ScenarioError where the model's own files do not fit.
+        """
 
     @abstractmethod
     def advance(self, bed: Bed, segment: Segment, stream: Stream, still: int, limit: int) -> Tally:
@@ -111,6 +126,11 @@ class Model(ABC):
     def measures(self, bed: Bed) -> dict[str, float]:
         """Measures that only this model can give."""
         return {}
+
+    @classmethod
+    def curves(cls, parameters: Any) -> list[Curve]:
+        """The curves among the parameters."""
+        return []
 
     def remarks(self, hop_length: float | None, direction: float) -> list[str]:
         """What a user should know about this choice of parameters on this lattice."""

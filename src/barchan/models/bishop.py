@@ -19,7 +19,7 @@ class Bishop(SpeedupModel):
 
     Hops grow with height as in Momiji's model, but from the reference
 
-        h_ref(t) = h_mean - ½ mean |h - h_mean|
+        h_ref(t) = h_mean - ½ mean abs(h - h_mean)
 
     which follows every slab that moves and is taken anew from the whole bed at the start of each step.
 

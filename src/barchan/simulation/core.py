@@ -71,7 +71,7 @@ class Simulation:
         self._set_up(scenario.seeded())
         scene = self.scenario
         self.bed = first_bed(scene.lattice, scene.ground, scene.sand, scene.seed)
-        self.model.prepare(self.bed)
+        self.model.prepare(self.bed, self.scenario.seed)
         self.ledger = Ledger(self.bed.slabs)
         self.model.settle(self.bed)
 
@@ -254,7 +254,7 @@ class Simulation:
         simulation.wind = now.wind
         bed = Bed(simulation.lattice, state.arrays["bed/ground"], state.arrays["bed/sand"])
         simulation.bed = bed
-        simulation.model.prepare(bed)
+        simulation.model.prepare(bed, simulation.scenario.seed)
         for name in bed.arrays:
             bed.arrays[name][...] = state.arrays[f"bed/{name}"]
         simulation.model.restore(state.group("model/"))

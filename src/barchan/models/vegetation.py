@@ -1,0 +1,193 @@
+"""Plants on a bed: species that grow with the year's sediment balance, and where they stand at first."""
+
+from itertools import pairwise
+from pathlib import Path
+from typing import Annotated, ClassVar, Literal, Self
+
+import numpy as np
+from numpy.typing import NDArray
+from pydantic import Field, model_validator
+
+from barchan.bed import Lattice
+from barchan.errors import Problem, ScenarioError
+from barchan.ground.area import Area, covered
+from barchan.ground.raster import UnreadableError, read
+from barchan.parameters import Parameters, parameter
+from barchan.streams import Stream, high
+
+SPECIES = ("grass", "mesquite", "shrub")
+
+LEAST, MOST = -10.0, 10.0
+"""Bounds of a coefficient of vegetation."""
+
+
+class Vertex(Parameters):
+    """A point of a growth curve."""
+
+    balance: float = parameter(
+        unit="m/yr", ge=-1000, le=1000, meaning="Sand gained (negative: lost) in a year."
+    )
+    change: float = parameter(
+        unit="1/yr", ge=-100, le=100, meaning="Change of effectiveness in a year at that balance."
+    )
+
+
+class Species(Parameters):
+    """How one kind of plant grows and dies."""
+
+    lowest: float = parameter(unit="-", ge=LEAST, le=MOST, meaning="Least effectiveness.")
+    highest: float = parameter(unit="-", ge=LEAST, le=MOST, meaning="Greatest effectiveness.")
+    curve: list[Vertex] = parameter(
+        unit="-",
+        min_length=2,
+        max_length=100,
+        meaning="Growth against the year's balance: straight between the points, held beyond them.",
+    )
+
+    @model_validator(mode="after")
+    def _is_a_function(self) -> Self:
+        balances = [vertex.balance for vertex in self.curve]
+        for number, (before, after) in enumerate(pairwise(balances), start=1):
+            if after <= before:
+                raise ValueError(
+                    f"curve[{number}].balance is {after} after {before}; allowed: balances that increase"
+                )
+        if self.lowest > self.highest:
+            raise ValueError(f"lowest {self.lowest} is above highest {self.highest}")
+        return self
+
+    def growth(self, balance: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Change of effectiveness in a year with these balances (m)."""
+        x, y = zip(*((vertex.balance, vertex.change) for vertex in self.curve), strict=True)
+        return np.interp(balance, x, y)
+
+    def grown(self, cover: NDArray[np.float64], balance: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Effectiveness a year later."""
+        return np.clip(cover + self.growth(balance), self.lowest, self.highest)
+
+
+def species(lowest: float, highest: float, *points: tuple[float, float]) -> Species:
+    """A species from the points (balance, change) of its curve."""
+    curve = [Vertex(balance=balance, change=change) for balance, change in points]
+    return Species(lowest=lowest, highest=highest, curve=curve)
+
+
+class Layout(Parameters):
+    """Where plants stand at first."""
+
+    kind_key: ClassVar[str] = "kind"
+
+    kind: str
+    grass: float = parameter(0.0, unit="-", ge=LEAST, le=MOST, meaning="Effectiveness of grass.")
+    mesquite: float = parameter(0.0, unit="-", ge=LEAST, le=MOST, meaning="Effectiveness of mesquite.")
+    shrub: float = parameter(0.0, unit="-", ge=LEAST, le=MOST, meaning="Effectiveness of shrub.")
+    randomised: bool = parameter(
+        False,
+        unit="-",
+        meaning="Whether each cell starts with a random share of these values.",
+        source="seed 000, Table 6.6",
+    )
+
+    def cover(self, lattice: Lattice, stream: Stream) -> dict[str, NDArray[np.float64]]:
+        """Effectiveness of each species on each cell."""
+        share = self.share(lattice)
+        if self.randomised:
+            share = share * (high(stream.draws(0, lattice.cells)) / 2.0**32).reshape(lattice.shape)
+        return {name: getattr(self, name) * share for name in SPECIES}
+
+    def share(self, lattice: Lattice) -> NDArray[np.float64]:
+        """What share of the stated effectiveness each cell has."""
+        return np.ones(lattice.shape)
+
+
+class UniformPlants(Layout):
+    """The same plants everywhere; none unless stated, to develop naturally."""
+
+    kind: Literal["uniform"] = parameter("uniform", unit="-", meaning="The same plants on every cell.")
+
+
+class Blowouts(Layout):
+    """Plants everywhere but on bare patches in a row across the field, from south to north."""
+
+    kind: Literal["blowouts"] = parameter("blowouts", unit="-", meaning="Plants with bare patches.")
+    count: int = parameter(3, unit="-", ge=1, le=1000, meaning="Bare patches.", source="seed 000, §6.4")
+    width: float = parameter(
+        5.0, unit="m", gt=0, le=1e6, meaning="Size of a patch from south to north.", source="seed 000, §6.4"
+    )
+    length: float = parameter(
+        6.0, unit="m", gt=0, le=1e6, meaning="Size of a patch from west to east.", source="seed 000, §6.4"
+    )
+    x: float = parameter(
+        0.25, unit="-", ge=0, le=1, meaning="Where the patches lie, as a fraction of the field from the west."
+    )
+
+    def share(self, lattice: Lattice) -> NDArray[np.float64]:
+        """None on the patches, all elsewhere."""
+        columns = np.abs(lattice.x - self.x * lattice.columns * lattice.cell_size) <= self.length / 2
+        height = lattice.rows * lattice.cell_size
+        middles = (np.arange(self.count) + 0.5) * height / self.count
+        rows = (np.abs(lattice.y[:, None] - middles) <= self.width / 2).any(axis=1)
+        return np.where(np.outer(rows, columns), 0.0, 1.0)
+
+
+class Island(Area):
+    """A rectangle that plants stand on."""
+
+
+def _three() -> list[Island]:
+    """Our places: seed 000 shows them only in pictures."""
+    return [
+        Island(west=0.15, east=0.35, south=0.60, north=0.85),
+        Island(west=0.40, east=0.60, south=0.15, north=0.40),
+        Island(west=0.65, east=0.85, south=0.55, north=0.80),
+    ]
+
+
+class Islands(Layout):
+    """Plants on rectangles only; three unless stated."""
+
+    kind: Literal["islands"] = parameter("islands", unit="-", meaning="Plants on rectangles only.")
+    islands: list[Island] = parameter(
+        _three,
+        unit="-",
+        max_length=100,
+        meaning="Where plants stand.",
+        source="seed 000, §6.4; our places, the text has none",
+    )
+
+    def share(self, lattice: Lattice) -> NDArray[np.float64]:
+        """All on the islands, none elsewhere."""
+        return covered(self.islands, lattice).astype(np.float64)
+
+
+class MappedPlants(Layout):
+    """Plants in the shares that an image or an array gives."""
+
+    kind: Literal["file"] = parameter("file", unit="-", meaning="Plants where an image or array has them.")
+    path: str = parameter(
+        unit="-",
+        meaning="A .npy array of shares (row 0 in the south) or a greyscale .png (white: the full values), "
+        "of the lattice's size.",
+    )
+
+    def share(self, lattice: Lattice) -> NDArray[np.float64]:
+        """The file's shares; raises ScenarioError where it cannot be read or does not fit."""
+        try:
+            raster = read(Path(self.path))
+        except UnreadableError as error:
+            raise ScenarioError([Problem("model.vegetation.path", str(error), self.path)]) from None
+        share = raster.heights / (raster.full_scale or 1.0)
+        message = ""
+        if share.shape != lattice.shape:
+            message = f"has {share.shape} rows and columns; allowed: the lattice's {lattice.shape}"
+        elif not np.isfinite(share).all():
+            message = f"has {np.count_nonzero(~np.isfinite(share))} cells without a value; allowed: none"
+        if message:
+            raise ScenarioError([Problem("model.vegetation.path", message, self.path)])
+        return share
+
+
+Vegetation = Annotated[
+    UniformPlants | Blowouts | Islands | MappedPlants,
+    Field(discriminator="kind"),
+]
