@@ -9,7 +9,7 @@ from barchan.scenario import load_scenario, preset_names
 
 
 def test_every_preset_is_listed_with_its_title(barchan, monkeypatch):
-    monkeypatch.setattr(console, "width", 200)
+    monkeypatch.setattr(console, "width", 400)
     out = barchan("presets").out
     for name in preset_names():
         scenario = load_scenario(name)

@@ -7,6 +7,7 @@ from hypothesis import strategies as st
 from barchan.bed import LARGEST_ASPECT, LEAST_ASPECT, Lattice
 from barchan.ground.area import Area
 from barchan.models.slab_parameters import SlabTransport
+from barchan.models.vegetation import Species
 from barchan.parameters import NOTE, Parameters
 from barchan.scenario import Scenario
 
@@ -40,6 +41,8 @@ def group(parameters: type[Parameters]) -> st.SearchStrategy[dict[str, Any]]:
     drawn = st.fixed_dictionaries(needed, optional=optional)
     if issubclass(parameters, Area):
         return drawn.map(_with_area)
+    if parameters is Species:
+        return drawn.map(_is_a_function)
     if issubclass(parameters, SlabTransport):
         return drawn.map(_lets_go_above_rest)
     return drawn.map(_one_height) if parameters is Lattice else drawn
@@ -56,7 +59,8 @@ def values(annotation: Any, metadata: Any = ()) -> st.SearchStrategy[Any]:
     if origin is Literal:
         return st.sampled_from(args)
     if origin is list:
-        return st.lists(values(args[0]), max_size=3)
+        least = max([getattr(m, "min_length", 0) for m in metadata], default=0)
+        return st.lists(values(args[0]), min_size=least, max_size=least + 3)
     if origin is Union or args:
         return st.one_of([values(arg, metadata) for arg in args])
     return _plain(annotation, metadata)
@@ -96,3 +100,10 @@ def _lets_go_above_rest(data: dict[str, Any]) -> dict[str, Any]:
     if (data.get("release_angle") or rest) < rest:
         return {**data, "release_angle": rest}
     return data
+
+
+def _is_a_function(data: dict[str, Any]) -> dict[str, Any]:
+    """A species with balances that increase and bounds in order."""
+    curve = [{**vertex, "balance": float(at)} for at, vertex in enumerate(data["curve"])]
+    lowest, highest = sorted([data["lowest"], data["highest"]])
+    return {**data, "curve": curve, "lowest": lowest, "highest": highest}

@@ -17,6 +17,11 @@ from barchan.streams import Stream, high
 
 SPECIES = ("grass", "mesquite", "shrub")
 
+FIGURE = "seed 000, Fig. 3.6; numbers of DECAL's descendants, mesquite assumed"
+RANGES = "seed 000, §4.7: physiological ranges"
+TABLES = "seed 000, Tables 6.4-6.6"
+OWN = "our choice"
+
 LEAST, MOST = -10.0, 10.0
 """Bounds of a coefficient of vegetation."""
 
@@ -25,23 +30,28 @@ class Vertex(Parameters):
     """A point of a growth curve."""
 
     balance: float = parameter(
-        unit="m/yr", ge=-1000, le=1000, meaning="Sand gained (negative: lost) in a year."
+        unit="m/yr", ge=-1000, le=1000, meaning="Sand gained (negative: lost) in a year.", source=FIGURE
     )
     change: float = parameter(
-        unit="1/yr", ge=-100, le=100, meaning="Change of effectiveness in a year at that balance."
+        unit="1/yr",
+        ge=-100,
+        le=100,
+        meaning="Change of effectiveness in a year at that balance.",
+        source=FIGURE,
     )
 
 
 class Species(Parameters):
     """How one kind of plant grows and dies."""
 
-    lowest: float = parameter(unit="-", ge=LEAST, le=MOST, meaning="Least effectiveness.")
-    highest: float = parameter(unit="-", ge=LEAST, le=MOST, meaning="Greatest effectiveness.")
+    lowest: float = parameter(unit="-", ge=LEAST, le=MOST, meaning="Least effectiveness.", source=RANGES)
+    highest: float = parameter(unit="-", ge=LEAST, le=MOST, meaning="Greatest effectiveness.", source=RANGES)
     curve: list[Vertex] = parameter(
         unit="-",
         min_length=2,
         max_length=100,
         meaning="Growth against the year's balance: straight between the points, held beyond them.",
+        source=FIGURE,
     )
 
     @model_validator(mode="after")
@@ -78,9 +88,15 @@ class Layout(Parameters):
     kind_key: ClassVar[str] = "kind"
 
     kind: str
-    grass: float = parameter(0.0, unit="-", ge=LEAST, le=MOST, meaning="Effectiveness of grass.")
-    mesquite: float = parameter(0.0, unit="-", ge=LEAST, le=MOST, meaning="Effectiveness of mesquite.")
-    shrub: float = parameter(0.0, unit="-", ge=LEAST, le=MOST, meaning="Effectiveness of shrub.")
+    grass: float = parameter(
+        0.0, unit="-", ge=LEAST, le=MOST, meaning="Effectiveness of grass.", source=TABLES
+    )
+    mesquite: float = parameter(
+        0.0, unit="-", ge=LEAST, le=MOST, meaning="Effectiveness of mesquite.", source=TABLES
+    )
+    shrub: float = parameter(
+        0.0, unit="-", ge=LEAST, le=MOST, meaning="Effectiveness of shrub.", source=TABLES
+    )
     randomised: bool = parameter(
         False,
         unit="-",
@@ -103,13 +119,17 @@ class Layout(Parameters):
 class UniformPlants(Layout):
     """The same plants everywhere; none unless stated, to develop naturally."""
 
-    kind: Literal["uniform"] = parameter("uniform", unit="-", meaning="The same plants on every cell.")
+    kind: Literal["uniform"] = parameter(
+        "uniform", unit="-", meaning="The same plants on every cell.", source=TABLES
+    )
 
 
 class Blowouts(Layout):
     """Plants everywhere but on bare patches in a row across the field, from south to north."""
 
-    kind: Literal["blowouts"] = parameter("blowouts", unit="-", meaning="Plants with bare patches.")
+    kind: Literal["blowouts"] = parameter(
+        "blowouts", unit="-", meaning="Plants with bare patches.", source=TABLES
+    )
     count: int = parameter(3, unit="-", ge=1, le=1000, meaning="Bare patches.", source="seed 000, §6.4")
     width: float = parameter(
         5.0, unit="m", gt=0, le=1e6, meaning="Size of a patch from south to north.", source="seed 000, §6.4"
@@ -118,7 +138,12 @@ class Blowouts(Layout):
         6.0, unit="m", gt=0, le=1e6, meaning="Size of a patch from west to east.", source="seed 000, §6.4"
     )
     x: float = parameter(
-        0.25, unit="-", ge=0, le=1, meaning="Where the patches lie, as a fraction of the field from the west."
+        0.25,
+        unit="-",
+        ge=0,
+        le=1,
+        meaning="Where the patches lie, as a fraction of the field from the west.",
+        source=OWN,
     )
 
     def share(self, lattice: Lattice) -> NDArray[np.float64]:
@@ -146,7 +171,9 @@ def _three() -> list[Island]:
 class Islands(Layout):
     """Plants on rectangles only; three unless stated."""
 
-    kind: Literal["islands"] = parameter("islands", unit="-", meaning="Plants on rectangles only.")
+    kind: Literal["islands"] = parameter(
+        "islands", unit="-", meaning="Plants on rectangles only.", source=TABLES
+    )
     islands: list[Island] = parameter(
         _three,
         unit="-",
@@ -163,11 +190,14 @@ class Islands(Layout):
 class MappedPlants(Layout):
     """Plants in the shares that an image or an array gives."""
 
-    kind: Literal["file"] = parameter("file", unit="-", meaning="Plants where an image or array has them.")
+    kind: Literal["file"] = parameter(
+        "file", unit="-", meaning="Plants where an image or array has them.", source=OWN
+    )
     path: str = parameter(
         unit="-",
         meaning="A .npy array of shares (row 0 in the south) or a greyscale .png (white: the full values), "
         "of the lattice's size.",
+        source=OWN,
     )
 
     def share(self, lattice: Lattice) -> NDArray[np.float64]:
