@@ -159,6 +159,8 @@ def _response(
     k[0, 0] = 1.0
     a, b = stress_coefficients(2 * np.pi / (k * parameters.roughness))
     smooth = np.exp(-0.5 * (k * parameters.smoothing * cell_size) ** 2)
+    shortest = 0.999999 * np.pi / cell_size
+    smooth = smooth * (np.abs(kx) < shortest) * (np.abs(ky) < shortest)
     response = k * (a + 1j * b * np.sign(along)) * (along / k) ** 2 * smooth
     response[0, 0] = 0.0
     return response, 1j * along * smooth

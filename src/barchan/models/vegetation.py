@@ -148,11 +148,14 @@ class Blowouts(Layout):
 
     def share(self, lattice: Lattice) -> NDArray[np.float64]:
         """None on the patches, all elsewhere."""
-        columns = np.abs(lattice.x - self.x * lattice.columns * lattice.cell_size) <= self.length / 2
-        height = lattice.rows * lattice.cell_size
-        middles = (np.arange(self.count) + 0.5) * height / self.count
-        rows = (np.abs(lattice.y[:, None] - middles) <= self.width / 2).any(axis=1)
+        columns = _within(lattice.x - self.x * lattice.columns * lattice.cell_size, self.length)
+        middles = (np.arange(self.count) + 0.5) * lattice.rows * lattice.cell_size / self.count
+        rows = _within(lattice.y[:, None] - middles, self.width).any(axis=1)
         return np.where(np.outer(rows, columns), 0.0, 1.0)
+
+
+def _within(distance: NDArray[np.float64], size: float) -> NDArray[np.bool_]:
+    return (distance >= -size / 2) & (distance < size / 2)
 
 
 class Island(Area):
