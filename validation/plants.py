@@ -12,15 +12,18 @@ import numpy as np
 from scipy.ndimage import find_objects, label
 
 import barchan
+from barchan.wind.segment import downwind
 from validation.study import Row, measures_after, number, order, over_seeds, spread
 
 TITLE = "Plants"
+
+FLAT = [{"balance": -1.0, "change": 0.0}, {"balance": 1.0, "change": 0.0}]
 
 
 def activity(changes, seed):
     """Slabs moved in a poll during the last vegetation year, and the plants' mean effectiveness."""
     simulation = barchan.Simulation(barchan.load("nebkhas", run__seed=seed, **changes))
-    simulation.advance(1500 - 80)
+    simulation.advance(320)
     tally = simulation.advance(80)
     cover = sum(simulation.bed.arrays[name] for name in ("grass", "mesquite", "shrub"))
     return {"moved": tally.moved / tally.polls, "cover": float(cover.mean())}
@@ -58,14 +61,23 @@ def caught(seed):
     return {"inside": float(sand[island & before].mean()), "outside": float(sand[~island].mean())}
 
 
-def noses(seed):
-    """Where the sand of blowouts lies along the wind: at the nose, and at the arms beside it."""
-    simulation = barchan.Simulation(barchan.load("blowouts-oblique", run__seed=seed, wind__direction=270.0))
+def hairpins(seed):
+    """How far (cells) raised sand, above 22 slabs, reaches upwind and downwind of each dune's top."""
+    simulation = barchan.Simulation(barchan.load("blowouts-oblique", run__seed=seed))
     simulation.advance(4000)
-    raised = simulation.bed.sand > 25
-    rows, cols = np.nonzero(raised)
-    distance = np.abs((rows / simulation.lattice.rows * 5) % 1 - 0.5)
-    return {"nose": float(cols[distance < 0.05].mean()), "arms": float(cols[distance > 0.15].mean())}
+    x, y = downwind(simulation.wind.direction)
+    dunes, _ = label(simulation.bed.sand > 22)
+    upwind, beyond = [], []
+    for number_, where in enumerate(find_objects(dunes), start=1):
+        rows, cols = np.nonzero(dunes[where] == number_)
+        rows, cols = rows + where[0].start, cols + where[1].start
+        if rows.size < 50 or rows.min() == 0 or rows.max() == dunes.shape[0] - 1:
+            continue
+        along = cols * x + rows * y
+        top = along[simulation.bed.sand[rows, cols].argmax()]
+        upwind.append(top - along.min())
+        beyond.append(along.max() - top)
+    return {"upwind": float(np.mean(upwind)), "beyond": float(np.mean(beyond))}
 
 
 def rows():
@@ -73,9 +85,14 @@ def rows():
     results = over_seeds(measures_after, [(preset, {}) for preset in stacks])
     for (preset, published), result in zip(stacks.items(), results, strict=True):
         yield number(f"highest stack, {preset}", published, result["highest_stack"], "slabs")
+    kept_out = {"model__mesquite": {"lowest": 0.0, "highest": 0.0, "curve": FLAT}}
+    without = over_seeds(measures_after, [(preset, kept_out) for preset in stacks])
+    for (preset, published), result in zip(stacks.items(), without, strict=True):
+        what = f"highest stack, {preset}, mesquite kept out"
+        yield number(what, published, result["highest_stack"], "slabs")
     slow, fast = over_seeds(activity, [({},), ({"model__steps_per_year": 20},)])
     yield order(
-        "moved in a poll after 1420 steps, years of 80 against 20 steps", "more", slow["moved"], fast["moved"]
+        "moved in a poll after 320 steps, years of 80 against 20 steps", "more", slow["moved"], fast["moved"]
     )
     yield order("effectiveness then, years of 20 against 80 steps", "more", fast["cover"], slow["cover"])
     yield Row("moved in a poll, years of 20 steps", "0 at equilibrium", spread(fast["moved"]))
@@ -91,10 +108,9 @@ def rows():
     )
     (islands,) = over_seeds(caught, [()])
     yield order("sand on islands against elsewhere", "more", islands["inside"], islands["outside"], "slabs")
-    (parabolic,) = over_seeds(noses, [()])
-    yield order(
-        "place along the wind, noses against arms", "downwind", parabolic["nose"], parabolic["arms"], "cells"
-    )
+    (parabolic,) = over_seeds(hairpins, [()])
+    what = "reach of raised sand upwind of parabolic dunes' tops against downwind"
+    yield order(what, "arms point upwind", parabolic["upwind"], parabolic["beyond"], "cells")
 
 
 READING = ""

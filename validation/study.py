@@ -8,6 +8,8 @@ from dataclasses import dataclass
 from multiprocessing import get_context
 from typing import Any
 
+import numpy as np
+
 import barchan
 from barchan.analysis.course import last_measures
 
@@ -47,8 +49,9 @@ def measures_after(scenario: str, changes: dict[str, Any], seed: int) -> dict[st
 
 def spread(values: Values, digits: int = 3) -> str:
     """Mean and standard deviation of several runs."""
-    mean = statistics.fmean(values)
-    deviation = statistics.stdev(values)
+    if not np.isfinite(values).all():
+        return "not defined in every run"
+    mean, deviation = np.mean(values), np.std(values, ddof=1)
     return f"{mean:.{digits}g} ± {deviation:.2g}"
 
 

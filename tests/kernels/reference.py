@@ -190,8 +190,11 @@ class Field:
                 way = self.steepest(row, col, here, sliding, self.order(sliding, draws.next()))
             row, col = way
 
-    def slide(self, row, col, key):
-        """Let sand about a changed cell slide that exceeds the release, until all of it rests."""
+    def slide(self, row, col, risen, key):
+        """Let sand slide where a cell's change took a slope over the release, until all of it rests."""
+        here = self.height(row, col)
+        if self.steepest(row, col, here, risen, self.order(risen), at_rest=True) is None:
+            return
         queue, waiting = [], {}
 
         def upset(cell, moving):
@@ -281,7 +284,7 @@ class Field:
             self.change(*self.chain(row, col, False, draws), -1)
         else:
             self.change(row, col, -1)
-            self.slide(row, col, draws.next())
+            self.slide(row, col, False, draws.next())
         landed = self.carry(row, col, hop, draws)
         if landed is None:
             self.tally["left"] += 1
@@ -289,7 +292,7 @@ class Field:
             self.change(*self.chain(*landed, True, draws), 1)
         else:
             self.change(*landed, 1)
-            self.slide(*landed, draws.next())
+            self.slide(*landed, True, draws.next())
 
     def carry(self, row, col, hop, draws):
         dx, dy = self.fixed(hop)

@@ -110,20 +110,19 @@ def steepest(surface, sand, mobility, turns, turn, row, col, here, sign, at_rest
     before a corner. The higher cell's limit decides; a step ``at_rest`` must exceed it by the release.
     Returns ``STABLE`` where every step holds.
     """
-    face_limit = repose.face_limit
-    corner_limit = repose.corner_limit
-    face_hold = Hold(face_limit, repose.firm_face_limit, repose.firm_below)
-    corner_hold = Hold(corner_limit, repose.firm_corner_limit, repose.firm_below)
+    face_limit = repose.face_limit + at_rest * repose.release_face
+    corner_limit = repose.corner_limit + at_rest * repose.release_corner
+    firm_face_limit = repose.firm_face_limit + at_rest * repose.release_face
+    firm_corner_limit = repose.firm_corner_limit + at_rest * repose.release_corner
+    face_hold = Hold(face_limit, firm_face_limit, repose.firm_below)
+    corner_hold = Hold(corner_limit, firm_corner_limit, repose.firm_below)
     if mobility is not None:
         if sign > 0:
-            face_limit = min(face_limit, repose.firm_face_limit)
-            corner_limit = min(corner_limit, repose.firm_corner_limit)
+            face_limit = min(face_limit, firm_face_limit)
+            corner_limit = min(corner_limit, firm_corner_limit)
         elif mobility[np.uint64(row * grid.cols + col)] <= repose.firm_below:
-            face_limit = repose.firm_face_limit
-            corner_limit = repose.firm_corner_limit
-    if at_rest:
-        face_limit += repose.release_face
-        corner_limit += repose.release_corner
+            face_limit = firm_face_limit
+            corner_limit = firm_corner_limit
     north = row + 1
     if north == grid.rows:
         north = 0 if grid.wrap_across else row
