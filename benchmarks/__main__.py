@@ -13,10 +13,10 @@ PAGE = Path(__file__).parents[1] / "docs" / "benchmarks.md"
 INTRODUCTION = """# How fast it is
 
 Measured by `python -m benchmarks --write` on one core; millions a second, the median of five repetitions
-with the slowest and the fastest in brackets (one repetition at 4096²). Each case runs Werner's model from a
-flat bed of three slabs a cell with hops of five cells; unless it says otherwise the field is 256 × 256 cells
-for 400 steps, the wind blows from the west along the rows, the neighbourhood is von Neumann's with two slabs
-of repose, and erosion in shadow is forbidden.
+with the slowest and the fastest in brackets (one repetition at 4096²). Each case starts from
+a flat bed; unless it says otherwise it is Werner's model with three slabs a cell and hops of five cells, the
+field has 256 × 256 cells for 400 steps, the wind blows from the west along the rows, the neighbourhood is von
+Neumann's with two slabs of repose, and erosion in shadow is forbidden.
 """
 
 

@@ -7,14 +7,14 @@ from dataclasses import dataclass
 import numpy as np
 
 from barchan.bed import Bed, Lattice
-from barchan.models.werner import Werner
+from barchan.models import models
 from barchan.streams import Stream
 from barchan.wind.segment import Segment
 
 
 @dataclass(frozen=True)
 class Case:
-    """A bed, a wind, a variant of Werner's model and a number of steps from a flat bed of three slabs."""
+    """A bed, a wind, a model with some variants and a number of steps from a flat bed."""
 
     name: str
     size: int = 256
@@ -22,13 +22,15 @@ class Case:
     direction: float = 270.0
     lee_erosion: bool = False
     uneven: bool = False
+    model: str = "werner"
+    depth: int = 3
+    rocks: bool = False
     variants: tuple[tuple[str, str | bool | int], ...] = ()
 
     @property
     def parameters(self):
-        return Werner.Parameters(
-            lee_erosion=self.lee_erosion, repose_angle=33.7, repose_test="after", **dict(self.variants)
-        )
+        asked = {"lee_erosion": self.lee_erosion, "repose_angle": 33.7, "repose_test": "after"}
+        return models()[self.model].Parameters(**(asked | dict(self.variants)))
 
 
 @dataclass(frozen=True)
@@ -56,6 +58,22 @@ CASES = (
     Case("random order of neighbours", variants=(("neighbour_order", "random"),)),
     Case("non-repeated polling", variants=(("polling", "non_repeated"),)),
     Case("forced erosion", variants=(("forced_erosion", True),)),
+    Case("Momiji", model="momiji"),
+    Case("Momiji, exact hops", model="momiji", variants=(("hop_rounding", "none"),)),
+    Case("Bishop", model="bishop"),
+    Case("Nield & Baas, bare at first", model="nield_baas", variants=(("hop_length", 5.0),)),
+    Case("Nield & Baas, hops of one cell", model="nield_baas"),
+    Case("after Pelletier, 20 slabs a cell", model="pelletier", depth=20),
+    Case("Werner, 20 slabs a cell", depth=20),
+    Case("release above 45°", variants=(("release_angle", 45.0),)),
+    Case("Momiji among rocks, no path test", model="momiji", rocks=True),
+    Case("Momiji among rocks, path test", model="momiji", rocks=True, variants=(("path_test", "hard"),)),
+    Case(
+        "Momiji among rocks, path test for sand too",
+        model="momiji",
+        rocks=True,
+        variants=(("path_test", "surface"),),
+    ),
     Case("256², 25 steps", steps=25, lee_erosion=True),
     Case("1024², 25 steps", size=1024, steps=25, lee_erosion=True),
     Case("4096², 25 steps", size=4096, steps=25, lee_erosion=True),
@@ -69,15 +87,18 @@ CASES = (
 def measure(case: Case, repetitions: int = 5) -> Speed:
     """Time a case; the kernel is compiled and warm before the clock starts."""
     lattice = Lattice(rows=case.size, columns=case.size)
-    model = Werner(case.parameters, lattice)
+    model = models()[case.model](case.parameters, lattice)
     ground = np.zeros(lattice.shape)
     if case.uneven:
         ground = 0.3 * np.random.default_rng(1).random(lattice.shape)
+    if case.rocks:
+        ground[100:140, 60:80] = ground[30:70, 160:180] = 20.0
     stream = Stream(1, "transport")
     polls, moves = [], []
     runs = 1 if case.size > 1024 else repetitions
     for repetition in range(runs + 1):
-        bed = Bed(lattice, ground, np.full(lattice.shape, 3))
+        bed = Bed(lattice, ground, np.where(ground > 1.0, 0, case.depth))
+        model.prepare(bed, 1)
         steps = case.steps if repetition else 1
         began = time.perf_counter()
         tally = model.advance(bed, Segment(0, steps, 0, lattice.cells, case.direction), stream, 0, 0)

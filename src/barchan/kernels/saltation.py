@@ -117,10 +117,29 @@ def _change(surface, sand, levels, row, col, grid, slab, count, speedup):
 
 @njit(cache=True)
 def _slide_from(
-    surface, sand, mobility, levels, sequences, queue, waiting, row, col, key, grid, speedup, repose
+    surface,
+    sand,
+    mobility,
+    levels,
+    turns,
+    sequences,
+    queue,
+    waiting,
+    row,
+    col,
+    sign,
+    key,
+    grid,
+    speedup,
+    repose,
 ):
-    """Let slopes about a changed cell slide that exceed the release."""
+    """Let slopes slide that a cell's change, down (``sign`` 1) or up (-1), took over the release."""
     cell = row * grid.cols + col
+    turn = SLIDE if sign < 0 else FEED
+    here = np.int64(surface[cell])
+    way = steepest(surface, sand, mobility, turns, turn, row, col, here, sign, True, grid, repose)
+    if way == STABLE:
+        return
     length = upset(cell, CHECKED, queue, waiting, 0, 0)
     for k in range(8):
         r, c = neighbour(row, col, k, grid)
@@ -229,11 +248,13 @@ def run_polls(
                 sand,
                 mobility,
                 levels,
+                turns,
                 sequences,
                 queue,
                 waiting,
                 r,
                 c,
+                1,
                 mix(state),
                 grid,
                 speedup,
@@ -317,11 +338,13 @@ def run_polls(
                     sand,
                     mobility,
                     levels,
+                    turns,
                     sequences,
                     queue,
                     waiting,
                     row,
                     col,
+                    -1,
                     mix(state),
                     grid,
                     speedup,
