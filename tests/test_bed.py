@@ -93,6 +93,19 @@ def test_frames_carry_the_fields_that_are_declared_for_them_and_no_others():
     assert frame["hardness"].dtype == np.float32
 
 
+def test_the_bed_of_a_frame_has_its_fields_without_what_frames_do_not_carry():
+    bed = bed_of(np.arange(16).reshape(2, 8))
+    hardness = FieldInfo("hardness", "float32", "-", "hardness of snow")
+    scratch = FieldInfo("scratch", "int8", "-", "work space", in_frames=False)
+    bed.add(hardness, np.full((2, 8), 0.5))
+    bed.add(scratch, np.ones((2, 8)))
+    seen = Bed.from_fields(bed.lattice, bed.frame(), [hardness, scratch])
+    assert set(seen.declared) == {"ground", "sand", "hardness"}
+    for name, values in seen.arrays.items():
+        np.testing.assert_array_equal(values, bed.arrays[name])
+        assert values.dtype == bed.arrays[name].dtype
+
+
 @given(st.integers(1, 12), st.integers(8, 20), st.integers(0, 2**20), st.floats(0.001, 10))
 def test_a_level_bed_stands_at_its_stack_everywhere(rows, columns, stack, height):
     bed = bed_of(np.full((rows, columns), stack), slab_height=height)

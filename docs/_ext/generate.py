@@ -113,11 +113,22 @@ def model_page(model: Any) -> str:
     parts += ["Keys stand under `model` in a scenario. *Live* parameters may change during a run."]
     for group, declared in groupby(declarations(model.Parameters), lambda d: d.group):
         parts += [f"### {group.capitalize() or 'Name'}", parameter_table(declared)]
+    if model.fields or model.derived:
+        parts += ["## Fields", "What `barchan show RUN --field NAME` draws, beside the fields of every run:"]
+        parts += [fields_table(model)]
     facts = model(model.Parameters(), Lattice()).facts()
     if facts:
         parts += ["## What the defaults come to", "On a lattice with its defaults:"]
         parts += [f"* {name}: {fact}" for name, fact in facts.items()]
     return "\n\n".join(parts) + "\n"
+
+
+def fields_table(model: Any) -> str:
+    """The fields that frames of a model's runs carry for it, and those that it derives."""
+    kept = [(f, "in frames") for f in model.fields if f.in_frames]
+    fields = [*kept, *((f, "derived") for f in model.derived)]
+    rows = [(code(f.name), "–" if f.unit == "1" else f.unit, f.meaning, kind) for f, kind in fields]
+    return table(("Name", "Unit", "Meaning", "Kind"), rows, "20 15 50 15")
 
 
 def keys_page() -> str:

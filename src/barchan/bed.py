@@ -3,7 +3,7 @@
 The surface is always computed from the ground and the layers, never accumulated.
 """
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Literal, Self
 
@@ -88,6 +88,11 @@ class Lattice(Parameters):
         return self.rows * self.columns
 
     @property
+    def periodic(self) -> tuple[bool, bool]:
+        """Whether the field is periodic south to north and west to east."""
+        return self.boundary_y == "periodic", self.boundary_x == "periodic"
+
+    @property
     def x(self) -> NDArray[np.float64]:
         """Distance of the cells' centres from the west edge (m)."""
         return (np.arange(self.columns, dtype=np.float64) + 0.5) * self.cell_size
@@ -108,6 +113,8 @@ class FieldInfo:
     meaning: str
     in_frames: bool = True
     """Whether frames of a run carry the field."""
+    centre: float | None = None
+    """The value that pictures show it evenly about, where there is one."""
 
 
 GROUND = FieldInfo("ground", "float64", "m", "elevation of the non-erodible ground")
@@ -127,6 +134,17 @@ class Bed:
         self.arrays: dict[str, NDArray] = {}
         self.add(GROUND, ground)
         self.add(SAND, sand)
+
+    @classmethod
+    def from_fields(
+        cls, lattice: Lattice, fields: Mapping[str, NDArray], declared: Iterable[FieldInfo] = ()
+    ) -> Self:
+        """The bed that a frame shows: ground, sand and what else it carries of the ``declared`` fields."""
+        bed = cls(lattice, fields[GROUND.name], fields[SAND.name])
+        for field in declared:
+            if field.in_frames:
+                bed.add(field, fields[field.name])
+        return bed
 
     def add(self, field: FieldInfo, values: NDArray) -> None:
         """Add a declared field; its values are copied into the declared type."""

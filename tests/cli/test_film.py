@@ -23,6 +23,7 @@ def test_a_film_goes_where_it_is_asked_to(here, finished, barchan):
         "grey",
         "--smoothing",
         "1",
+        "--no-layers",
     ]
     assert barchan("film", finished, "--size", "48", *words).code == 0
     with Image.open(here / "dunes.gif") as film:

@@ -26,6 +26,12 @@ def test_the_frame_nearest_to_a_step_is_drawn(finished, barchan, step, nearest):
     assert barchan("show", finished, "--step", step).out == f"{finished / f'map-{nearest}.png'}\n"
 
 
+@pytest.mark.parametrize("view", ["map", "profile"])
+def test_a_picture_of_a_field_is_named_after_it(finished, barchan, view):
+    result = barchan("show", finished, "--view", view, "--field", "slope")
+    assert (result.out, result.err) == (f"{finished / f'{view}-slope-20.png'}\n", "")
+
+
 @pytest.mark.parametrize("ending", ["png", "pdf", "svg"])
 def test_a_picture_is_of_the_kind_of_its_ending(here, finished, barchan, ending):
     assert barchan("show", finished, "--out", f"picture.{ending}").code == 0
@@ -45,6 +51,10 @@ def test_a_picture_is_of_the_kind_of_its_ending(here, finished, barchan, ending)
         ["--view", "contours", "--count", "3", "--smoothing", "0"],
         ["--view", "profile", "--at", "0"],
         ["--view", "space-time", "--at", "1", "--colours", "grey"],
+        ["--no-layers"],
+        ["--field", "slope", "--limits", "0", "40", "--smoothing", "1"],
+        ["--field", "sand", "--colours", "grey"],
+        ["--field", "shadow", "--view", "profile", "--at", "0.5"],
     ],
     ids=" ".join,
 )
@@ -62,6 +72,11 @@ def test_how_a_picture_is_drawn_can_be_chosen(here, finished, barchan, words):
         (["--count", "0"], "--count"),
         (["--smoothing", "-1"], "--smoothing"),
         (["--limits", "3", "1"], "--limits"),
+        (
+            ["--field", "hop"],
+            "no field 'hop'; this run has elevation, ground, sand, sand_depth, shadow, slope",
+        ),
+        (["--field", "slope", "--view", "series"], "--field slope"),
         (["--out", "picture.txt"], "cannot write picture.txt"),
         (["--out", "nowhere/picture.png"], "cannot write nowhere/picture.png"),
     ],

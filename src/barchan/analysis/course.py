@@ -95,8 +95,7 @@ MEASURES = (
 
 def periodic(scenario: Scenario) -> tuple[bool, bool]:
     """Whether a scenario's field is periodic south to north and west to east."""
-    lattice = scenario.lattice
-    return lattice.boundary_y == "periodic", lattice.boundary_x == "periodic"
+    return scenario.lattice.periodic
 
 
 LAGS = 3

@@ -19,6 +19,7 @@ def film(
     colours: Colours = "perceptual",
     smoothing: Annotated[float, Parameter(validator=Number(gte=0, lte=1000))] = 0.0,
     follow: Annotated[bool, Parameter(negative=())] = False,
+    layers: bool = True,
 ) -> None:
     """Write an animated picture of a run.
 
@@ -38,6 +39,8 @@ def film(
         Smooth the surface over so many cells before drawing.
     follow
         Let the colour scale follow each frame instead of holding for the whole run.
+    layers
+        Draw what the model lays over the surface: plants, light to dark green.
     """
     from barchan.archive import open_run
     from barchan.archive.folder import scenario_of
@@ -56,5 +59,6 @@ def film(
             colours=colours,
             smoothing=smoothing,
             follow=follow,
+            layers=layers,
         )
     console.print(str(path))

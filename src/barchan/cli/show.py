@@ -29,6 +29,8 @@ def show(
     smoothing: Annotated[float | None, Parameter(validator=Number(gte=0, lte=1000))] = None,
     at: Annotated[float | None, Parameter(validator=Number(gte=0, lte=1))] = None,
     bare: bool = True,
+    layers: bool = True,
+    field: str | None = None,
 ) -> None:
     """Draw a frame of a run, a section, or its course in time.
 
@@ -46,32 +48,55 @@ def show(
     colours
         Colour map: perceptual, grey, or red-green with red the highest.
     limits
-        Lowest and highest elevation (m) of the colour scale; the frame's own without it.
+        Lowest and highest elevation (m), or value of the field, of the colour scale; the frame's own without
+        it.
     interval
         Contour interval (m), instead of a number of contours.
     count
         Number of contours.
     smoothing
-        Smooth the surface over so many cells before drawing; 1 for contours, 0 for the rest.
+        Smooth the surface, or the field, over so many cells before drawing; 1 for contours, 0 for the
+        rest; the curve of a field along a section is smoothed over 2 at least.
     at
         Where the section lies across the wind, from 0 to 1; through the highest stack without it.
     bare
         Show bare ground in grey on maps.
+    layers
+        Draw what the model lays over the surface on maps: plants, light to dark green.
+    field
+        Draw this field instead of the elevation (map), or below it (profile): one that frames carry, such as
+        sand, or one derived, such as slope, shadow, hop, speedup, stress, effectiveness; an unknown name is
+        answered with those that the run has.
     """
+    from barchan.analysis.fields import field_of
     from barchan.archive import open_run
     from barchan.archive.folder import scenario_of
+    from barchan.cli.terminal import save_picture
 
     if limits is not None and not limits[0] < limits[1]:
         raise BarchanError(f"--limits {limits[0]:g} {limits[1]:g}: the lowest must be below the highest")
+    if field is not None and view not in ("map", "profile"):
+        raise BarchanError(f"--field {field}: a field is drawn as --view map or profile, not {view}")
     scenario = scenario_of(run)
     with open_run(run) as dataset:
         frame = _frame(dataset, step)
         width = smoothing if smoothing is not None else float(view == "contours")
-        if view == "map":
+        drawn = None if field is None else field_of(frame, scenario, field)
+        if view == "map" and drawn is not None:
+            from barchan.figures.fields import field_map
+
+            figure = field_map(drawn, frame, scenario, colours=colours, limits=limits, smoothing=width)
+        elif view == "map":
             from barchan.figures.maps import relief_map
 
             figure = relief_map(
-                frame, scenario, colours=colours, limits=limits, smoothing=width, show_bare=bare
+                frame,
+                scenario,
+                colours=colours,
+                limits=limits,
+                smoothing=width,
+                show_bare=bare,
+                layers=layers,
             )
         elif view == "contours":
             from barchan.figures.maps import contour_map
@@ -88,7 +113,7 @@ def show(
         elif view == "profile":
             from barchan.figures.sections import profile
 
-            figure = profile(frame, scenario, at=at, smoothing=width)
+            figure = profile(frame, scenario, at=at, smoothing=width, field=drawn)
         elif view == "space-time":
             from barchan.figures.sections import space_time
 
@@ -98,15 +123,9 @@ def show(
             from barchan.figures.series import time_series
 
             figure = time_series(course(dataset, scenario), scenario)
+    name = view if field is None else f"{view}-{field}"
     whole = view in ("space-time", "series")
-    path = out or run / (f"{view}.png" if whole else f"{view}-{int(frame['step'])}.png")
-    try:
-        figure.savefig(path)
-    except (OSError, ValueError) as error:
-        raise BarchanError(f"cannot write {path}: {error}") from None
-    from barchan.cli.terminal import console
-
-    console.print(str(path))
+    save_picture(figure, out or run / (f"{name}.png" if whole else f"{name}-{int(frame['step'])}.png"))
 
 
 def _frame(dataset: "xr.Dataset", step: int | None) -> "xr.Dataset":

@@ -5,15 +5,18 @@ import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from importlib import import_module
+from pathlib import Path
 from types import FrameType
 from typing import TYPE_CHECKING, Self
 
 from rich.console import Console
 from rich.text import Text
 
+from barchan.errors import BarchanError
 from barchan.simulation import Simulation
 
 if TYPE_CHECKING:
+    from matplotlib.figure import Figure
     from rich.progress import Progress, TaskID
 
 console = Console(highlight=False, markup=False, soft_wrap=True)
@@ -25,6 +28,15 @@ LOG_EVERY = 10.0
 def print_note(text: str) -> None:
     """Something to know, that is no error."""
     console.print(Text.assemble(("note:", "yellow"), " ", text))
+
+
+def save_picture(figure: "Figure", path: Path) -> None:
+    """Write a picture and tell where it is; raises BarchanError where it cannot be written."""
+    try:
+        figure.savefig(path)
+    except (OSError, ValueError) as error:
+        raise BarchanError(f"cannot write {path}: {error}") from None
+    console.print(str(path))
 
 
 class Interrupts:

@@ -28,17 +28,19 @@ def film(
     colours: Colours = "perceptual",
     smoothing: float = 0.0,
     follow: bool = False,
+    layers: bool = True,
     progress: Callable[[int], None] | None = None,
 ) -> None:
     """Write the shaded maps of all frames as an animation; the longer side gets about ``size`` pixels.
 
-    With ``follow`` the colour scale follows each frame instead of holding for the whole run. Raises
-    BarchanError for a file that is neither .webp nor .gif, or that cannot be written.
+    With ``follow`` the colour scale follows each frame instead of holding for the whole run; with
+    ``layers`` the model's layers, such as plants, lie over the surface. Raises BarchanError for a file that
+    is neither .webp nor .gif, or that cannot be written.
     """
     ending = path.suffix.lower()
     if ending not in FORMATS:
         raise BarchanError(f"{path}: a film is {' or '.join(FORMATS)}, not '{path.suffix}'")
-    pictures = _pictures(dataset, scenario, size, colours, smoothing, follow, progress)
+    pictures = _pictures(dataset, scenario, size, colours, smoothing, follow, layers, progress)
     first = next(pictures)
     partial = path.with_name(path.name + ".partial")
     options = {"lossless": False, "quality": 80} if ending == ".webp" else {}
@@ -64,6 +66,7 @@ def _pictures(
     colours: Colours,
     smoothing: float,
     follow: bool,
+    layers: bool,
     progress: Callable[[int], None] | None,
 ) -> Iterator[Image.Image]:
     from matplotlib.colors import Normalize
@@ -76,7 +79,7 @@ def _pictures(
     for k in range(count):
         frame = dataset.isel(step=k).load()
         own = Normalize(float(low[k]), float(high[k])) if follow else norm
-        colour = shaded(frame, scenario, norm=own, colours=colours, smoothing=smoothing)[::-1]
+        colour = shaded(frame, scenario, norm=own, colours=colours, smoothing=smoothing, layers=layers)[::-1]
         picture = Image.fromarray((colour * 255).round().astype(np.uint8))
         yield picture.resize((picture.width * scale, picture.height * scale), Image.Resampling.BICUBIC)
         if progress is not None:

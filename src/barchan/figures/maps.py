@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from barchan.analysis.course import periodic
 from barchan.analysis.field import gradient
+from barchan.figures.layers import BAR, layer_bars, layers_of, overlaid
 from barchan.figures.style import BARE, Colours, colour_map, extent, map_axes, new_figure, smooth
 from barchan.scenario import Scenario
 
@@ -29,18 +30,33 @@ def relief_map(
     limits: Limits = None,
     smoothing: float = 0.0,
     show_bare: bool = True,
+    layers: bool = True,
 ) -> "Figure":
-    """A hill-shaded map of one frame, with a colour bar in metres; bare ground is grey."""
+    """A hill-shaded map of one frame, with a colour bar in metres; bare ground is grey.
+
+    With ``layers`` the model's layers, such as plants, lie over it.
+    """
     from matplotlib.cm import ScalarMappable
     from matplotlib.colors import Normalize
 
     surface = frame["elevation"].values
     norm = Normalize(*(limits or _range(surface)))
-    image = shaded(frame, scenario, norm=norm, colours=colours, smoothing=smoothing, show_bare=show_bare)
-    figure = new_figure(*_size(scenario))
+    image = shaded(
+        frame,
+        scenario,
+        norm=norm,
+        colours=colours,
+        smoothing=smoothing,
+        show_bare=show_bare,
+        layers=layers,
+    )
+    width, height = map_size(scenario)
+    figure = new_figure(width + BAR * len(layers_of(scenario)) * layers, height)
     axes = figure.add_subplot()
     axes.imshow(image, origin="lower", extent=extent(scenario), interpolation="nearest")
     map_axes(axes, scenario, frame)
+    if layers:
+        layer_bars(figure, axes, scenario)
     figure.colorbar(
         ScalarMappable(norm, colour_map(colours)), ax=axes, label="elevation (m)", shrink=0.85, aspect=30
     )
@@ -55,15 +71,29 @@ def shaded(
     colours: Colours = "perceptual",
     smoothing: float = 0.0,
     show_bare: bool = True,
+    layers: bool = True,
 ) -> NDArray[np.float64]:
     """The colours (red, green, blue in [0, 1]) of a hill-shaded map, row 0 at the south edge."""
-    lattice = scenario.lattice
     shown = smooth(frame["elevation"].values, smoothing, scenario)
     base = np.asarray(colour_map(colours)(norm(shown)))[..., :3]  # type: ignore[operator]
     if show_bare:
         base = np.where((frame["sand"].values == 0)[..., None], BARE, base)
+    if layers:
+        base = overlaid(base, frame, scenario)
+    return lit(base, frame, scenario, smoothing)
+
+
+def lit(
+    base: NDArray[np.float64],
+    frame: "xr.Dataset",
+    scenario: Scenario,
+    smoothing: float,
+    strength: float = 1.0,
+) -> NDArray[np.float64]:
+    """Colours (red, green, blue) of a map in the light and shade of its surface."""
     relief = smooth(frame["elevation"].values, max(smoothing, 0.6), scenario) * 1.5
-    shade = _light(*gradient(relief, lattice.cell_size, periodic(scenario)))[..., None]
+    light = _light(*gradient(relief, scenario.lattice.cell_size, periodic(scenario)))[..., None]
+    shade = 1.0 + strength * (light - 1.0)
     return np.clip(np.where(shade <= 1, base * shade, 1 - (1 - base) * (2 - shade).clip(0.3)), 0.0, 1.0)
 
 
@@ -92,7 +122,7 @@ def contour_map(
         levels = np.arange(np.ceil(low / interval), np.floor(high / interval) + 1) * interval
     else:
         levels = np.linspace(low, high, count + 2)[1:-1]
-    figure = new_figure(*_size(scenario))
+    figure = new_figure(*map_size(scenario))
     axes = figure.add_subplot()
     image = axes.imshow(
         surface, origin="lower", extent=extent(scenario), cmap=colour_map(colours), vmin=low, vmax=high
@@ -110,7 +140,7 @@ def _range(surface: NDArray) -> tuple[float, float]:
     return (low, high) if high > low else (low - 0.5, high + 0.5)
 
 
-def _size(scenario: Scenario) -> tuple[float, float]:
+def map_size(scenario: Scenario) -> tuple[float, float]:
     """Figure size (inches) that suits the field's shape."""
     lattice = scenario.lattice
     tall = np.clip(lattice.rows / lattice.columns, 0.15, 1.6)

@@ -6,13 +6,29 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from barchan.figures.style import GROUND, SAND, SHADOW, Colours, colour_map, new_figure, title
+from barchan.figures.style import (
+    CURVE,
+    GROUND,
+    SAND,
+    SHADOW,
+    Colours,
+    colour_map,
+    label_of,
+    new_figure,
+    smooth,
+    title,
+)
 from barchan.scenario import Scenario
 from barchan.wind.segment import downwind
 
 if TYPE_CHECKING:
     import xarray as xr
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
+
+
+CURVE_SMOOTHING = 2.0
+"""Cells over which a field's curve is smoothed at least: single cells stand in each other's shadow."""
 
 
 @dataclass(frozen=True)
@@ -80,18 +96,41 @@ def shadow_line(
 
 
 def profile(
-    frame: "xr.Dataset", scenario: Scenario, *, at: float | None = None, smoothing: float = 0.0
+    frame: "xr.Dataset",
+    scenario: Scenario,
+    *,
+    at: float | None = None,
+    smoothing: float = 0.0,
+    field: "xr.DataArray | None" = None,
 ) -> "Figure":
-    """The section along the wind through the highest stack, or at ``at``, its shadow zones shaded."""
-    from barchan.figures.style import smooth
+    """The section along the wind through the highest stack, or at ``at``, its shadow zones shaded.
 
+    A ``field`` of the frame (see ``analysis.fields.field_of``) is drawn along the section below it.
+    """
     direction = float(frame["wind_direction"])
     section = section_along_wind(scenario, direction, _through_highest(frame, scenario) if at is None else at)
     ground = frame["ground"].values[section.rows, section.cols]
     surface = smooth(frame["elevation"].values, smoothing, scenario)[section.rows, section.cols]
     line = _shadow(section, surface, scenario)
-    figure = new_figure(9.0, 3.0)
-    axes = figure.add_subplot()
+    if field is None:
+        figure = new_figure(9.0, 3.0)
+        axes = lowest = figure.add_subplot()
+    else:
+        figure = new_figure(9.0, 5.0)
+        axes, lowest = figure.subplots(2, sharex=True)
+        _draw_field(lowest, section, line > surface, field, scenario, max(smoothing, CURVE_SMOOTHING))
+    _draw_sand(axes, section, ground, surface, line)
+    lowest.set_xlabel("distance downwind (m)")
+    axes.set_title(title(scenario, int(frame["step"])), loc="left", fontsize=10)
+    axes.annotate("wind →", (1.0, 1.02), xycoords="axes fraction", ha="right", fontsize=9)
+    axes.legend(
+        loc="lower right", bbox_to_anchor=(0.92, 1.01), fontsize=8, frameon=False, ncols=2, borderaxespad=0
+    )
+    return figure
+
+
+def _draw_sand(axes: "Axes", section: Section, ground: NDArray, surface: NDArray, line: NDArray) -> None:
+    """Ground and sand of a section, and what lies below the shadow line."""
     axes.fill_between(
         section.distance, ground.min() - 0.1 * np.ptp(surface), ground, color=GROUND, step="mid"
     )
@@ -108,12 +147,45 @@ def profile(
         label="shadow zone",
     )
     axes.margins(x=0)
-    axes.set_xlabel("distance downwind (m)")
     axes.set_ylabel("elevation (m)")
-    axes.set_title(title(scenario, int(frame["step"])), loc="left", fontsize=10)
-    axes.annotate("wind →", (1.0, 1.02), xycoords="axes fraction", ha="right", fontsize=9)
-    axes.legend(loc="upper right", fontsize=8, framealpha=0.8)
-    return figure
+
+
+def _draw_field(
+    axes: "Axes",
+    section: Section,
+    sheltered: NDArray[np.bool_],
+    field: "xr.DataArray",
+    scenario: Scenario,
+    smoothing: float,
+) -> None:
+    """A field along a section, cell by cell (pale) and smoothed, over shadow zones and its centre."""
+    from matplotlib.transforms import blended_transform_factory
+
+    axes.fill_between(
+        section.distance,
+        0,
+        1,
+        where=sheltered,
+        transform=blended_transform_factory(axes.transData, axes.transAxes),
+        color=SHADOW,
+        alpha=0.15,
+        step="mid",
+        linewidth=0,
+    )
+    centre = field.attrs.get("centre")
+    if centre is not None:
+        axes.axhline(centre, color="black", linewidth=0.8, linestyle="--")
+    cells = field.values[section.rows, section.cols].astype(float)
+    smoothed = smooth(field.values, smoothing, scenario)[section.rows, section.cols]
+    axes.step(
+        section.distance, cells, where="mid", color=CURVE, linewidth=0.7, alpha=0.4, label="single cells"
+    )
+    label = f"smoothed over {smoothing:g} cells"
+    axes.plot(section.distance, smoothed, color=CURVE, linewidth=1.6, label=label)
+    axes.legend(loc="lower right", bbox_to_anchor=(1, 1), fontsize=8, frameon=False, ncols=2, borderaxespad=0)
+    axes.set_ylabel(label_of(field))
+    axes.margins(x=0)
+    axes.grid(alpha=0.3)
 
 
 def _shadow(section: Section, surface: NDArray, scenario: Scenario) -> NDArray[np.float64]:

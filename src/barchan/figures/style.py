@@ -1,5 +1,6 @@
 """What all pictures share: colours, the wind's arrow, axes in metres."""
 
+import textwrap
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
@@ -21,6 +22,8 @@ Colours = Literal["perceptual", "grey", "red-green"]
 SAND = "#d9a441"
 GROUND = "#8c8278"
 SHADOW = "#35507a"
+CURVE = "#b3402a"
+PALE = "#f2ead8"
 BARE = (0.80, 0.79, 0.77)
 
 
@@ -53,6 +56,13 @@ def extent(scenario: Scenario) -> tuple[float, float, float, float]:
     return 0.0, lattice.columns * lattice.cell_size, 0.0, lattice.rows * lattice.cell_size
 
 
+def label_of(field: "xr.DataArray") -> str:
+    """A field's meaning and unit, in lines that fit beside a low picture."""
+    unit = field.attrs["unit"]
+    text = str(field.attrs["long_name"]) + ("" if unit in ("1", "-") else f" ({unit})")
+    return textwrap.fill(text, MOST_LABEL)
+
+
 def map_axes(axes: "Axes", scenario: Scenario, frame: "xr.Dataset") -> None:
     """Label a map's axes, name it, and draw the wind."""
     axes.set_xlabel("x (m)")
@@ -62,6 +72,9 @@ def map_axes(axes: "Axes", scenario: Scenario, frame: "xr.Dataset") -> None:
     axes.set_title(text, loc="left", fontsize=min(10.0, MOST_TITLE / len(text)))
     wind_arrow(axes, float(frame["wind_direction"]))
 
+
+MOST_LABEL = 24
+"""Letters in a line of a label."""
 
 MOST_TITLE = 550.0
 """Letters of a title times their size (points) that leave room for the wind's arrow."""

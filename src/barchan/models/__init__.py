@@ -10,9 +10,9 @@ from functools import cache
 from importlib.metadata import entry_points
 
 from barchan.errors import BarchanError
-from barchan.models.base import Curve, Layer, Model, Tally
+from barchan.models.base import Curve, Derived, Layer, Model, Tally
 
-__all__ = ["Curve", "Layer", "Model", "Tally", "model", "model_names", "models"]
+__all__ = ["Curve", "Derived", "Layer", "Model", "Tally", "model", "model_names", "models"]
 
 
 @cache

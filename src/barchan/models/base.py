@@ -1,6 +1,7 @@
 """What every model declares and does."""
 
 from abc import ABC, abstractmethod
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
@@ -47,8 +48,21 @@ class Tally:
 
 
 @dataclass(frozen=True)
+class Derived:
+    """A field that is computed from a bed when someone looks, never stored."""
+
+    name: str
+    unit: str
+    meaning: str
+    of: Callable[[Any, Bed, Segment], NDArray]
+    """Computes it from the model, a bed and the wind over it."""
+    centred: bool = False
+    """Whether pictures show it evenly about its value on a flat bed."""
+
+
+@dataclass(frozen=True)
 class Layer:
-    """How a field is drawn on top of the surface."""
+    """How a field, kept or derived, is drawn on top of the surface: from 0, unseen, to 1, dark."""
 
     field: str
     title: str
@@ -77,6 +91,8 @@ class Model(ABC):
     Parameters: ClassVar[type[Parameters]]
     fields: ClassVar[tuple[FieldInfo, ...]] = ()
     """Fields the model keeps on the bed beside ground and sand."""
+    derived: ClassVar[tuple[Derived, ...]] = ()
+    """Fields that show how the model sees a bed."""
     layers: ClassVar[tuple[Layer, ...]] = ()
 
     def __init__(self, parameters: Any, lattice: Lattice) -> None:

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 from pydantic import Field
 
 from barchan.bed import Bed, FieldInfo
-from barchan.models.base import Curve, Layer
+from barchan.models.base import Curve, Derived, Layer
 from barchan.models.slab import SlabModel
 from barchan.models.slab_parameters import SlabTransport
 from barchan.models.slab_tables import Giving, Rules
@@ -98,7 +98,7 @@ def _cover_of(name: str) -> FieldInfo:
     return FieldInfo(name, "float64", "1", f"effectiveness of {name}")
 
 
-BALANCE = FieldInfo("balance", "float64", "m", "sand gained in the last full year")
+BALANCE = FieldInfo("balance", "float64", "m", "sand gained in the last full year", centre=0.0)
 YEAR_START = FieldInfo("year_start", "int32", "slabs", "sand at the start of the year", in_frames=False)
 
 
@@ -126,7 +126,16 @@ class NieldBaas(SlabModel):
     Parameters = NieldBaasParameters
     parameters: NieldBaasParameters
     fields = (*map(_cover_of, SPECIES), BALANCE, YEAR_START)
-    layers = tuple(Layer(name, name, "Greens") for name in SPECIES)
+    derived = (
+        *SlabModel.derived,
+        Derived(
+            "effectiveness",
+            "1",
+            "effectiveness of all plants",
+            lambda model, bed, _: model.effectiveness(bed),
+        ),
+    )
+    layers = (Layer("effectiveness", "plants", "Greens"),)
 
     polled = 0
     """Polls since the year began."""

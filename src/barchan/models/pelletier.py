@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from barchan.bed import Bed, Lattice
+from barchan.models.base import Derived
 from barchan.models.slab import SlabModel
 from barchan.models.slab_parameters import SlabTransport
 from barchan.models.slab_tables import Giving, Rules
@@ -100,6 +101,18 @@ class Pelletier(SlabModel):
     )
     Parameters = PelletierParameters
     parameters: PelletierParameters
+    derived = (
+        *SlabModel.derived,
+        Derived(
+            "stress",
+            "1",
+            "shear stress over that on a flat bed",
+            lambda model, bed, wind: model.unsheltered(
+                model.stress(bed, wind.direction), bed, wind.direction
+            ),
+            centred=True,
+        ),
+    )
 
     def rules(self) -> Rules:
         """Giving in proportion to the excess stress."""

@@ -1,13 +1,13 @@
 """What all slab models share: one transport kernel, told by data."""
 
 from functools import lru_cache
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from barchan.bed import Bed
-from barchan.models.base import Model, Tally
+from barchan.models.base import Derived, Model, Tally
 from barchan.models.slab_parameters import SlabTransport
 from barchan.models.slab_tables import FRACTION_BITS, Rules, SlabTables, build, settling_sequences
 from barchan.models.wind_frame import WindFrame
@@ -23,6 +23,14 @@ class SlabModel(Model):
 
     Parameters = SlabTransport
     parameters: SlabTransport
+    derived: ClassVar[tuple[Derived, ...]] = (
+        Derived(
+            "shadow",
+            "1",
+            "in shadow of the wind",
+            lambda model, bed, wind: model.shadow_zone(bed, wind.direction),
+        ),
+    )
 
     def rules(self) -> Rules:
         """What the model adds to slab transport."""
@@ -135,6 +143,12 @@ class SlabModel(Model):
         zone = np.zeros(self.lattice.cells, np.bool_)
         shadow_zone(surface, tables.grid, tables.axis, tables.ray, zone)
         return frame.leave(zone.reshape(tables.grid.rows, tables.grid.cols)).copy()
+
+    def unsheltered(self, field: NDArray[np.float64], bed: Bed, direction: float) -> NDArray[np.float64]:
+        """A field of the wind, 0 on cells that give nothing because they lie in shadow."""
+        if self.parameters.lee_erosion:
+            return field
+        return np.where(self.shadow_zone(bed, direction), 0.0, field)
 
     def facts(self) -> dict[str, str]:
         """The angles of repose that whole slabs really hold."""

@@ -1,15 +1,17 @@
 """Slab transport under a wind that speeds up with height: what Momiji's and Bishop's models share."""
 
-from typing import Literal
+from typing import ClassVar, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
 from barchan.bed import Bed
+from barchan.models.base import Derived
 from barchan.models.slab import SlabModel
 from barchan.models.slab_parameters import SlabTransport
 from barchan.models.slab_tables import HopRule, Rules
 from barchan.parameters import parameter
+from barchan.wind.segment import Segment
 
 
 class SpeedupParameters(SlabTransport):
@@ -62,6 +64,23 @@ class SpeedupModel(SlabModel):
     parameters: SpeedupParameters
     follows_relief = False
     """Whether heights are measured from the mean less half the mean distance from it, or from the mean."""
+    derived: ClassVar[tuple[Derived, ...]] = (
+        *SlabModel.derived,
+        Derived(
+            "hop",
+            "cells",
+            "hop length",
+            lambda model, bed, wind: model.open_hops(bed, wind),
+            centred=True,
+        ),
+        Derived(
+            "speedup",
+            "1",
+            "hop length over that on a flat bed",
+            lambda model, bed, wind: model.open_hops(bed, wind) / model.hop_length(wind),
+            centred=True,
+        ),
+    )
 
     def rules(self) -> Rules:
         """Hops that grow with height."""
@@ -88,3 +107,12 @@ class SpeedupModel(SlabModel):
         hops = hop_length + parameters.speedup_linear * rise
         hops += np.where(rise > 0.0, parameters.speedup_quadratic * rise**2, 0.0)
         return hops
+
+    def open_hops(self, bed: Bed, wind: Segment) -> NDArray[np.float64]:
+        """Hop length (cells) of slabs that the wind takes: 0 in shadow, unless ``lee_erosion`` is on.
+
+        The law of hops knows only heights, so just behind a crest it still gives long hops; what keeps
+        slabs there is the shadow. Together they are the wind as the model has it: fast on the crest, gone
+        in the lee.
+        """
+        return self.unsheltered(self.hops(bed, self.hop_length(wind)), bed, wind.direction)

@@ -1,0 +1,88 @@
+"""Any field of a frame by its name: kept in the frame, derived by the run's model, or plain for every bed.
+
+What a model derives follows the parameters that the scenario states, also where a run changed them.
+"""
+
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from barchan.analysis.field import gradient
+from barchan.bed import Bed
+from barchan.errors import BarchanError
+from barchan.models import Derived, Model, models
+from barchan.scenario import Scenario, nearest
+from barchan.wind.segment import Segment
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+
+def _slope(_model: Model, bed: Bed, _wind: Segment) -> NDArray[np.float64]:
+    east, north = gradient(bed.elevation, bed.lattice.cell_size, bed.lattice.periodic)
+    return np.degrees(np.arctan(np.hypot(east, north)))
+
+
+PLAIN = (
+    Derived("slope", "degrees", "slope of the surface", _slope),
+    Derived(
+        "sand_depth", "m", "depth of the sand", lambda _model, bed, _wind: bed.sand * bed.lattice.thickness
+    ),
+)
+"""What can be derived from every bed, whatever its model."""
+
+
+def field_names(frame: "xr.Dataset", scenario: Scenario) -> list[str]:
+    """Names of the fields that ``field_of`` knows."""
+    kept = [str(name) for name, values in frame.data_vars.items() if values.dims == ("y", "x")]
+    return sorted({*kept, *_derived(scenario)})
+
+
+def field_of(frame: "xr.Dataset", scenario: Scenario, name: str) -> "xr.DataArray":
+    """A field of one frame, with ``unit`` and ``long_name`` among its attributes.
+
+    The attribute ``centre`` is the value that pictures show it evenly about, where there is one. Raises
+    BarchanError where there is no such field.
+    """
+    known = field_names(frame, scenario)
+    if name not in known:
+        raise BarchanError(f"no field '{name}'; this run has {', '.join(known)}{nearest(name, known)}")
+    derived = _derived(scenario).get(name)
+    return _kept(frame, scenario, name) if derived is None else _computed(frame, scenario, derived)
+
+
+def _derived(scenario: Scenario) -> dict[str, Derived]:
+    return {field.name: field for field in (*PLAIN, *models()[scenario.model.name].derived)}
+
+
+def _kept(frame: "xr.Dataset", scenario: Scenario, name: str) -> "xr.DataArray":
+    own = {field.name: field.centre for field in models()[scenario.model.name].fields}
+    return _with_centre(frame[name], own.get(name))
+
+
+def _computed(frame: "xr.Dataset", scenario: Scenario, derived: Derived) -> "xr.DataArray":
+    import xarray as xr
+
+    lattice = scenario.lattice
+    model = models()[scenario.model.name](scenario.model, lattice)
+    bed = Bed.from_fields(lattice, {str(n): v.values for n, v in frame.data_vars.items()}, model.fields)
+    wind = _wind(frame, scenario)
+    centre = None
+    if derived.centred:
+        level = Bed(lattice, np.zeros(lattice.shape), np.zeros(lattice.shape, np.int32))
+        centre = float(derived.of(model, level, wind).flat[0])
+    values = xr.DataArray(derived.of(model, bed, wind), frame["elevation"].coords, ("y", "x"), derived.name)
+    return _with_centre(values.assign_attrs(unit=derived.unit, long_name=derived.meaning), centre)
+
+
+def _with_centre(values: "xr.DataArray", centre: float | None) -> "xr.DataArray":
+    attributes: dict[str, Any] = {} if centre is None else {"centre": centre}
+    return values.assign_attrs(attributes)
+
+
+def _wind(frame: "xr.Dataset", scenario: Scenario) -> Segment:
+    """The wind over a frame; its direction is the frame's own, as events may have changed it."""
+    segment = next(iter(scenario.wind.segments(int(frame["step"]), 1, scenario.lattice.cells)))
+    return replace(segment, direction=float(frame["wind_direction"]))
