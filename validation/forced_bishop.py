@@ -25,4 +25,7 @@ def rows():
     yield order("lee slope, 33.7° against 30°", "steeper", steep["lee_slope"], gentle["lee_slope"], "degrees")
 
 
-READING = ""
+READING = """
+Forced erosion hastens Bishop's barchans as seed 000 shows. The mean lee slope tells the two angles of
+repose apart in most seeds but by less than its spread: at 500 steps little of the field is slip face.
+"""

@@ -53,4 +53,8 @@ def rows():
     )
 
 
-READING = ""
+READING = """
+With the test the tops stay bare and sand heaps up before and behind the rocks; without it hardly any
+gathers before them. Rocks of 20 m stand high above the dunes, where the speed-up makes hops long, so in
+both runs little stays on the tops; rocks of 10 m, lower than the dunes, are climbed with the test too.
+"""

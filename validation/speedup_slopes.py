@@ -44,4 +44,9 @@ def rows():
     yield order("lee to windward slope, Momiji's strip against Werner's", "asymmetric", *strips)
 
 
-READING = ""
+READING = """
+The speed-up halves the windward slope and makes profiles asymmetric the right way round, lee sides steeper.
+Even so the windward slopes are steeper than the 5 to 15° of field dunes, but for the strip at two slabs of
+repose. Werner's model without erosion in shadow has the steepest sides of all, with either side at its
+angle of repose.
+"""
