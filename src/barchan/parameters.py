@@ -148,7 +148,14 @@ def type_name(annotation: Any) -> str:
     return getattr(annotation, "__name__", str(annotation))
 
 
-_SIGNS = (("gt", ">"), ("ge", "≥"), ("lt", "<"), ("le", "≤"), ("max_length", "with length ≤"))
+_SIGNS = (
+    ("gt", ">"),
+    ("ge", "≥"),
+    ("lt", "<"),
+    ("le", "≤"),
+    ("min_length", "with length ≥"),
+    ("max_length", "with length ≤"),
+)
 
 
 def allowed(field: FieldInfo) -> str:

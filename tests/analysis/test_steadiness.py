@@ -9,7 +9,6 @@ import pytest
 from barchan.analysis.steadiness import SteadyWatch
 from barchan.scenario import SteadyState
 from barchan.simulation import Simulation
-from barchan.wind import Steady
 from tests.analysis.waves import COLUMNS, ROWS, random_surface, sine
 from tests.tiny import RIDGES, tiny
 
@@ -22,7 +21,7 @@ def watch_of(window=20, tolerance=0.05):
 
 def show(watch, surface, direction=270.0):
     """Let a watch look at a surface."""
-    return watch.observe(SimpleNamespace(elevation=surface, wind=Steady(direction=direction)))
+    return watch.observe(SimpleNamespace(elevation=surface, wind_direction=direction))
 
 
 def looks_until_steady(watch, surfaces):

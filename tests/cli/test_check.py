@@ -50,3 +50,11 @@ def test_a_file_with_brackets_is_told_by_its_name(here, barchan, name):
     place.parent.mkdir(exist_ok=True)
     place.write_text((here / "tiny.json").read_text())
     assert barchan("check", name).out.startswith(f"{name}: sound\n")
+
+
+def test_a_file_of_plants_that_is_missing_is_told(barchan):
+    failed = barchan(
+        "check", "nebkhas", "--model.vegetation.kind", "file", "--model.vegetation.path", "no.npy"
+    )
+    assert failed.code != 0
+    assert "model.vegetation.path" in failed.err

@@ -6,6 +6,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.colors import Normalize
 from matplotlib.contour import QuadContourSet
 
+from barchan.errors import BarchanError
 from barchan.figures.maps import contour_map, relief_map, shaded
 from barchan.figures.style import BARE, colour_map
 from barchan.wind.segment import downwind
@@ -164,3 +165,8 @@ def test_the_arrow_is_of_the_frames_wind_not_of_the_first(painted):
     frame, scenario = painted(3)
     frame["wind_direction"] = frame["wind_direction"] * 0 + 90.0
     assert arrow(relief_map(frame, scenario))[0] < 0
+
+
+def test_more_contours_than_can_be_drawn_are_refused(painted):
+    with pytest.raises(BarchanError, match=r"contours every 1e-06 m .* allowed here: an interval of"):
+        contour_map(*painted(3), interval=1e-6)

@@ -297,7 +297,7 @@ class Field:
     def carry(self, row, col, hop, draws):
         dx, dy = self.fixed(hop)
         x, y = col * CELL, row * CELL
-        if dx % CELL or dy % CELL:
+        if dx % CELL or dy % CELL or (self.extra.hop is not None and not self.extra.hop.whole):
             draw = draws.next()
             x, y = x + high(draw), y + low(draw)
         for _ in range(self.rules.max_hops):

@@ -7,7 +7,7 @@ import barchan
 from barchan.models.nield_baas import NieldBaas
 from barchan.models.vegetation import SPECIES
 from barchan.simulation import SetParameter, Simulation
-from tests.tiny import tiny
+from tests.tiny import COLUMNS, ROWS, tiny
 
 STILL = {"curve": [{"balance": -1.0, "change": 0.0}, {"balance": 1.0, "change": 0.0}]}
 FIXED = {"lowest": -9.0, "highest": 9.0, **STILL}
@@ -128,3 +128,34 @@ def test_frames_carry_the_plants():
     dataset = barchan.simulate(planted(steps_per_year=5).model_copy(update={"run": tiny().run}))
     assert {"grass", "mesquite", "shrub", "balance"} <= set(dataset.variables)
     assert "year_start" not in dataset
+
+
+def heaped(**changes):
+    """Plants on a bed that first has to come to rest."""
+    model = {"name": "nield_baas", "vegetation": {"kind": "uniform", "grass": 0.5}, **changes}
+    sand = {"kind": "cone", "height": 6.0, "radius": 5.0, "mean": 3}
+    return Simulation(tiny(model=model, sand=sand, lattice__slab_aspect=0.1))
+
+
+def test_sand_slides_where_plants_are_told_to_hold_it_no_more():
+    simulation = heaped()
+    before = simulation.bed.sand.copy()
+    simulation.apply(SetParameter(key="model.firm_cover", value=0.9))
+    assert (simulation.bed.sand != before).any()
+    assert simulation.model.settle(simulation.bed) == 0
+
+
+def test_the_slide_before_the_first_step_is_no_part_of_the_first_year():
+    simulation = heaped(erosion_chance=0.0, steps_per_year=3)
+    simulation.advance(3)
+    assert simulation.tally.moved == 0
+    assert not simulation.bed.arrays["balance"].any()
+
+
+def test_a_run_goes_on_without_the_file_that_its_plants_came_from(tmp_path):
+    path = tmp_path / "plants.npy"
+    np.save(path, np.full((ROWS, COLUMNS), 0.5))
+    simulation = Simulation(planted({"kind": "file", "path": str(path), "grass": 0.4}))
+    state = simulation.state()
+    path.unlink()
+    assert (Simulation.from_state(state).bed.arrays["grass"] == 0.2).all()

@@ -88,3 +88,31 @@ def test_windward_slopes_are_gentler_than_werners():
             barchan.simulate(scenario)["elevation"].values[-1], 1.0, 270.0
         ).windward
     assert slopes["momiji"] < slopes["werner"]
+
+
+def test_slabs_land_where_their_tallied_travel_ends_also_after_a_whole_first_hop():
+    """Slabs that start with a hop of whole cells may go on with hops that are not."""
+    moved, tallied = 0.0, 0.0
+    for seed in range(8):
+        sand = np.zeros((32, 256), int)
+        sand[:, 8:40] = 8
+        lattice = Lattice(rows=32, columns=256, boundary_x="open")
+        parameters = Momiji.Parameters(
+            hop_length=5.9,
+            speedup_linear=0.3,
+            speedup_quadratic=0.0,
+            hop_rounding="none",
+            p_s=0.0,
+            p_ns=0.0,
+            max_hops=4,
+            lee_erosion=True,
+            polling="non_repeated",
+            **FREE,
+        )
+        bed = Bed(lattice, np.zeros(sand.shape), sand)
+        tally = Momiji(parameters, lattice).advance(
+            bed, Segment(0, 1, 0, bed.sand.size, 270.0), Stream(seed, "transport"), 0, 0
+        )
+        moved += ((bed.sand - sand).sum(axis=0) * np.arange(256)).sum()
+        tallied += tally.travel_x
+    assert moved == pytest.approx(tallied, rel=0.003)

@@ -10,6 +10,8 @@ from barchan.models.slab_parameters import SlabTransport
 from barchan.models.vegetation import Species
 from barchan.parameters import NOTE, Parameters
 from barchan.scenario import Scenario
+from barchan.wind import Regime
+from barchan.wind.courses import Points
 
 WIDEST = 10**6
 """Numbers without bounds are drawn within this."""
@@ -41,6 +43,10 @@ def group(parameters: type[Parameters]) -> st.SearchStrategy[dict[str, Any]]:
     drawn = st.fixed_dictionaries(needed, optional=optional)
     if issubclass(parameters, Area):
         return drawn.map(_with_area)
+    if parameters is Regime:
+        return drawn.map(_starts_somewhere)
+    if parameters is Points:
+        return drawn.map(_goes_on)
     if parameters is Species:
         return drawn.map(_is_a_function)
     if issubclass(parameters, SlabTransport):
@@ -107,3 +113,14 @@ def _is_a_function(data: dict[str, Any]) -> dict[str, Any]:
     curve = [{**vertex, "balance": float(at)} for at, vertex in enumerate(data["curve"])]
     lowest, highest = sorted([data["lowest"], data["highest"]])
     return {**data, "curve": curve, "lowest": lowest, "highest": highest}
+
+
+def _starts_somewhere(data: dict[str, Any]) -> dict[str, Any]:
+    """A regime that says where its speed begins if it says where it ends."""
+    return data if data.get("speed") is not None else {**data, "final_speed": None}
+
+
+def _goes_on(data: dict[str, Any]) -> dict[str, Any]:
+    """Points whose times increase."""
+    points = [{**point, "time": (at + 1) / 10} for at, point in enumerate(data["points"])]
+    return {**data, "points": points}

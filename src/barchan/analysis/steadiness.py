@@ -32,7 +32,7 @@ class SteadyWatch:
     def observe(self, simulation: Simulation) -> str | None:
         """Measure the bed; the reason to end, once the window's measures are constant."""
         surface = simulation.elevation
-        wind = simulation.wind.direction
+        wind = simulation.wind_direction
         spacing = dominant_spacing(surface, self.cell_size, wind, self.periodic)
         straightness = crest_orientation(surface, self.cell_size, self.periodic).coherence
         speed = float("nan")

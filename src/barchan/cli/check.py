@@ -18,9 +18,10 @@ def check(scenario: str, /, *values: Tokens) -> None:
     from barchan.scenario.files import load_scenario
 
     sound = load_scenario(source_at(scenario), pairs(values, check)).seeded()
-    first_bed(sound.lattice, sound.ground, sound.sand, sound.seed)
+    model = models()[sound.model.name](sound.model, sound.lattice)
+    model.prepare(first_bed(sound.lattice, sound.ground, sound.sand, sound.seed), sound.seed)
     console.print(f"{scenario}: sound")
-    for name, fact in models()[sound.model.name](sound.model, sound.lattice).facts().items():
+    for name, fact in model.facts().items():
         console.print(f"{name}: {fact}")
     for remark in sound.remarks():
         print_note(remark)

@@ -26,7 +26,7 @@ def info(run: Path, /) -> None:
         ("field", f"{lattice.columns} × {lattice.rows} cells of {lattice.cell_size:g} m"),
         ("slab height", f"{lattice.thickness:.4g} m"),
         *facts.items(),
-        ("wind", f"from {scenario.wind.direction:g}°"),
+        ("wind", scenario.wind.summary()),
         ("seed", str(scenario.run.seed)),
         ("frames", f"{known.frames}, the last at step {known.last_step} of {scenario.run.steps}"),
         ("checkpoint", "none" if known.checkpoint is None else f"step {known.checkpoint}"),

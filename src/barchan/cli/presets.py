@@ -18,7 +18,8 @@ def presets(name: str | None = None, /) -> None:
         console.out(load_scenario(name).text(), end="", highlight=False)
         return
     table = Table(box=None, pad_edge=False)
-    for column in ("name", "title", "source"):
+    table.add_column("name", no_wrap=True, min_width=max(map(len, preset_names())))
+    for column in ("title", "source"):
         table.add_column(column)
     for preset in preset_names():
         scenario = load_scenario(preset)

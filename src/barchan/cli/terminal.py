@@ -117,9 +117,12 @@ class Reporter:
             )
         elif not self.quiet and now - self.last >= LOG_EVERY:
             self.last = now
-            left = (self.total - simulation.steps_done) / speed if speed else float("inf")
+            pace = ""
+            if speed:
+                left = (self.total - simulation.steps_done) / speed
+                pace = f"{speed:.0f} steps/s, {left:.0f} s left, "
             console.print(
-                f"step {simulation.steps_done} of {self.total}, {speed:.0f} steps/s, {left:.0f} s left, "
+                f"step {simulation.steps_done} of {self.total}, {pace}"
                 f"highest stack {simulation.bed.sand.max()} slabs"
             )
 

@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from barchan.analysis.course import periodic
 from barchan.analysis.field import gradient
+from barchan.errors import BarchanError
 from barchan.figures.layers import BAR, layer_bars, layers_of, overlaid
 from barchan.figures.style import BARE, Colours, colour_map, extent, map_axes, new_figure, smooth
 from barchan.scenario import Scenario
@@ -105,6 +106,9 @@ def _light(east: NDArray[np.float64], north: NDArray[np.float64]) -> NDArray[np.
     return np.clip(1.0 + 0.9 * (lit - np.sin(height)), 0.25, 1.6)
 
 
+MOST_CONTOURS = 500
+
+
 def contour_map(
     frame: "xr.Dataset",
     scenario: Scenario,
@@ -119,6 +123,11 @@ def contour_map(
     surface = smooth(frame["elevation"].values, smoothing, scenario)
     low, high = limits or _range(surface)
     if interval is not None:
+        if (high - low) / interval > MOST_CONTOURS:
+            raise BarchanError(
+                f"contours every {interval:g} m from {low:g} to {high:g} m are more than {MOST_CONTOURS}; "
+                f"allowed here: an interval of {(high - low) / MOST_CONTOURS:.2g} m or more"
+            )
         levels = np.arange(np.ceil(low / interval), np.floor(high / interval) + 1) * interval
     else:
         levels = np.linspace(low, high, count + 2)[1:-1]

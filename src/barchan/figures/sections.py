@@ -211,6 +211,8 @@ def space_time(
     axes = figure.add_subplot()
     steps = dataset["step"].values
     image = axes.pcolormesh(section.distance, steps, surface, cmap=colour_map(colours), shading="nearest")
+    if len(steps) > 1:
+        axes.set_ylim(steps[0], steps[-1])
     axes.set_xlabel("distance downwind (m)")
     axes.set_ylabel("step")
     axes.set_title(f"{scenario.title or 'Run'}, seed {scenario.run.seed}", loc="left", fontsize=10)

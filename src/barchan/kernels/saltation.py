@@ -263,7 +263,10 @@ def run_polls(
 
         along = col << 32
         across = row << 32
-        if (hop_along | hop_across) & (CELL - 1) != 0:
+        spread = (hop_along | hop_across) & (CELL - 1) != 0
+        if speedup is not None:
+            spread |= not speedup.whole
+        if spread:
             state += GOLDEN
             draw = mix(state)
             along |= np.int64(high(draw))

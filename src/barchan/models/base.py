@@ -1,7 +1,7 @@
 """What every model declares and does."""
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable
+from collections.abc import Callable, Hashable
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
@@ -110,6 +110,9 @@ class Model(ABC):
         Raises ScenarioError where the model's own files do not fit.
         """
 
+    def begin(self, bed: Bed) -> None:
+        """Take note of the bed once it has come to rest, before the first step."""
+
     @abstractmethod
     def advance(self, bed: Bed, segment: Segment, stream: Stream, still: int, limit: int) -> Tally:
         """Let the wind of ``segment`` work on the bed, in place, and tell what happened.
@@ -126,11 +129,12 @@ class Model(ABC):
         """
 
     def slope_limits(self) -> dict[str, tuple[int, ...]]:
-        """The steps (whole units) that stand towards faces and, where they count, corners, by kind of cell.
-
-        When they change the bed has to settle.
-        """
+        """The steps (whole units) that stand towards faces and, in some models, corners, by kind of cell."""
         return {}
+
+    def slope_rules(self) -> Hashable:
+        """All that decides which slopes stand; when it changes the bed has to settle."""
+        return tuple(self.slope_limits().items())
 
     def state(self) -> dict[str, NDArray | float | int | str]:
         """What the model remembers between steps beside the bed."""

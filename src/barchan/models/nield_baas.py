@@ -149,6 +149,10 @@ class NieldBaas(SlabModel):
         bed.add(BALANCE, np.zeros(self.lattice.shape))
         bed.add(YEAR_START, bed.sand)
 
+    def begin(self, bed: Bed) -> None:
+        """Begin the first year."""
+        bed.arrays["year_start"][...] = bed.sand
+
     def effectiveness(self, bed: Bed) -> NDArray[np.float64]:
         """What all plants of a cell come to: rho."""
         return np.sum([bed.arrays[name] for name in SPECIES], axis=0)

@@ -1,5 +1,6 @@
 """What all slab models share: one transport kernel, told by data."""
 
+from collections.abc import Hashable
 from functools import lru_cache
 from typing import Any, ClassVar
 
@@ -64,6 +65,8 @@ class SlabModel(Model):
         return total
 
     def _transport(self, bed: Bed, segment: Segment, stream: Stream, still: int, limit: int) -> Tally:
+        if segment.polls == 0:
+            return Tally(steps=segment.steps, still=still + segment.steps)
         from barchan.kernels import saltation, transport
         from barchan.kernels.polling import Schedule, work_space
 
@@ -120,6 +123,10 @@ class SlabModel(Model):
             for kind, angle in angles.items()
             if kind == "bare" or angle is not None
         }
+
+    def slope_rules(self) -> Hashable:
+        """The limits, and from which mobility down a cell is firm."""
+        return tuple(self.slope_limits().items()), self.rules().firm_mobility
 
     def settle(self, bed: Bed, where: NDArray[np.bool_] | None = None) -> int:
         """Relax slopes to the repose limits."""

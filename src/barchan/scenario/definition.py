@@ -120,7 +120,8 @@ class Scenario(Parameters):
     def remarks(self) -> list[str]:
         """What a user should know before running this."""
         model = models()[self.model.name](self.model, self.lattice)
-        return model.remarks(self.wind.speed, self.wind.direction)
+        remarks = [model.remarks(speed, direction) for speed, direction in self.wind.speeds()]
+        return list(dict.fromkeys(remark for found in remarks for remark in found))
 
 
 def _without_empty_notes(data: Any) -> Any:

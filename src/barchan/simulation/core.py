@@ -74,6 +74,7 @@ class Simulation:
         self.model.prepare(self.bed, self.scenario.seed)
         self.ledger = Ledger(self.bed.slabs)
         self.model.settle(self.bed)
+        self.model.begin(self.bed)
 
     def _set_up(self, scenario: Scenario) -> None:
         self.scenario = scenario
@@ -91,6 +92,11 @@ class Simulation:
     def lattice(self) -> Lattice:
         """The lattice."""
         return self.scenario.lattice
+
+    @property
+    def wind_direction(self) -> float:
+        """Where the wind of the last step came from, or before any step that of the first (degrees)."""
+        return self.wind.direction_at(max(self.steps_done - 1, 0))
 
     @property
     def elevation(self) -> NDArray[np.float64]:
@@ -159,7 +165,7 @@ class Simulation:
         self._framed = self.steps_done
         return Frame(
             self.steps_done,
-            self.wind.direction,
+            self.wind_direction,
             self.bed.frame(),
             Ledger(**vars(self.ledger)),
             Tally(**vars(self.tally)),
@@ -199,9 +205,9 @@ class Simulation:
             raise ScenarioError([Problem(event.key, message)], "event")
         name = event.key.removeprefix("model.")
         data = {**self.scenario.data(), "model": {**self._model_data(), name: event.value}}
-        limits = self.model.slope_limits()
+        rules = self.model.slope_rules()
         self.model.change(validate(data, "event").model)
-        if self.model.slope_limits() != limits:
+        if self.model.slope_rules() != rules:
             self.model.settle(self.bed)
 
     def _model_data(self) -> dict[str, Any]:
@@ -254,9 +260,8 @@ class Simulation:
         simulation.wind = now.wind
         bed = Bed(simulation.lattice, state.arrays["bed/ground"], state.arrays["bed/sand"])
         simulation.bed = bed
-        simulation.model.prepare(bed, simulation.scenario.seed)
-        for name in bed.arrays:
-            bed.arrays[name][...] = state.arrays[f"bed/{name}"]
+        for field in simulation.model.fields:
+            bed.add(field, state.arrays[f"bed/{field.name}"])
         simulation.model.restore(state.group("model/"))
         simulation.steps_done = data["step"]
         simulation._framed = data["framed"]

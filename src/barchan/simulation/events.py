@@ -6,7 +6,7 @@ Scenario plus events gives the same bits again.
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
-from pydantic import Field, TypeAdapter, ValidationError
+from pydantic import Field, TypeAdapter, ValidationError, field_validator
 
 from barchan.errors import ScenarioError
 from barchan.ground.brush import Falloff
@@ -41,6 +41,11 @@ class SetWind(Change):
 
     kind: Literal["wind"] = parameter("wind", unit="-", meaning="Another wind.")
     wind: Wind = Field(description="The wind from now on.")
+
+    @field_validator("wind", mode="before")
+    @classmethod
+    def _steady_unless_stated(cls, wind: Any) -> Any:
+        return {"kind": "steady", **wind} if isinstance(wind, dict) else wind
 
 
 class Stroke(Change):

@@ -4,9 +4,10 @@ from typing import Annotated
 
 from pydantic import Field
 
+from barchan.wind.regimes import Regime, Regimes
 from barchan.wind.segment import Segment
 from barchan.wind.steady import Steady
 
-Wind = Annotated[Steady, Field(discriminator=None)]
+Wind = Annotated[Steady | Regimes, Field(discriminator="kind")]
 
-__all__ = ["Segment", "Steady", "Wind"]
+__all__ = ["Regime", "Regimes", "Segment", "Steady", "Wind"]

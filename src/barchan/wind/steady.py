@@ -33,6 +33,18 @@ class Steady(Parameters):
     )
     unit: Literal["cells"] = parameter("cells", unit="-", meaning="Unit of the speed.")
 
+    def direction_at(self, _step: int) -> float:
+        """Where the wind of a step comes from (degrees)."""
+        return self.direction
+
+    def speeds(self) -> list[tuple[float | None, float]]:
+        """The speed (cells; None: the model's own) and the direction."""
+        return [(self.speed, self.direction)]
+
+    def summary(self) -> str:
+        """The wind in a few words."""
+        return f"from {self.direction:g}°"
+
     def segments(self, step: int, steps: int, cells: int) -> Iterator[Segment]:
         """The forcing of ``steps`` steps from ``step`` on, over a lattice of ``cells`` cells."""
         yield Segment(step, steps, 0, cells, self.direction, self.speed)
