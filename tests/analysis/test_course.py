@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from barchan.analysis import crest_orientation, dominant_spacing, migration, streamwise_slopes
-from barchan.analysis.course import MEASURES, course, last_measures, moments, periodic
+from barchan.analysis.course import MEASURES, course, last_measures, moments
 from barchan.archive import simulate
 from tests.tiny import RIDGES, tiny
 
@@ -104,7 +104,7 @@ def test_measuring_may_begin_at_any_frame(dataset, measured, first):
 @pytest.mark.parametrize(("boundary_x", "boundary_y"), [("open", "periodic"), ("periodic", "open")])
 def test_rows_are_joined_south_to_north_and_columns_west_to_east(boundary_x, boundary_y):
     scenario = tiny(lattice__boundary_x=boundary_x, lattice__boundary_y=boundary_y)
-    assert periodic(scenario) == (boundary_y == "periodic", boundary_x == "periodic")
+    assert scenario.lattice.periodic == (boundary_y == "periodic", boundary_x == "periodic")
 
 
 @pytest.mark.parametrize("direction", [0.0, 90.0, 180.0, 225.0])

@@ -41,7 +41,7 @@ class Moment:
     @property
     def periodic(self) -> tuple[bool, bool]:
         """Whether the field is periodic south to north and west to east."""
-        return periodic(self.scenario)
+        return self.scenario.lattice.periodic
 
     @property
     def speed(self) -> float:
@@ -93,11 +93,6 @@ MEASURES = (
 """Every measure of a frame, in the order in which tables show them."""
 
 
-def periodic(scenario: Scenario) -> tuple[bool, bool]:
-    """Whether a scenario's field is periodic south to north and west to east."""
-    return scenario.lattice.periodic
-
-
 LAGS = 3
 """Earlier frames that a frame's migration is measured from."""
 
@@ -105,7 +100,7 @@ LAGS = 3
 def moments(dataset: "xr.Dataset", scenario: Scenario, first: int = 0) -> Iterator[Moment]:
     """The frames of a run from number ``first`` on; migration is from up to ``LAGS`` frames before."""
     lattice = scenario.lattice
-    joined = periodic(scenario)
+    joined = lattice.periodic
     steps = dataset["step"].values
     directions = dataset["wind_direction"].values
     travelled = np.stack([dataset["travel_x"].values, dataset["travel_y"].values])

@@ -25,7 +25,7 @@ class SteadyWatch:
         self.looks = -(-asked.window // self.every) + 1
         lattice = scenario.lattice
         self.cell_size = lattice.cell_size
-        self.periodic = lattice.boundary_y == "periodic", lattice.boundary_x == "periodic"
+        self.periodic = lattice.periodic
         self.seen: list[list[float]] = []
         self.previous = np.zeros((0, 0))
 

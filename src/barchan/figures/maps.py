@@ -5,7 +5,6 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from barchan.analysis.course import periodic
 from barchan.analysis.field import gradient
 from barchan.errors import BarchanError
 from barchan.figures.layers import BAR, layer_bars, layers_of, overlaid
@@ -93,7 +92,7 @@ def lit(
 ) -> NDArray[np.float64]:
     """Colours (red, green, blue) of a map in the light and shade of its surface."""
     relief = smooth(frame["elevation"].values, max(smoothing, 0.6), scenario) * 1.5
-    light = _light(*gradient(relief, scenario.lattice.cell_size, periodic(scenario)))[..., None]
+    light = _light(*gradient(relief, scenario.lattice.cell_size, scenario.lattice.periodic))[..., None]
     shade = 1.0 + strength * (light - 1.0)
     return np.clip(np.where(shade <= 1, base * shade, 1 - (1 - base) * (2 - shade).clip(0.3)), 0.0, 1.0)
 

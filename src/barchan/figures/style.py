@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from barchan.analysis.course import periodic
 from barchan.analysis.field import smoothed
 from barchan.scenario import Scenario
 from barchan.wind.segment import downwind
@@ -47,7 +46,7 @@ def new_figure(width: float, height: float) -> "Figure":
 
 def smooth(field: NDArray, width: float, scenario: Scenario) -> NDArray[np.float64]:
     """A field smoothed over ``width`` cells for display; 0 leaves it as it is."""
-    return smoothed(field, width, periodic(scenario)) if width > 0 else np.asarray(field, float)
+    return smoothed(field, width, scenario.lattice.periodic) if width > 0 else np.asarray(field, float)
 
 
 def extent(scenario: Scenario) -> tuple[float, float, float, float]:

@@ -79,8 +79,7 @@ def build(
     from barchan.kernels.shadow import Grid
 
     rows, cols = reversed(lattice.shape) if frame.crossed else lattice.shape
-    wraps = lattice.boundary_x == "periodic", lattice.boundary_y == "periodic"
-    along, across = reversed(wraps) if frame.crossed else wraps
+    across, along = reversed(lattice.periodic) if frame.crossed else lattice.periodic
     grid = Grid(rows, cols, along, across)
     moore = parameters.neighbourhood == "moore"
     turns = turn_table(frame.angle, moore, parameters.upwind_avalanches)
