@@ -174,9 +174,9 @@ def commands_page() -> str:
 
 def measures_table() -> str:
     """The table of declared measures."""
-    from barchan.analysis.course import MEASURES
+    from barchan.analysis.course import MEASURES, PER_YEAR
 
-    rows = [(code(m.name), m.title, "–" if m.unit == "-" else m.unit) for m in MEASURES]
+    rows = [(code(m.name), m.title, "–" if m.unit == "-" else m.unit) for m in (*MEASURES, *PER_YEAR)]
     return table(("Name", "What", "Unit"), rows, "30 45 25")
 
 

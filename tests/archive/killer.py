@@ -55,6 +55,7 @@ def moments_of_a_whole_run(folder: Path) -> int:
         barchan.archive.run(Simulation(tiny(run__steps=STEPS)), folder)
         os.write(writer, str(killer.count).encode())
         os._exit(0)
+    os.close(writer)
     os.wait()
     return int(os.read(reader, 100))
 

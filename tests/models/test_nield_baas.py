@@ -6,7 +6,9 @@ import pytest
 import barchan
 from barchan.models.nield_baas import NieldBaas
 from barchan.models.vegetation import SPECIES
+from barchan.scenario import validate
 from barchan.simulation import SetParameter, Simulation
+from barchan.wind.clock import YEAR
 from tests.tiny import COLUMNS, ROWS, tiny
 
 STILL = {"curve": [{"balance": -1.0, "change": 0.0}, {"balance": 1.0, "change": 0.0}]}
@@ -159,3 +161,34 @@ def test_a_run_goes_on_without_the_file_that_its_plants_came_from(tmp_path):
     state = simulation.state()
     path.unlink()
     assert (Simulation.from_state(state).bed.arrays["grass"] == 0.2).all()
+
+
+def test_by_the_clock_plants_grow_at_the_end_of_each_calendar_year():
+    """Years of 7.3 steps end within the steps 8, 15, 22, 30, 37."""
+    scenario = planted(hop_length=3.0).data()
+    timed = validate({**scenario, "clock": {"step_seconds": YEAR / 7.3}}, "test")
+    simulation = Simulation(timed)
+    grown, before = [], simulation.bed.arrays["year_start"].copy()
+    for step in range(1, 38):
+        simulation.advance(1)
+        now = simulation.bed.arrays["year_start"]
+        if (now != before).any():
+            grown.append(step)
+        before = now.copy()
+    assert grown == [8, 15, 22, 30, 37]
+
+
+def test_years_go_on_in_a_calm():
+    scenario = planted(steps_per_year=4).data()
+    wind = {
+        "kind": "regimes",
+        "regimes": [
+            {"direction": 270.0, "steps": 2},
+            {"direction": 270.0, "steps": 6, "speed": 0.0},
+        ],
+    }
+    simulation = Simulation(validate({**scenario, "wind": wind}, "test"))
+    simulation.advance(4)
+    assert (simulation.bed.arrays["balance"] != 0.0).any()
+    simulation.advance(4)
+    assert (simulation.bed.arrays["balance"] == 0.0).all()

@@ -10,7 +10,7 @@ from barchan.models.slab_parameters import SlabTransport
 from barchan.models.vegetation import Species
 from barchan.parameters import NOTE, Parameters
 from barchan.scenario import Scenario
-from barchan.wind import Regime
+from barchan.wind import MixedAxes, Regime, Steady
 from barchan.wind.courses import Points
 
 WIDEST = 10**6
@@ -43,8 +43,12 @@ def group(parameters: type[Parameters]) -> st.SearchStrategy[dict[str, Any]]:
     drawn = st.fixed_dictionaries(needed, optional=optional)
     if issubclass(parameters, Area):
         return drawn.map(_with_area)
-    if parameters is Regime:
+    if parameters is Scenario:
+        return drawn.map(_timeless)
+    if parameters in (Regime, Steady):
         return drawn.map(_starts_somewhere)
+    if parameters is MixedAxes:
+        return drawn.map(_crosses)
     if parameters is Points:
         return drawn.map(_goes_on)
     if parameters is Species:
@@ -116,8 +120,21 @@ def _is_a_function(data: dict[str, Any]) -> dict[str, Any]:
 
 
 def _starts_somewhere(data: dict[str, Any]) -> dict[str, Any]:
-    """A regime that says where its speed begins if it says where it ends."""
+    """A wind that says where its speed begins if it says where it ends, and how long it blows but once."""
+    data = {**data, "unit": "cells", "gusts": None}
+    if "kind" in data:
+        return data
+    data |= {"steps": data.get("steps") or 7, "seconds": None}
     return data if data.get("speed") is not None else {**data, "final_speed": None}
+
+
+def _timeless(data: dict[str, Any]) -> dict[str, Any]:
+    """A scenario without a clock, which would ask more of its parts than can be drawn one by one."""
+    return {**data, "clock": None}
+
+
+def _crosses(data: dict[str, Any]) -> dict[str, Any]:
+    return {**data, "first": 90, "second": 180}
 
 
 def _goes_on(data: dict[str, Any]) -> dict[str, Any]:

@@ -11,6 +11,7 @@ from barchan.simulation import Simulation
 from barchan.wind import Regime, Regimes
 from barchan.wind.courses import Bezier
 from tests.tiny import tiny
+from tests.wind.blown import blown, forcing, segments
 
 
 def winds(*regimes, repeat=True):
@@ -19,15 +20,6 @@ def winds(*regimes, repeat=True):
 
 WEST_NORTH = winds({"direction": 270.0, "steps": 3}, {"direction": 0.0, "steps": 2, "speed": 4.0})
 RISING = winds({"direction": 270.0, "steps": 4, "speed": 2.0, "final_speed": 10.0})
-
-
-def blown(wind, step, steps):
-    """(step, direction, speed) of every single step."""
-    return [
-        (segment.step + k, segment.direction, segment.hop_length)
-        for segment in wind.segments(step, steps, 100)
-        for k in range(segment.steps)
-    ]
 
 
 def test_winds_blow_in_turn_over_and_over():
@@ -41,11 +33,52 @@ def test_winds_that_do_not_repeat_go_on_as_they_ended():
         {"direction": 0.0, "steps": 2, "speed": 1.0, "final_speed": 3.0},
         repeat=False,
     )
-    assert blown(once, 3, 4) == [(3, 0.0, 2.5), (4, 0.0, 3.0), (5, 0.0, 3.0), (6, 0.0, 3.0)]
+    last = [speed for _, _, speed in blown(once, 3, 1)]
+    assert (min(last), max(last)) == pytest.approx((2.0, 3.0), abs=0.03)
+    assert blown(once, 4, 3) == [(4, 0.0, 3.0), (5, 0.0, 3.0), (6, 0.0, 3.0)]
 
 
-def test_a_speed_that_changes_is_taken_in_the_middle_of_each_step():
-    assert [speed for _, _, speed in blown(RISING, 0, 5)] == [3.0, 5.0, 7.0, 9.0, 3.0]
+def test_a_speed_that_changes_is_taken_in_the_middle_of_slices_of_a_step():
+    speeds = [speed for _, _, speed in blown(RISING, 0, 1)]
+    assert len(speeds) == 20
+    assert speeds == pytest.approx(np.arange(20) * 0.1 + 2.05)
+
+
+def test_slices_of_a_step_share_its_polls():
+    slices = segments(RISING, 0, 1, cells=101)
+    assert [s.first for s in slices] == list(np.cumsum([0, *(s.polls for s in slices)])[:-1])
+    assert sum(s.polls for s in slices) == 101
+    assert [s.ends for s in slices] == [False] * 19 + [True]
+
+
+def test_a_speed_that_hardly_changes_within_a_step_needs_no_slices():
+    slow = winds({"direction": 270.0, "steps": 1000, "speed": 2.0, "final_speed": 10.0})
+    assert len(blown(slow, 0, 30)) == 30
+
+
+def test_durations_in_seconds_need_not_be_whole_steps():
+    wind = winds({"direction": 270.0, "seconds": 150.0}, {"direction": 0.0, "seconds": 100.0})
+    found = segments(wind, 0, 5, step_seconds=100.0)
+    assert [(s.step, s.steps, s.direction, s.polls) for s in found] == [
+        (0, 1, 270.0, 100),
+        (1, 1, 270.0, 50),
+        (1, 1, 0.0, 50),
+        (2, 1, 0.0, 50),
+        (2, 1, 270.0, 50),
+        (3, 1, 270.0, 100),
+        (4, 1, 0.0, 100),
+    ]
+
+
+def test_a_cycle_shorter_than_a_step_blows_once_a_step():
+    wind = winds({"direction": 270.0, "seconds": 10.0}, {"direction": 0.0, "seconds": 30.0})
+    found = segments(wind, 7, 1, step_seconds=1000.0)
+    assert [(s.direction, s.polls) for s in found] == [(270.0, 25), (0.0, 75)]
+
+
+def test_the_wind_of_a_step_points_along_its_mean_transport():
+    wind = winds({"direction": 270.0, "seconds": 50.0}, {"direction": 0.0, "seconds": 50.0})
+    assert forcing(wind, step_seconds=100.0).wind_of(0).direction == pytest.approx(315.0)
 
 
 def test_a_course_bends_the_change_over_the_regimes_own_duration():
@@ -54,10 +87,10 @@ def test_a_course_bends_the_change_over_the_regimes_own_duration():
         {"direction": 270.0, "steps": 50},
         {"direction": 0.0, "steps": 4, "speed": 2.0, "final_speed": 10.0, "course": course},
     )
-    speeds = [speed for _, _, speed in blown(bent, 50, 4)]
-    assert speeds[0] < 3.0
-    assert speeds[3] > 9.0
-    assert speeds[0] + speeds[3] == pytest.approx(12.0)
+    early, late = ([speed for _, _, speed in blown(bent, step, 1)] for step in (50, 53))
+    assert 2.0 < min(early) < max(early) < 4.0
+    assert 8.0 < min(late) < max(late) < 10.0
+    assert np.mean(early) + np.mean(late) == pytest.approx(12.0)
 
 
 @given(st.integers(0, 60), st.integers(1, 40), st.integers(0, 40))
@@ -122,6 +155,9 @@ def test_frames_tell_the_wind_that_made_them():
         ([{"direction": 400.0, "steps": 3}], r"wind\.regimes\[0\]\.direction: is 400"),
         ([{"direction": 0.0, "steps": 0}], r"wind\.regimes\[0\]\.steps"),
         ([{"direction": 0.0, "steps": 3, "final_speed": 2.0}], "final_speed 2.0 is given without speed"),
+        ([{"direction": 0.0}], "neither steps nor seconds is given; give one of them"),
+        ([{"direction": 0.0, "steps": 3, "seconds": 4.0}], "steps and seconds are both given"),
+        ([{"direction": 0.0, "seconds": 4.0}], r"wind\.regimes\[0\]\.seconds: is 4 s, which needs a clock"),
         ([{"direction": 0.0, "steps": 3, "sped": 2.0}], r"did you mean 'speed'"),
     ],
 )

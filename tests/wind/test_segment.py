@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from barchan.wind import Segment
-from barchan.wind.segment import downwind
+from barchan.wind.segment import bearing, downwind
 
 directions = st.floats(0, 360, exclude_max=True)
 
@@ -29,9 +29,18 @@ def test_downwind_is_a_unit_vector_whose_bearing_is_opposite_to_the_winds(direct
     assert (bearing - direction) % 360 == pytest.approx(180, abs=1e-9)
 
 
+@given(directions)
+def test_a_bearing_is_where_a_wind_comes_from(direction):
+    assert (bearing(*downwind(direction)) - direction + 180) % 360 == pytest.approx(180, abs=1e-9)
+
+
 def test_part_of_a_segment_takes_its_share_of_the_time():
-    part = Segment(10, 8, 0, 384, 270.0, None, 3600.0).part(3, 2)
+    part = Segment(10, 8, 0, 384, 270.0, step_seconds=450.0).part(3, 2)
     assert (part.step, part.steps, part.polls, part.seconds) == (13, 2, 384, 900.0)
+
+
+def test_a_segment_for_a_share_of_a_step_lasts_that_share():
+    assert Segment(10, 1, 96, 96, 270.0, share=0.25, step_seconds=400.0, ends=False).seconds == 100.0
 
 
 def test_part_of_a_segment_without_a_clock_has_none():

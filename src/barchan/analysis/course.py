@@ -15,6 +15,7 @@ from barchan.analysis.slopes import Slopes, streamwise_slopes
 from barchan.analysis.spacing import dominant_spacing
 from barchan.analysis.transport import flux
 from barchan.scenario import Scenario
+from barchan.wind.clock import YEAR
 from barchan.wind.segment import downwind
 
 if TYPE_CHECKING:
@@ -92,6 +93,23 @@ MEASURES = (
 )
 """Every measure of a frame, in the order in which tables show them."""
 
+PER_YEAR = (
+    Measure("speed_per_year", "migration downwind", "m/yr", lambda m: _per_year(m, "speed")),
+    Measure("flux_per_year", "sand flux", "m²/yr", lambda m: _per_year(m, "flux")),
+)
+"""Measures of a frame whose steps have a duration."""
+
+
+def measures_of(scenario: Scenario) -> tuple[Measure, ...]:
+    """The measures that the frames of a scenario have."""
+    return MEASURES if scenario.step_seconds is None else (*MEASURES, *PER_YEAR)
+
+
+def _per_year(moment: Moment, name: str) -> float:
+    """A measure per step as one per year."""
+    of = next(measure.of for measure in MEASURES if measure.name == name)
+    return of(moment) * YEAR / (moment.scenario.step_seconds or float("nan"))
+
 
 LAGS = 3
 """Earlier frames that a frame's migration is measured from."""
@@ -126,18 +144,19 @@ def course(dataset: "xr.Dataset", scenario: Scenario) -> "xr.Dataset":
     """Every measure over the steps of a run."""
     import xarray as xr
 
-    rows = [[measure.of(moment) for measure in MEASURES] for moment in moments(dataset, scenario)]
+    measures = measures_of(scenario)
+    rows = [[measure.of(moment) for measure in measures] for moment in moments(dataset, scenario)]
     values = np.array(rows, float).T
     return xr.Dataset(
         {
             m.name: ("step", v, {"long_name": m.title, "unit": m.unit})
-            for m, v in zip(MEASURES, values, strict=True)
+            for m, v in zip(measures, values, strict=True)
         },
-        {"step": dataset["step"]},
+        {name: dataset[name] for name in ("step", "time") if name in dataset.coords},
     )
 
 
 def last_measures(dataset: "xr.Dataset", scenario: Scenario) -> dict[str, float]:
     """The measures of a run's last frame, by name."""
     last = next(iter(moments(dataset, scenario, dataset.sizes["step"] - 1)))
-    return {measure.name: float(measure.of(last)) for measure in MEASURES}
+    return {measure.name: float(measure.of(last)) for measure in measures_of(scenario)}

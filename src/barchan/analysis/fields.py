@@ -84,5 +84,5 @@ def _with_centre(values: "xr.DataArray", centre: float | None) -> "xr.DataArray"
 
 def _wind(frame: "xr.Dataset", scenario: Scenario) -> Segment:
     """The wind over a frame; its direction is the frame's own, as events may have changed it."""
-    segment = next(iter(scenario.wind.segments(max(int(frame["step"]) - 1, 0), 1, scenario.lattice.cells)))
+    segment = scenario.forcing().wind_of(max(int(frame["step"]) - 1, 0))
     return replace(segment, direction=float(frame["wind_direction"]))

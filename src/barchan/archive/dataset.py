@@ -17,11 +17,14 @@ from barchan.simulation import Frame, Simulation
 if TYPE_CHECKING:
     import xarray as xr
 
+TIME = {"units": "s", "long_name": "time since the start", "unit": "s"}
 ELEVATION = {"units": "m", "long_name": "elevation of the surface", "unit": "m"}
 
 
 def simulate(scenario: Scenario) -> "xr.Dataset":
     """Run a scenario in memory; its frames with ``sand``, ``ground`` and ``elevation`` over (step, y, x).
+
+    Where steps have a duration the coordinate ``time`` (s) tells the frames' times.
 
     The dataset's attributes hold the complete scenario, with the seed that was used, and the reason why
     the run ended.
@@ -52,7 +55,17 @@ def dataset_of(simulation: Simulation, frames: Iterable[Frame]) -> "xr.Dataset":
     dataset = xr.Dataset({**fields, **values}, coordinates, run_attributes(simulation.scenario))
     dataset["elevation"] = dataset["ground"] + dataset["sand"] * lattice.thickness
     dataset["elevation"].attrs.update(ELEVATION)
-    return dataset
+    return with_time(dataset, simulation.scenario)
+
+
+def with_time(dataset: "xr.Dataset", scenario: Scenario) -> "xr.Dataset":
+    """Frames with their times, where the scenario's steps have a duration."""
+    seconds = scenario.step_seconds
+    return (
+        dataset
+        if seconds is None
+        else dataset.assign_coords(time=("step", dataset["step"].values * seconds, TIME))
+    )
 
 
 def scenario_in(dataset: "xr.Dataset") -> Scenario:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from barchan.archive.dataset import ELEVATION
+from barchan.archive.dataset import ELEVATION, with_time
 from barchan.archive.folder import CHECKPOINT, FRAMES, SCENARIO, log_of, scenario_of
 from barchan.archive.frames import published
 from barchan.errors import ArchiveError
@@ -22,6 +22,8 @@ if TYPE_CHECKING:
 
 def open_run(path: str | Path) -> "xr.Dataset":
     """The frames of a run: ``sand``, ``ground`` and ``elevation`` over (step, y, x), read when used.
+
+    Where steps have a duration the coordinate ``time`` (s) tells the frames' times.
 
     Raises ArchiveError where there is no run or it has no frames yet.
     """
@@ -39,7 +41,7 @@ def open_run(path: str | Path) -> "xr.Dataset":
 
     dataset.attrs["stopped"] = _stopped(path) or "not finished"
     dataset["elevation"] = (("step", "y", "x"), LazilyIndexedArray(lazy), ELEVATION)
-    return dataset
+    return with_time(dataset, scenario)
 
 
 def _elevation_class() -> type:

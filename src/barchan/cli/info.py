@@ -13,18 +13,18 @@ def info(run: Path, /) -> None:
     """
     from barchan.archive import run_info
     from barchan.cli.report import print_table, resume_command
-    from barchan.models import models
 
     known = run_info(run)
     scenario = known.scenario
     lattice = scenario.lattice
-    facts = models()[scenario.model.name](scenario.model, lattice).facts()
+    facts = scenario.new_model().facts()
     state = known.stopped or f"not finished; go on with: {resume_command(run)}"
     rows = [
         ("title", scenario.title or "–"),
         ("model", scenario.model.name),
         ("field", f"{lattice.columns} × {lattice.rows} cells of {lattice.cell_size:g} m"),
         ("slab height", f"{lattice.thickness:.4g} m"),
+        *scenario.time_facts().items(),
         *facts.items(),
         ("wind", scenario.wind.summary()),
         ("seed", str(scenario.run.seed)),

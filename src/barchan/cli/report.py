@@ -25,7 +25,7 @@ def print_facts(simulation: Simulation, drawn: bool) -> None:
     field = f"{lattice.columns} × {lattice.rows} cells of {lattice.cell_size:g} m"
     seed = f"seed {scenario.run.seed}" + (" (drawn)" if drawn else "")
     console.print(f"{field}, slabs of {lattice.thickness:.3g} m, {scenario.run.steps} steps, {seed}")
-    for name, fact in simulation.model.facts().items():
+    for name, fact in {**scenario.time_facts(), **simulation.model.facts()}.items():
         console.print(f"{name}: {fact}")
     for remark in scenario.remarks():
         print_note(remark)
@@ -54,7 +54,7 @@ def print_outcome(outcome: Outcome, quiet: bool, picture: bool) -> None:
 
 
 def _draw(outcome: Outcome, quiet: bool) -> str | None:
-    from barchan.analysis.course import MEASURES, last_measures
+    from barchan.analysis.course import last_measures, measures_of
     from barchan.figures.maps import relief_map
 
     scenario = outcome.simulation.scenario
@@ -63,7 +63,7 @@ def _draw(outcome: Outcome, quiet: bool) -> str | None:
         relief_map(dataset.isel(step=-1).load(), scenario).savefig(path)
         if not quiet:
             values = last_measures(dataset, scenario)
-            print_table([(m.title, _number(values[m.name]), m.unit) for m in MEASURES])
+            print_table([(m.title, _number(values[m.name]), m.unit) for m in measures_of(scenario)])
     return str(path)
 
 

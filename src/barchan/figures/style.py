@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from barchan.analysis.field import smoothed
 from barchan.scenario import Scenario
+from barchan.wind.clock import spoken
 from barchan.wind.segment import downwind
 
 if TYPE_CHECKING:
@@ -82,7 +83,9 @@ MOST_TITLE = 550.0
 def title(scenario: Scenario, step: int) -> str:
     """What a picture shows."""
     name = scenario.title or "Run"
-    return f"{name}, step {step}, seed {scenario.run.seed}"
+    seconds = scenario.step_seconds
+    time = "" if seconds is None or step == 0 else f" ({spoken(seconds * step)})"
+    return f"{name}, step {step}{time}, seed {scenario.run.seed}"
 
 
 def wind_arrow(axes: "Axes", direction: float) -> None:

@@ -136,6 +136,22 @@ class Model(ABC):
         """All that decides which slopes stand; when it changes the bed has to settle."""
         return tuple(self.slope_limits().items())
 
+    @property
+    def step_seconds(self) -> float | None:
+        """Duration of a step (s), of a model whose rules tell it."""
+        return None
+
+    def step_volume(self) -> float:
+        """Volume of sand (m² per step: per width across the wind) that a step moves on a flat bed.
+
+        Raises ValueError where the model cannot tell.
+        """
+        raise ValueError(f"is given, but how much sand a step of {self.title} moves is not known")
+
+    def problems(self, step_seconds: float | None) -> list[tuple[str, str]]:
+        """Keys of the parameters at fault, and why, under steps of a duration (None: unknown)."""
+        return []
+
     def state(self) -> dict[str, NDArray | float | int | str]:
         """What the model remembers between steps beside the bed."""
         return {}

@@ -1,6 +1,7 @@
 """Nield and Baas's model: slabs of sand among plants that grow with what the wind brings and takes."""
 
-from typing import Any, ClassVar, Literal
+import math
+from typing import ClassVar, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,7 +15,14 @@ from barchan.models.slab_tables import Giving, Rules
 from barchan.models.vegetation import SPECIES, Species, UniformPlants, Vegetation, species
 from barchan.parameters import parameter, redeclared
 from barchan.streams import Stream
+from barchan.wind.clock import YEAR, spoken
 from barchan.wind.segment import Segment
+
+STEPS_PER_YEAR = 80
+"""Steps of a year where neither a scenario nor its clock says otherwise."""
+
+_ROUNDING = 1e-9
+"""Slack for ends of years that are whole steps but for rounding."""
 
 
 def _grass() -> Species:
@@ -70,14 +78,15 @@ class NieldBaasParameters(SlabTransport):
         meaning="Effectiveness from which on plants hold the sand.",
         source="Nield & Baas 2008; seed 000, §4.7",
     )
-    steps_per_year: int = parameter(
-        80,
+    steps_per_year: int | None = parameter(
+        None,
         unit="steps",
         ge=1,
         le=1_000_000,
         scale="log",
         group="vegetation",
-        meaning="Steps after which plants grow or die by the year's sediment balance.",
+        meaning="Steps after which plants grow or die by the year's sediment balance; where it is not given, "
+        "80, or with a clock those of a calendar year.",
         source="Nield & Baas 2008; seed 000, Tables 6.4-6.6",
     )
     grass: Species = Field(
@@ -109,8 +118,9 @@ class NieldBaas(SlabModel):
     A polled cell gives a slab with probability p_e = ``erosion_chance`` - rho, and a slab settles with
     p_d = p + rho (1 - p), where p is ``p_s`` on sand and ``p_ns`` on bare ground; both are held within 0
     and 1.
-    From ``firm_cover`` on, sand rests at ``firm_repose_angle``. After each ``steps_per_year`` steps every
-    species changes by its curve of growth at the cell's sediment balance of the year, within its range.
+    From ``firm_cover`` on, sand rests at ``firm_repose_angle``. After each year, ``steps_per_year`` steps
+    or by the clock, every species changes by its curve of growth at the cell's sediment balance of the
+    year, within its range.
 
     Known deviations: seed 000 prints p_d with the sign of rho reversed; plants increase deposition. The
     curve of mesquite is assumed. An oblique wind is exact here, where the paper polls a third of the slabs
@@ -136,9 +146,6 @@ class NieldBaas(SlabModel):
         ),
     )
     layers = (Layer("effectiveness", "plants", "Greens"),)
-
-    polled = 0
-    """Polls since the year began."""
 
     def prepare(self, bed: Bed, seed: int) -> None:
         """Plant what stands there at first."""
@@ -169,19 +176,36 @@ class NieldBaas(SlabModel):
             firm_mobility=1.0 - self.parameters.firm_cover,
         )
 
-    @property
-    def _year(self) -> int:
-        return self.parameters.steps_per_year * self.lattice.cells
+    def problems(self, step_seconds: float | None) -> list[tuple[str, str]]:
+        """A year that is not a calendar year's where a clock tells how long that is."""
+        if step_seconds is None:
+            return []
+        if step_seconds > YEAR:
+            text = f"a step lasts {spoken(step_seconds)} by the clock, and plants grow once a year"
+            return [("name", f"{text}; allowed: steps of a year or less")]
+        stated, calendar = self.parameters.steps_per_year, round(YEAR / step_seconds)
+        if stated is None or stated == calendar:
+            return []
+        text = f"is {stated}, but a calendar year has {calendar} steps of {spoken(step_seconds)} by the clock"
+        return [("steps_per_year", f"{text}; leave one of them out")]
+
+    def _year_end(self, step: int, step_seconds: float | None) -> int:
+        """After how many steps of the run the year of a step ends."""
+        year: float = self.parameters.steps_per_year or STEPS_PER_YEAR
+        if step_seconds is not None:
+            year = YEAR / step_seconds
+        years = math.floor(step / year)
+        ends = (math.ceil(k * year - _ROUNDING) for k in (years + 1, years + 2))
+        return next(end for end in ends if end > step)
 
     def spell(self, segment: Segment) -> int:
         """Steps until the year ends."""
-        return max(1, -(-(self._year - self.polled) // max(segment.polls, 1)))
+        return self._year_end(segment.step, segment.step_seconds) - segment.step
 
     def passed(self, bed: Bed, segment: Segment) -> None:
         """Let plants grow when a year is over."""
-        self.polled += segment.steps * segment.polls
-        if self.polled >= self._year:
-            self.polled -= self._year
+        done = segment.step + segment.steps
+        if segment.ends and self._year_end(done - 1, segment.step_seconds) == done:
             self._grow(bed)
 
     def _grow(self, bed: Bed) -> None:
@@ -195,14 +219,6 @@ class NieldBaas(SlabModel):
         if loosened.any():
             self.settle(bed, loosened)
         bed.arrays["year_start"][...] = bed.sand
-
-    def state(self) -> dict[str, NDArray | float | int | str]:
-        """How far the year has come."""
-        return {"polled": self.polled}
-
-    def restore(self, state: dict[str, Any]) -> None:
-        """Take up the year where it was."""
-        self.polled = int(state["polled"])
 
     @classmethod
     def curves(cls, parameters: NieldBaasParameters) -> list[Curve]:

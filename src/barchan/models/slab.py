@@ -114,6 +114,21 @@ class SlabModel(Model):
             return segment.hop_length
         return self.parameters.hop_length
 
+    def step_volume(self) -> float:
+        """Volume (m² per step) that goes through a line across the wind on a flat bed of sand.
+
+        Each poll finds sand and gives it with the chance of giving; a slab hops 1 / ``p_s`` times on the
+        average.
+        """
+        parameters = self.parameters
+        giving = self.rules().giving
+        given = min(max(giving.share + giving.shift, 0.0), 1.0)
+        if parameters.p_s == 0.0 or given == 0.0:
+            reason = "p_s 0 keeps every slab in the air" if given else "no cell gives sand"
+            raise ValueError(f"is given, but {reason}: a step of no known volume has no duration")
+        cell = self.lattice.cell_size
+        return given * parameters.hop_length / parameters.p_s * cell * self.lattice.thickness
+
     def slope_limits(self) -> dict[str, tuple[int, ...]]:
         """The repose limits (slabs) towards faces and corners, of bare cells and of firm ones."""
         angles = {"bare": self.parameters.release_angle, "firm": self.rules().firm_angle}

@@ -3,20 +3,26 @@
 import secrets
 from typing import TYPE_CHECKING, Annotated, Any, Literal, Self, Union
 
-from pydantic import Field
+from pydantic import Field, model_validator
+from pydantic_core import PydanticCustomError
 
 from barchan.bed import Lattice
 from barchan.ground.landforms import FlatGround
 from barchan.ground.sand import FlatSand, Sand
 from barchan.ground.surface import Ground
-from barchan.models import models
+from barchan.models import Model, models
 from barchan.parameters import Parameters, parameter
-from barchan.wind import Steady, Wind
+from barchan.scenario.consistency import inconsistencies
+from barchan.wind import Clock, Forcing, Pace, Steady, Wind
+from barchan.wind.clock import spoken
 
 FORMAT = 1
 """Version of the configuration format that this program writes."""
 
 LARGEST_SEED = 2**53 - 1
+
+TOGETHER = "parts_do_not_go_together"
+"""Type of the error that tells what the parts of a scenario ask of each other."""
 
 if TYPE_CHECKING:
     AnyModel = Any
@@ -89,8 +95,51 @@ class Scenario(Parameters):
     ground: Ground = Field(default_factory=FlatGround, description="Ground under the sand.")
     sand: Sand = Field(default_factory=FlatSand, description="Sand at the start.")
     wind: Wind = Field(default_factory=Steady, description="Wind.")
+    clock: Clock | None = Field(
+        default=None,
+        description="What gives steps a duration, and speeds in m/s their polls; without it time is counted "
+        "in steps.",
+    )
     model: AnyModel = Field(default_factory=_default_model, description="Model.")
     run: Run = Field(default_factory=Run, description="Run.")
+
+    @model_validator(mode="after")
+    def _goes_together(self) -> Self:
+        found = inconsistencies(self, self.new_model())
+        if found:
+            raise PydanticCustomError(TOGETHER, "{text}", {"found": found, "text": found[0][1]})
+        return self
+
+    def new_model(self) -> Model:
+        """The model, set up for the lattice."""
+        return models()[self.model.name](self.model, self.lattice)
+
+    @property
+    def step_seconds(self) -> float | None:
+        """Duration of a step (s), where it is known."""
+        model = self.new_model()
+        return model.step_seconds if self.clock is None else self.clock.duration(model.step_volume())
+
+    def time_facts(self) -> dict[str, str]:
+        """How long a step and the run last, where that is known, for people to read."""
+        seconds = self.step_seconds
+        if seconds is None:
+            return {}
+        facts = {"step": spoken(seconds), "run": spoken(seconds * self.run.steps)}
+        if self.clock is not None:
+            facts["threshold of the wind"] = (
+                f"{self.clock.threshold_speed():.3g} m/s at {self.clock.height:g} m"
+            )
+        return facts
+
+    def forcing(self) -> Forcing:
+        """The wind at this scenario's pace; it must have a seed."""
+        clock, model = self.clock, self.new_model()
+        if clock is None:
+            return Forcing(self.wind, Pace(self.seed, model.step_seconds), self.lattice.cells)
+        volume = model.step_volume()
+        pace = Pace(self.seed, clock.duration(volume), lambda speeds: clock.strength(speeds, volume))
+        return Forcing(self.wind, pace, self.lattice.cells)
 
     def seeded(self) -> Self:
         """The same scenario with a seed: its own, or one drawn now."""
@@ -119,8 +168,8 @@ class Scenario(Parameters):
 
     def remarks(self) -> list[str]:
         """What a user should know before running this."""
-        model = models()[self.model.name](self.model, self.lattice)
-        remarks = [model.remarks(speed, direction) for speed, direction in self.wind.speeds()]
+        model = self.new_model()
+        remarks = [model.remarks(part.longest_hop, part.direction) for _, part in self.wind.placed_parts()]
         return list(dict.fromkeys(remark for found in remarks for remark in found))
 
 

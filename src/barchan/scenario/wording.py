@@ -27,6 +27,10 @@ def problems_of(
     """Every problem of a validation error, each with key, value, what is allowed and where."""
     found: dict[Path, Problem] = {}
     for item in error.errors(include_url=False):
+        if "found" in item.get("ctx", {}):
+            for path, message in item["ctx"]["found"]:
+                found.setdefault(path, Problem(dotted(path), message, place(path)))
+            continue
         path = _path_in(data, item["loc"])
         if item["type"] == "missing":
             path += (item["loc"][-1],)

@@ -1,7 +1,7 @@
 """The simulation itself."""
 
 from collections.abc import Iterator
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from importlib.metadata import entry_points
 from typing import Any, Protocol, Self
 
@@ -12,13 +12,14 @@ from barchan.bed import Bed, Lattice
 from barchan.errors import BarchanError, Problem, ScenarioError
 from barchan.ground.brush import brushed
 from barchan.ground.start import first_bed
-from barchan.models import Model, Tally, models
+from barchan.models import Model, Tally
 from barchan.parameters import declarations
 from barchan.scenario import Scenario, nearest, validate
 from barchan.simulation.events import Record, SetParameter, SetWind, Stroke
 from barchan.simulation.ledger import Ledger
 from barchan.simulation.state import State
 from barchan.streams import Stream
+from barchan.wind import Segment, Wind
 
 
 @dataclass(frozen=True)
@@ -78,8 +79,9 @@ class Simulation:
 
     def _set_up(self, scenario: Scenario) -> None:
         self.scenario = scenario
-        self.wind = scenario.wind
-        self.model: Model = models()[scenario.model.name](scenario.model, scenario.lattice)
+        self._wind = scenario.wind
+        self.forcing = scenario.forcing()
+        self.model: Model = scenario.new_model()
         self.stream = Stream(scenario.seed, "transport")
         self.steps_done = 0
         self.finished: str | None = None
@@ -94,9 +96,22 @@ class Simulation:
         return self.scenario.lattice
 
     @property
+    def wind(self) -> Wind:
+        """The wind that blows from now on."""
+        return self._wind
+
+    @wind.setter
+    def wind(self, wind: Wind) -> None:
+        self._wind = wind
+        self.forcing = replace(self.forcing, wind=wind)
+
+    @property
     def wind_direction(self) -> float:
-        """Where the wind of the last step came from, or before any step that of the first (degrees)."""
-        return self.wind.direction_at(max(self.steps_done - 1, 0))
+        """Where the wind of the last step came from, or before any step that of the first (degrees).
+
+        Of several winds in one step it is where their mean transport came from.
+        """
+        return self.forcing.wind_of(max(self.steps_done - 1, 0)).direction
 
     @property
     def elevation(self) -> NDArray[np.float64]:
@@ -110,8 +125,8 @@ class Simulation:
         while steps > 0 and self.finished is None:
             chunk = min([steps, *(w.every - self.steps_done % w.every for w in self.watches.values())])
             done = 0
-            for segment in self.wind.segments(self.steps_done, chunk, self.lattice.cells):
-                tally = self.model.advance(self.bed, segment, self.stream, total.still, limit)
+            for segments in self.forcing.turns(self.steps_done, chunk):
+                tally = self._blow(segments, total.still, limit)
                 total.add(tally)
                 done += tally.steps
                 if limit and total.still >= limit:
@@ -122,6 +137,15 @@ class Simulation:
             self._look()
         self._book(total)
         return total
+
+    def _blow(self, segments: list[Segment], still: int, limit: int) -> Tally:
+        """Let the winds of one step blow, or one wind for several steps."""
+        if len(segments) == 1:
+            return self.model.advance(self.bed, segments[0], self.stream, still, limit)
+        total = Tally()
+        for segment in segments:
+            total.add(self.model.advance(self.bed, segment, self.stream, 0, 0))
+        return replace(total, steps=1, still=0 if total.moved else still + 1)
 
     def _look(self) -> None:
         for watch in self.watches.values():
@@ -190,13 +214,19 @@ class Simulation:
         if isinstance(event, SetParameter):
             self._set_parameter(event)
         elif isinstance(event, SetWind):
-            self.wind = event.wind
+            self._set_wind(event)
         else:
             self._paint(event)
         self.finished = None
         record = Record(self.steps_done, event)
         self.events.append(record)
         return record
+
+    def _set_wind(self, event: SetWind) -> None:
+        wind = event.wind.model_dump(mode="json")
+        self.wind = validate(
+            {**self.scenario.data(), "model": self._model_data(), "wind": wind}, "event"
+        ).wind
 
     def _set_parameter(self, event: SetParameter) -> None:
         live = [f"model.{d.key}" for d in declarations(type(self.model.parameters)) if d.live]

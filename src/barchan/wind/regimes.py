@@ -1,18 +1,29 @@
 """Winds one after the other: seasons."""
 
+import math
 from collections.abc import Iterator
-from typing import Any, ClassVar, Literal, Self
+from typing import ClassVar, Literal, Self
 
 from pydantic import Field, model_validator
 
 from barchan.parameters import Parameters, parameter
+from barchan.wind.blowing import SPEED, Blowing
 from barchan.wind.courses import AnyCourse, Linear
-from barchan.wind.segment import Segment
+from barchan.wind.steady import FOR_EVER
+from barchan.wind.stretch import Pace, Stretch
 
-_SPEED: dict[str, Any] = {"unit": "cells", "gt": 0, "le": 100_000, "source": "seed 000, §5.3"}
+FINENESS = 0.01
+"""Change of speed from one slice of a step to the next, over the greater of a regime's speeds."""
+MOST_SLICES = 64
+
+_MOMENTS = 8
+"""Moments of a stretch whose speeds are compared to see how much the speed changes."""
+
+_NOTHING = 1e-9
+"""Shares of a step below this are rounding."""
 
 
-class Regime(Parameters):
+class Regime(Blowing):
     """A wind that blows for a while."""
 
     direction: float = parameter(
@@ -22,42 +33,87 @@ class Regime(Parameters):
         meaning="Where the wind comes from, clockwise from north.",
         source="seed 000, §5.3",
     )
-    steps: int = parameter(
-        unit="steps", ge=1, le=10**9, scale="log", meaning="How long it blows.", source="seed 000, §5.3"
+    steps: int | None = parameter(
+        None,
+        unit="steps",
+        ge=1,
+        le=10**9,
+        scale="log",
+        meaning="How long it blows; give this or seconds.",
+        source="seed 000, §5.3",
     )
-    speed: float | None = parameter(
-        None, meaning="Speed at its beginning, as a hop length, instead of the model's own.", **_SPEED
+    seconds: float | None = parameter(
+        None,
+        unit="s",
+        gt=0,
+        le=1e12,
+        scale="log",
+        meaning="How long it blows, in a scenario with a clock.",
     )
     final_speed: float | None = parameter(
-        None, meaning="Speed at its end; the first speed where it is not given.", **_SPEED
+        None,
+        meaning="Speed at its end; the first speed where it is not given.",
+        source="seed 000, §5.3",
+        **SPEED,
     )
     course: AnyCourse = Field(
         default_factory=Linear, description="How the speed goes from the first to the last."
     )
 
     @model_validator(mode="after")
-    def _starts_somewhere(self) -> Self:
+    def _lasts_and_starts(self) -> Self:
+        if (self.steps is None) == (self.seconds is None):
+            given = "neither steps nor seconds is" if self.steps is None else "steps and seconds are both"
+            raise ValueError(f"{given} given; give one of them")
         if self.final_speed is not None and self.speed is None:
             raise ValueError(f"final_speed {self.final_speed} is given without speed; give both")
         return self
 
-    def hop_length(self, time: float) -> float | None:
-        """The speed (cells) after a share of the regime's duration; not below zero."""
+    @property
+    def longest_hop(self) -> float | None:
+        """The longest hop (cells) that it states."""
+        if self.unit == "m/s":
+            return None
+        return max(filter(None, (self.speed, self.final_speed)), default=None)
+
+    @property
+    def lasting_seconds(self) -> float | None:
+        """How long it blows (s), where that is stated in seconds."""
+        return self.seconds
+
+    def duration(self, pace: Pace) -> float:
+        """How long it blows, in steps."""
+        if self.seconds is not None:
+            return self.seconds / pace.seconds()
+        assert self.steps is not None, "the validator saw to it"
+        return float(self.steps)
+
+    def speed_at(self, time: float) -> float | None:
+        """The mean speed after a share of the regime's duration; not below zero."""
         if self.speed is None or self.final_speed is None:
             return self.speed
         return max(self.speed + (self.final_speed - self.speed) * self.course.share(time), 0.0)
 
     @property
     def changes(self) -> bool:
-        """Whether the speed changes."""
+        """Whether its mean speed changes."""
         return self.final_speed is not None and self.final_speed != self.speed
+
+    def slices(self, start: float, end: float) -> int:
+        """Into how many slices the time between two shares of its duration is cut, for its speed changes."""
+        if not self.changes or self.speed is None or self.final_speed is None:
+            return 1
+        speeds = [self.speed_at(start + (end - start) * k / _MOMENTS) or 0.0 for k in range(_MOMENTS + 1)]
+        fine = FINENESS * max(self.speed, self.final_speed)
+        return min(max(math.ceil((max(speeds) - min(speeds)) / fine), 1), MOST_SLICES)
 
 
 class Regimes(Parameters):
     """Winds one after the other, over and over or once.
 
-    A speed that changes is taken in the middle of each step. Once all regimes are over and are not
-    repeated, the last one's wind goes on as it ended.
+    While a speed changes a step is cut into slices that differ by at most a hundredth of it (at most 64),
+    each with the speed in its middle. Once all regimes are over and are not repeated, the last one's wind
+    goes on as it ended. A cycle shorter than a step is blown once a step.
     """
 
     kind_key: ClassVar[str] = "kind"
@@ -70,48 +126,67 @@ class Regimes(Parameters):
         True, unit="-", meaning="Whether they start over when all are done.", source="seed 000, §5.3"
     )
 
-    @property
-    def cycle(self) -> int:
-        """Steps of all regimes together."""
-        return sum(regime.steps for regime in self.regimes)
+    def cycle(self, pace: Pace) -> float:
+        """How long all regimes blow together, in steps."""
+        return math.fsum(regime.duration(pace) for regime in self.regimes)
 
-    def _at(self, step: int) -> tuple[Regime, int]:
-        """The regime of a step and how many of its steps are over."""
-        if not self.repeat and step >= self.cycle:
-            return self.regimes[-1], self.regimes[-1].steps
-        step %= self.cycle
+    def lasts(self, step: int, pace: Pace) -> int:
+        """For how many steps from ``step`` on the wind stays the same."""
+        regime, over = self._at(step, pace)
+        if regime.varies:
+            return 1
+        left = regime.duration(pace) - over
+        if left <= 0.0:
+            return FOR_EVER
+        return 1 if regime.changes else max(math.floor(left + _NOTHING), 1)
+
+    def stretches(self, step: int, pace: Pace) -> list[Stretch]:
+        """The winds of a step, in order."""
+        found: list[Stretch] = []
+        for regime, over, start, share in self._pieces(step, pace):
+            duration = regime.duration(pace)
+            first, last = (min((over + t) / duration, 1.0) for t in (0.0, share))
+            count = regime.slices(first, last)
+            for k in range(count):
+                speed = regime.speed_at(first + (last - first) * (k + 0.5) / count)
+                at, part = start + share * k / count, share / count
+                found.append(regime.stretch(step, at, part, speed, pace))
+        return found
+
+    def _pieces(self, step: int, pace: Pace) -> Iterator[tuple[Regime, float, float, float]]:
+        """The regimes of a step: how much of each is over, where in the step it starts, and its share."""
+        if self.repeat and self.cycle(pace) < 1.0 - _NOTHING:
+            scale, start = 1.0 / self.cycle(pace), 0.0
+            for regime in self.regimes:
+                yield regime, 0.0, start, regime.duration(pace) * scale
+                start += regime.duration(pace) * scale
+            return
+        start = 0.0
+        while start < 1.0 - _NOTHING:
+            regime, over = self._at(step + start, pace)
+            left = regime.duration(pace) - over
+            share = 1.0 - start if left <= 0.0 else min(left, 1.0 - start)
+            yield regime, over, start, share
+            start += share
+
+    def _at(self, time: float, pace: Pace) -> tuple[Regime, float]:
+        """The regime of a time and how much of it is over, both in steps."""
+        cycle = self.cycle(pace)
+        if not self.repeat and time >= cycle - _NOTHING:
+            return self.regimes[-1], self.regimes[-1].duration(pace)
+        time = math.fmod(time, cycle)
         for regime in self.regimes:
-            if step < regime.steps:
-                return regime, step
-            step -= regime.steps
-        raise AssertionError("a step of the cycle lies in one of its regimes")
+            if time < regime.duration(pace) - _NOTHING:
+                return regime, max(time, 0.0)
+            time -= regime.duration(pace)
+        return self.regimes[0], 0.0
 
-    def direction_at(self, step: int) -> float:
-        """Where the wind of a step comes from (degrees)."""
-        return self._at(step)[0].direction
-
-    def speeds(self) -> list[tuple[float | None, float]]:
-        """The greatest speed (cells; None: the model's own) and the direction of each regime."""
-        return [
-            (max(filter(None, (regime.speed, regime.final_speed)), default=None), regime.direction)
-            for regime in self.regimes
-        ]
+    def placed_parts(self) -> list[tuple[tuple[str | int, ...], Blowing]]:
+        """The winds that it is made of, and under which keys they stand."""
+        return [(("regimes", number), regime) for number, regime in enumerate(self.regimes)]
 
     def summary(self) -> str:
         """The winds in a few words."""
         directions = ", ".join(f"{regime.direction:g}°" for regime in self.regimes[:8])
         more = f" and {len(self.regimes) - 8} more" if len(self.regimes) > 8 else ""
         return f"from {directions}{more} in turn"
-
-    def segments(self, step: int, steps: int, cells: int) -> Iterator[Segment]:
-        """The forcing of ``steps`` steps from ``step`` on, over a lattice of ``cells`` cells."""
-        end = step + steps
-        while step < end:
-            regime, over = self._at(step)
-            left = regime.steps - over if over < regime.steps else end - step
-            count = 1 if regime.changes and over < regime.steps else min(left, end - step)
-            time = min((over + 0.5) / regime.steps, 1.0) if over < regime.steps else 1.0
-            hop = regime.hop_length(time)
-            polls = 0 if hop == 0.0 else cells
-            yield Segment(step, count, 0, polls, regime.direction, hop or regime.speed)
-            step += count

@@ -16,16 +16,31 @@ class Segment:
     """Where the wind comes from, degrees clockwise from north."""
     hop_length: float | None = None
     """Hop length that this wind states (cells), instead of the model's."""
-    seconds: float | None = None
-    """Duration, where the scenario has a clock."""
+    speed: float | None = None
+    """Wind speed (m/s) at the height it is stated for, where the wind states one."""
+    share: float = 1.0
+    """The share of each step's time that this wind blows."""
+    step_seconds: float | None = None
+    """Duration of a whole step, where it is known."""
+    ends: bool = True
+    """Whether the steps are over when the segment is."""
+
+    @property
+    def seconds(self) -> float | None:
+        """Duration of the segment, where it is known."""
+        return None if self.step_seconds is None else self.step_seconds * self.share * self.steps
 
     def part(self, first: int, steps: int) -> "Segment":
         """``steps`` steps of the segment, from its step ``first`` (0: the segment's own first) on."""
-        seconds = None if self.seconds is None else self.seconds * steps / self.steps
-        return replace(self, step=self.step + first, steps=steps, seconds=seconds)
+        return replace(self, step=self.step + first, steps=steps)
 
 
 def downwind(direction: float) -> tuple[float, float]:
     """Unit vector (x east, y north) that points where a wind from ``direction`` blows."""
     angle = math.radians(direction)
     return -math.sin(angle), -math.cos(angle)
+
+
+def bearing(x: float, y: float) -> float:
+    """Where a wind that blows along a vector (x east, y north) comes from (degrees)."""
+    return math.degrees(math.atan2(-x, -y)) % 360.0

@@ -1,0 +1,86 @@
+"""What a steady wind and a regime have in common: direction, speed, and how both vary."""
+
+from typing import Any, Literal, Self
+
+import numpy as np
+from pydantic import Field, model_validator
+
+from barchan.parameters import Parameters, parameter
+from barchan.wind.gusts import Gusts, normal
+from barchan.wind.stretch import Pace, Stretch
+
+SPEED: dict[str, Any] = {"unit": "cells or m/s", "ge": 0, "le": 100_000}
+"""What all speeds have in common."""
+
+
+class Blowing(Parameters):
+    """A wind with a direction and a speed, which may vary from step to step."""
+
+    direction: float = parameter(
+        270.0,
+        unit="degrees",
+        ge=0,
+        lt=360,
+        live=True,
+        meaning="Where the wind comes from, clockwise from north (270: from the west).",
+        source="seed 000, Table 6.1",
+    )
+    speed: float | None = parameter(
+        None,
+        live=True,
+        meaning="Wind speed: as a hop length instead of the model's own, or in m/s; 0 is a calm.",
+        source="seed 000, §5.3",
+        **SPEED,
+    )
+    unit: Literal["cells", "m/s"] = parameter(
+        "cells",
+        unit="-",
+        meaning="Unit of the speed. In m/s it acts on slabs through the sand that it moves: more or fewer "
+        "polls in the same time, by the clock.",
+    )
+    spread: float = parameter(
+        0.0,
+        unit="degrees",
+        ge=0,
+        le=180,
+        live=True,
+        meaning="Standard deviation of the direction, drawn anew for each step.",
+        source="seed 000, §2.1.3: barchans stand up to 15 degrees",
+    )
+    gusts: Gusts | None = Field(default=None, description="Gusts of a speed in m/s; none where not given.")
+
+    @model_validator(mode="after")
+    def _speed_in_its_unit(self) -> Self:
+        if self.unit == "m/s" and self.speed is None:
+            raise ValueError("unit is m/s, but no speed is given")
+        if self.gusts is not None and self.unit != "m/s":
+            raise ValueError("gusts are given, but the speed is not; allowed: gusts of a speed in m/s")
+        return self
+
+    @property
+    def longest_hop(self) -> float | None:
+        """The longest hop (cells) that it states."""
+        return None if self.unit == "m/s" else self.speed
+
+    @property
+    def lasting_seconds(self) -> float | None:
+        """How long it blows (s), where that is stated in seconds."""
+        return None
+
+    @property
+    def varies(self) -> bool:
+        """Whether chance changes it from step to step."""
+        return self.spread > 0.0 or (self.gusts is not None and self.gusts.intensity > 0.0)
+
+    def stretch(self, step: int, start: float, share: float, speed: float | None, pace: Pace) -> Stretch:
+        """The wind for a share of a step, from a share ``start`` of it on, at a mean speed."""
+        direction = self.direction
+        if self.spread > 0.0 and pace.deviates:
+            direction = (direction + self.spread * normal(pace.directions, step)) % 360.0
+        if speed is None or self.unit == "cells":
+            return Stretch(share, direction, speed or None, strength=0.0 if speed == 0.0 else 1.0)
+        speeds = np.array([speed])
+        if self.gusts is not None:
+            seconds = pace.seconds()
+            speeds = speed * self.gusts.factors((step + start) * seconds, share * seconds, pace.gusts)
+        return Stretch(share, direction, None, float(speeds.mean()), pace.worth(speeds))

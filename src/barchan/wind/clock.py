@@ -1,0 +1,71 @@
+"""The clock: how long a step lasts, and how many polls a wind is worth."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from barchan.parameters import parameter
+from barchan.wind.saltation import Saltation
+
+YEAR = 365.25 * 86400.0
+"""A year (s)."""
+
+DAY = 86400.0
+"""A day (s)."""
+
+
+class Clock(Saltation):
+    """What gives steps a duration: the sand that a wind really moves, over what a step's polls move.
+
+    Under the reference wind a step has as many polls as the lattice has cells. Over a flat bed of sand
+    these carry a known volume, and the reference wind takes a known time for it: that is a step. Other
+    winds have polls in proportion to their flux.
+    """
+
+    reference_speed: float = parameter(
+        10.0,
+        unit="m/s",
+        gt=0,
+        le=100,
+        meaning="The wind under which a step polls as many cells as the field has.",
+        source="our default",
+    )
+    step_seconds: float | None = parameter(
+        None,
+        unit="s",
+        gt=0,
+        le=1e12,
+        scale="log",
+        meaning="Duration of a step; the time that the reference wind takes to move what a step's polls do "
+        "where it is not given.",
+    )
+
+    def duration(self, step_volume: float) -> float:
+        """Duration of a step (s) that moves ``step_volume`` (m² per step: volume per width) on a flat bed.
+
+        Raises ValueError where the reference wind moves nothing.
+        """
+        if self.step_seconds is not None:
+            return self.step_seconds
+        flux = float(self.volume_flux(self.reference_speed))
+        if flux == 0.0:
+            raise ValueError(
+                f"is {self.reference_speed:g} m/s, which moves no sand; allowed: more than the threshold of "
+                f"{self.threshold_speed():.3g} m/s"
+            )
+        return step_volume / flux
+
+    def strength(self, speeds: NDArray[np.float64], step_volume: float) -> NDArray[np.float64]:
+        """Polls under winds (m/s) over the polls of a step, in a step's time."""
+        return self.volume_flux(speeds) * (self.duration(step_volume) / step_volume)
+
+
+def suited_unit(seconds: float) -> tuple[str, float]:
+    """The unit that suits a duration (s): its name and its length (s)."""
+    units = (("years", YEAR), ("days", DAY), ("hours", 3600.0), ("minutes", 60.0))
+    return next((unit for unit in units if seconds >= unit[1]), ("s", 1.0))
+
+
+def spoken(seconds: float) -> str:
+    """A duration in the unit that suits it."""
+    name, size = suited_unit(seconds)
+    return f"{seconds / size:.3g} {name}"
