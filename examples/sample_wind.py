@@ -34,8 +34,8 @@ class Season:
     diurnal: float  # share by which the speed swings between night and afternoon
 
 
-SUMMER = Season(direction=340.0, spread=28.0, scale=5.6, shape=2.1, diurnal=0.45)
-WINTER = Season(direction=235.0, spread=32.0, scale=5.0, shape=1.7, diurnal=0.15)
+SUMMER = Season(direction=340.0, spread=20.0, scale=5.2, shape=2.1, diurnal=0.45)
+WINTER = Season(direction=235.0, spread=24.0, scale=6.2, shape=1.8, diurnal=0.15)
 
 
 def main(path: Path) -> None:

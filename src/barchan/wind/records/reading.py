@@ -35,11 +35,20 @@ def read_record(path: Path | str, form: RecordFormat | None = None) -> WindRecor
         with as_file(files("barchan.wind.records") / SAMPLE_FILE) as shipped:
             return read_record(shipped, form)
     path = Path(path)
-    plain = path.with_suffix("") if path.suffix.lower() == ".gz" else path
-    reader = READERS.get(plain.suffix.lower())
+    reader = _reader(path)
     if reader is None:
         allowed = f"is of an unknown kind; allowed: {', '.join(READERS)}, and tables in .gz"
         raise RecordError([Problem("", allowed)], path.name)
     if not path.is_file():
         raise RecordError([Problem("", "no such file")], str(path))
     return checked(reader(path, form or RecordFormat()))
+
+
+def is_record(path: Path) -> bool:
+    """Whether a file is taken for a wind record, by its suffix."""
+    return _reader(path) is not None
+
+
+def _reader(path: Path) -> Callable[[Path, RecordFormat], Rows] | None:
+    plain = path.with_suffix("") if path.suffix.lower() == ".gz" else path
+    return READERS.get(plain.suffix.lower())
