@@ -9,7 +9,7 @@ class BarchanError(Exception):
 
 @dataclass(frozen=True)
 class Problem:
-    """One thing that is wrong with a scenario."""
+    """One thing that is wrong with a scenario or a file."""
 
     key: str
     """Dotted path of the key, for instance ``model.hop_length``."""
@@ -28,8 +28,20 @@ class ScenarioError(BarchanError):
 
     def __init__(self, problems: list[Problem], title: str = "scenario") -> None:
         self.problems = problems
-        count = "1 problem" if len(problems) == 1 else f"{len(problems)} problems"
-        super().__init__("\n".join([f"{title}: {count}", *(f"  {p}" for p in problems)]))
+        super().__init__(_listed(problems, title))
+
+
+class RecordError(BarchanError):
+    """A wind record that cannot be used, with the first problem of each kind found in it."""
+
+    def __init__(self, problems: list[Problem], title: str) -> None:
+        self.problems = problems
+        super().__init__(_listed(problems, title))
+
+
+def _listed(problems: list[Problem], title: str) -> str:
+    count = "1 problem" if len(problems) == 1 else f"{len(problems)} problems"
+    return "\n".join([f"{title}: {count}", *(f"  {problem}" for problem in problems)])
 
 
 class ConservationError(BarchanError):

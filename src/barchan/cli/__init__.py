@@ -14,6 +14,7 @@ COMMANDS = {
     "film": "Write an animated picture of a run.",
     "presets": "List the scenarios that ship with Barchan.",
     "parameters": "List every key of a scenario, with unit, default, bounds, meaning and source.",
+    "wind": "Tell and draw what a wind does to sand: roses, drift, the crests and dunes to expect.",
     "curves": "Draw the curves among a scenario's parameters, such as the growth of plants.",
     "check": "Check a scenario without running it.",
     "schema": "Print the JSON schema of scenarios.",

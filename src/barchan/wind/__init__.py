@@ -8,10 +8,22 @@ from barchan.wind.clock import Clock
 from barchan.wind.forcing import Forcing
 from barchan.wind.mixed_axes import MixedAxes
 from barchan.wind.regimes import Regime, Regimes
+from barchan.wind.saltation import Saltation
 from barchan.wind.segment import Segment
 from barchan.wind.steady import Steady
 from barchan.wind.stretch import Pace
 
 Wind = Annotated[Steady | Regimes | MixedAxes, Field(discriminator="kind")]
 
-__all__ = ["Clock", "Forcing", "MixedAxes", "Pace", "Regime", "Regimes", "Segment", "Steady", "Wind"]
+__all__ = [
+    "Clock",
+    "Forcing",
+    "MixedAxes",
+    "Pace",
+    "Regime",
+    "Regimes",
+    "Saltation",
+    "Segment",
+    "Steady",
+    "Wind",
+]

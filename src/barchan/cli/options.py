@@ -1,0 +1,45 @@
+"""Options of a command made from declared parameters, so that no parameter is told twice."""
+
+from dataclasses import field, fields, make_dataclass
+from typing import Annotated, Any, TypeVar
+
+from cyclopts import Parameter
+from pydantic import ValidationError
+
+from barchan.errors import ScenarioError
+from barchan.parameters import Parameters, declarations
+
+Group = TypeVar("Group", bound=Parameters)
+
+
+def options_of(group: type[Parameters]) -> Any:
+    """A class whose fields are the parameters of a group, all optional, with help from their declarations."""
+    made = []
+    for declared in declarations(group):
+        annotation = group.model_fields[declared.key].annotation
+        text = declared.meaning
+        if declared.unit != "-":
+            text = f"{text} [unit: {declared.unit}]"
+        if declared.default is not None and not isinstance(declared.default, list):
+            text = f"{text} [default: {declared.default}]"
+        kind: Any = Annotated[annotation | None, Parameter(help=text, negative=())]  # type: ignore[operator]
+        made.append((declared.key, kind, field(default=None)))
+    name = f"{group.__name__}Options"
+    return make_dataclass(name, made, frozen=True, namespace={"__module__": __name__})
+
+
+def group_from(group: type[Group], options: Any) -> Group:
+    """The group of parameters that the options of ``options_of`` come to.
+
+    Raises ScenarioError with every value that is not allowed.
+    """
+    from barchan.scenario.wording import problems_of
+
+    values = {} if options is None else {item.name: getattr(options, item.name) for item in fields(options)}
+    given = {name: value for name, value in values.items() if value is not None}
+    try:
+        return group.model_validate(given)
+    except ValidationError as error:
+        raise ScenarioError(
+            problems_of(error, group, given, lambda _: "command line"), "command line"
+        ) from None

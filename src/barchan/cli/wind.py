@@ -1,0 +1,185 @@
+"""``barchan wind``: what a wind does to sand."""
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any, Literal
+
+from cyclopts import Parameter
+from cyclopts.validators import Number
+
+from barchan.cli.options import group_from, options_of
+from barchan.wind.records.format import RecordFormat
+from barchan.wind.saltation import Saltation
+
+if TYPE_CHECKING:
+    from barchan.analysis.assessment import Assessment
+    from barchan.wind.records import WindRecord
+
+    SandOptions = Any
+    FormatOptions = Any
+else:
+    SandOptions = options_of(Saltation)
+    FormatOptions = options_of(RecordFormat)
+
+View = Literal["roses", "thresholds", "laws"]
+
+
+def wind(
+    source: str = "sample",
+    /,
+    *,
+    view: View = "roses",
+    out: Path | None = None,
+    supply: Annotated[float | None, Parameter(validator=Number(gte=0))] = None,
+    sectors: Annotated[int, Parameter(validator=Number(gte=16, lte=360))] = 16,
+    sand: Annotated[SandOptions | None, Parameter(name="*")] = None,
+    form: Annotated[FormatOptions | None, Parameter(name="*")] = None,
+) -> None:
+    """Tell and draw what a wind does to sand: roses, drift, the crests and dunes to expect.
+
+    Parameters
+    ----------
+    source
+        A wind record (CSV or NetCDF), a scenario file, a preset's name or a run's folder; sample is a made-up
+        record that ships with Barchan.
+    view
+        Draw roses, the threshold of movement against grain size, or the flux laws side by side.
+    out
+        The picture's file (PNG, PDF or SVG by its ending); wind-VIEW.png in the current folder without it.
+    supply
+        Sand spread evenly over the ground (m), to tell the dunes to expect; both kinds are told without it.
+    sectors
+        Directions of the roses.
+    """
+    from barchan.analysis.assessment import assess, assess_record, scenario_drift
+    from barchan.cli.report import print_table
+    from barchan.cli.terminal import print_note, save_picture
+    from barchan.wind.records import read_record
+
+    grains = group_from(Saltation, sand)
+    path = out or Path(f"wind-{view}.png")
+    if view != "roses":
+        from barchan.figures.sand import flux_laws, thresholds
+
+        save_picture((thresholds if view == "thresholds" else flux_laws)(grains), path)
+        return
+    record = None
+    if _is_record(source):
+        record = read_record(source, group_from(RecordFormat, form))
+        found = assess_record(record, grains, supply)
+        title = record.source
+        rows = [*_record_rows(record, grains), *_potential_rows(found)]
+    else:
+        from barchan.archive import source_at
+        from barchan.scenario.files import load_scenario
+
+        scenario = load_scenario(source_at(source))
+        found = assess(scenario_drift(scenario), supply=supply)
+        title = scenario.title or source
+        rows = [("wind", scenario.wind.summary(), ""), ("weights", "polls times hop length", "")]
+    print_table([*rows, *_drift_rows(found)], left=True)
+    for remark in record.remarks if record else ():
+        print_note(remark)
+    if not found.moves:
+        print_note("nothing would move: no wind exceeds the threshold")
+
+    from barchan.figures.roses import roses
+
+    save_picture(roses(title, found, record, grains.threshold_speed(), sectors), path)
+
+
+def _is_record(source: str) -> bool:
+    """Whether a source names a wind record rather than a scenario."""
+    from barchan.wind.records.reading import SAMPLE, is_record
+
+    return source == SAMPLE or is_record(Path(source))
+
+
+Rows = list[tuple[str, str, str]]
+
+
+def _record_rows(record: "WindRecord", sand: Saltation) -> Rows:
+    import numpy as np
+
+    whole = len(record) + record.missing
+    threshold, friction = sand.threshold_speed(), sand.threshold_friction_velocity()
+    blowing = float(record.duration[record.speed > threshold].sum()) / record.seconds
+    mean = float(np.average(record.speed, weights=record.duration))
+    return [
+        ("record", record.source, ""),
+        ("time covered", f"{record.seconds / 86400:.6g} days{_span(record)}", ""),
+        ("rows", f"{whole}, {_share(record.missing, whole)} missing, {_share(record.calms, whole)} calm", ""),
+        ("wind speed", f"mean {mean:.2f} m/s, highest {record.speed.max():.1f} m/s", ""),
+        ("flux law", f"{sand.law}, grains of {1e3 * sand.grain_diameter:g} mm", ""),
+        ("threshold", f"{threshold:.2f} m/s at {sand.height:g} m, u* {friction:.3f} m/s", ""),
+        ("exceeded", f"{100 * blowing:.1f} % of the time", ""),
+    ]
+
+
+def _span(record: "WindRecord") -> str:
+    import numpy as np
+
+    if record.start is None:
+        return ""
+    last = record.start + np.timedelta64(int(record.time[-1]), "s")
+    return f", {str(record.start)[:10]} to {str(last)[:10]}"
+
+
+def _potential_rows(found: "Assessment") -> Rows:
+    from barchan.analysis.drift import THRESHOLD, energy, in_metres
+
+    potential = found.potential
+    if potential is None:
+        return []
+    total = potential.total
+    return [
+        (
+            f"drift potential above {THRESHOLD:g} kn",
+            f"DP {total:.0f} VU ({in_metres(total):.1f} by m/s), energy {energy(total)}",
+            "",
+        ),
+        ("resultant", f"RDP {potential.resultant:.0f} VU, RDP/DP {_number(potential.steadiness)}", ""),
+        ("", f"RDD {_toward(potential.toward)}", ""),
+    ]
+
+
+def _drift_rows(found: "Assessment") -> Rows:
+    drift = found.drift
+    if not found.moves:
+        return []
+    rows = [] if drift.unit == "-" else [("sand flux", f"{drift.total:.1f} {drift.unit} to all sides", "")]
+    share = "" if drift.unit == "-" else f"{drift.resultant:.1f} {drift.unit}, "
+    modes = ", ".join(f"{mode:.0f}°" for mode in found.variability.modes)
+    return [
+        *rows,
+        ("resultant flux", f"{share}{drift.steadiness:.2f} of all, {_toward(drift.toward)}", ""),
+        ("directions", found.variability.name + (f", from {modes}" if modes else ""), ""),
+        ("crests, gross transport", _crest(found.gross_transport), ""),
+        ("crests, bed instability", _crest(found.bed_instability), ""),
+        ("fingers of scarce sand", f"grow {_toward(found.elongation)}", ""),
+        ("dunes to expect", found.dunes, ""),
+    ]
+
+
+def _crest(crest: Any) -> str:
+    import math
+
+    if math.isnan(crest.azimuth):
+        return "none, all directions are alike"
+    rivals = ", ".join(f"{rival:.0f}°" for rival in crest.rivals)
+    return f"azimuth {crest.azimuth:.0f}°" + (f", ambiguous: as good are {rivals}" if rivals else "")
+
+
+def _toward(angle: float) -> str:
+    import math
+
+    return "nowhere" if math.isnan(angle) else f"toward {angle:.0f}°"
+
+
+def _number(value: float) -> str:
+    import math
+
+    return "–" if math.isnan(value) else f"{value:.2f}"
+
+
+def _share(part: int, whole: int) -> str:
+    return f"{100 * part / whole:.1f} %"

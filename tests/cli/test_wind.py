@@ -1,0 +1,96 @@
+"""``barchan wind``: what a wind does to sand."""
+
+import pytest
+from PIL import Image
+
+from barchan.wind.flux import LAWS
+
+WEAK = "time,speed (m/s),direction\n2024-01-01T00:00,3,270\n2024-01-01T01:00,4,280\n2024-01-01T02:00,0,\n"
+
+
+def test_the_sample_is_told_and_drawn(here, barchan):
+    result = barchan("wind")
+    assert (result.code, result.err) == (0, "")
+    for word in (
+        "sample.csv.gz",
+        "energy high",
+        "RDP/DP 0.56",
+        "obtuse bimodal",
+        "azimuth 116°",
+        "linear dunes",
+    ):
+        assert word in result.out
+    assert result.out.endswith("wind-roses.png\n")
+    with Image.open(here / "wind-roses.png") as picture:
+        assert picture.width > picture.height > 300
+
+
+@pytest.mark.parametrize("view", ["thresholds", "laws"])
+def test_thresholds_and_laws_are_drawn(here, barchan, view):
+    result = barchan("wind", "--view", view, "--grain-diameter", "0.0002")
+    assert (result.code, result.out) == (0, f"wind-{view}.png\n")
+    assert (here / f"wind-{view}.png").exists()
+
+
+@pytest.mark.parametrize(
+    ("name", "said"), [("tiny.json", "narrow unimodal"), ("star", "fingers of scarce sand   grow nowhere")]
+)
+def test_the_wind_of_a_scenario_is_told(here, barchan, name, said):
+    result = barchan("wind", name, "--out", "rose.png")
+    assert (result.code, result.err) == (0, "")
+    assert said in result.out
+    assert (here / "rose.png").exists()
+
+
+def test_the_wind_of_a_run_is_told(finished, barchan):
+    assert "from 270°" in barchan("wind", finished.name).out
+
+
+def test_a_record_that_never_exceeds_the_threshold_moves_nothing(here, barchan):
+    (here / "weak.csv").write_text(WEAK)
+    result = barchan("wind", "weak.csv")
+    assert result.code == 0
+    assert "nothing would move" in result.out
+    assert "DP 0 VU" in result.out
+
+
+@pytest.mark.parametrize("law", LAWS)
+def test_a_flux_law_may_be_chosen(here, barchan, law):
+    result = barchan("wind", "--law", law, "--threshold", "5", "--supply", "10", "--sectors", "36")
+    assert f"flux law                     {law}" in result.out
+    assert "5.00 m/s at 10 m" in result.out
+    assert "dunes to expect              linear dunes, close and compound" in result.out
+
+
+def test_columns_and_units_may_be_stated(here, barchan):
+    (here / "odd.csv").write_text(WEAK.replace("time,speed (m/s),direction", "when,blow,from"))
+    words = ["--time", "when", "--speed", "blow", "--direction", "from", "--unit", "kn", "--missing", "4"]
+    result = barchan("wind", "odd.csv", *words)
+    assert "33.3 % missing" in result.out
+    assert "highest 1.5 m/s" in result.out
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (["none.csv"], "no such file"),
+        (["nowhere"], "nowhere"),
+        (
+            ["sample", "--grain-diameter", "-1"],
+            "grain_diameter: is -1.0; allowed: number ≥ 2e-05 and ≤ 0.005",
+        ),
+        (["sample", "--height", "0.0001", "--law", "owen"], "above the roughness length"),
+        (["sample", "--speed", "gust"], "speed: no column 'gust'; the columns are time, speed (m/s)"),
+        (["sample", "--out", "wind.txt"], "cannot write wind.txt"),
+    ],
+    ids=lambda value: " ".join(value) if isinstance(value, list) else "",
+)
+def test_mistakes_are_clear_errors(here, barchan, words, said):
+    result = barchan("wind", *words)
+    assert result.code == 1
+    assert said in result.err
+    assert "Traceback" not in result.err
+
+
+def test_too_few_sectors_are_refused(here, barchan):
+    assert barchan("wind", "--sectors", "8").code != 0
