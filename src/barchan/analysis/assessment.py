@@ -14,6 +14,9 @@ from barchan.wind.saltation import Saltation
 FRYBERGER_HEIGHT = 10.0
 """Height (m) at which drift potential takes the wind."""
 
+MOST_STEPS = 10_000
+"""Steps of a scenario whose winds are looked at."""
+
 
 @dataclass(frozen=True)
 class Assessment:
@@ -63,12 +66,17 @@ def assess_record(record: WindRecord, sand: Saltation, supply: float | None = No
 
 
 def scenario_drift(scenario: Scenario) -> Drift:
-    """The drift of a scenario's winds over its run: polls a cell times hop length, as shares of the whole."""
-    cells, steps = scenario.lattice.cells, max(scenario.run.steps, 1)
+    """The drift of a scenario's winds over its run: polls a cell times hop length, as shares of the whole.
+
+    Of a long run it is that of the first 10,000 steps.
+    """
+    steps = min(max(scenario.run.steps, 1), MOST_STEPS)
     own = getattr(scenario.model, "hop_length", 1.0)
-    winds = [
-        (s.direction, s.steps * s.polls / cells * (own if s.hop_length is None else s.hop_length))
-        for s in scenario.wind.segments(0, steps, cells)
-    ]
+    works: dict[float, float] = {}
+    for _, count, stretches in scenario.seeded().forcing().spells(0, steps):
+        for s in stretches:
+            hop = own if s.hop_length is None else s.hop_length
+            works[s.direction] = works.get(s.direction, 0.0) + count * s.share * s.strength * hop
+    winds = list(works.items())
     drift = drift_of(winds)
     return replace(drift, amount=drift.amount / drift.total) if drift.total > 0 else drift

@@ -4,6 +4,7 @@ from typing import TYPE_CHECKING
 
 from barchan.models import Model
 from barchan.scenario.positions import Path
+from barchan.wind import Recorded
 
 if TYPE_CHECKING:
     from barchan.scenario.definition import Scenario
@@ -42,6 +43,9 @@ def _clock_problems(scenario: "Scenario", model: Model) -> list[Found]:
 def _timeless(scenario: "Scenario") -> list[Found]:
     """Speeds and durations that ask for a clock where there is none."""
     found: list[Found] = []
+    if isinstance(scenario.wind, Recorded):
+        text = 'is a record, whose winds need a clock to tell what they are worth; add "clock": {}'
+        found.append((("wind", "kind"), text))
     for path, part in scenario.wind.placed_parts():
         if part.unit == "m/s":
             text = "is m/s, which needs a clock to tell how many polls a speed is worth"

@@ -81,6 +81,7 @@ class Simulation:
         self.scenario = scenario
         self._wind = scenario.wind
         self.forcing = scenario.forcing()
+        self.forcing.wind_of(0)  # a record that cannot be read is told now
         self.model: Model = scenario.new_model()
         self.stream = Stream(scenario.seed, "transport")
         self.steps_done = 0

@@ -38,16 +38,20 @@ class Forcing:
 
         Each list is one or more whole steps of a single segment, or the segments of one step.
         """
+        for start, alike, stretches in self.spells(step, steps):
+            if len(stretches) > 1:
+                for now in range(start, start + alike):
+                    yield self._step(now, stretches)
+                continue
+            for first, count, polls in self._runs(start, alike, stretches[0]):
+                yield [self._segment(first, stretches[0], 0, polls, count)]
+
+    def spells(self, step: int, steps: int) -> Iterator[tuple[int, int, list[Stretch]]]:
+        """Steps in a row with the same winds: the first, how many, and the winds of each."""
         end = step + steps
         while step < end:
-            stretches = self.wind.stretches(step, self.pace)
             alike = min(self.wind.lasts(step, self.pace), end - step)
-            if len(stretches) > 1:
-                yield self._step(step, stretches)
-                step += 1
-                continue
-            for first, count, polls in self._runs(step, alike, stretches[0]):
-                yield [self._segment(first, stretches[0], 0, polls, count)]
+            yield step, alike, self.wind.stretches(step, self.pace)
             step += alike
 
     def _runs(self, step: int, steps: int, stretch: Stretch) -> Iterator[tuple[int, int, int]]:

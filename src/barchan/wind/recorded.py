@@ -1,0 +1,166 @@
+"""A wind that blows as it was recorded."""
+
+from functools import lru_cache
+from pathlib import Path
+from typing import ClassVar, Literal, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+from pydantic import Field
+
+from barchan.errors import Problem, RecordError, ScenarioError
+from barchan.parameters import Parameters, parameter
+from barchan.wind.blowing import Blowing
+from barchan.wind.records import SAMPLE, RecordFormat, WindRecord, read_record
+from barchan.wind.steady import FOR_EVER
+from barchan.wind.stretch import Pace, Stretch
+
+_ROUNDING = 1e-9
+"""Slack, in steps, for times that are those of a row's end but for rounding."""
+
+
+class Rows(NamedTuple):
+    """The winds that blow within a step."""
+
+    shares: NDArray[np.float64]
+    """Of the step's time."""
+    numbers: NDArray[np.intp]
+    """Their rows in the record."""
+
+
+class Series(NamedTuple):
+    """A record and when its rows end."""
+
+    record: WindRecord
+    ends: NDArray[np.float64]
+    """Time (s) since the first row, as if nothing were missing between rows."""
+
+
+class Recorded(Parameters):
+    """The winds of a record, one after the other, at the clock's pace.
+
+    A wind has polls in proportion to the sand that it moves, by the clock's flux law; below the threshold
+    time passes without polls. Where a step covers more winds than ``winds``, that many of them blow for
+    equal shares of the step's sand: they are picked at equal distances of sand moved from a random start,
+    so that each is picked in proportion to what it moves. What the record misses is skipped.
+    """
+
+    kind_key: ClassVar[str] = "kind"
+
+    kind: Literal["record"] = parameter("record", unit="-", meaning="Winds as they were recorded.")
+    path: str | None = parameter(
+        None,
+        unit="-",
+        min_length=1,
+        meaning="The record, CSV or NetCDF; where it is not given the made-up one that ships with Barchan.",
+    )
+    columns: RecordFormat = Field(default_factory=RecordFormat, description="How the record is written.")
+    repeat: bool = parameter(
+        True, unit="-", meaning="Whether the record starts over at its end; else a calm follows."
+    )
+    winds: int = parameter(
+        16, unit="-", ge=1, le=100_000, scale="log", meaning="The most winds that blow in one step."
+    )
+
+    @property
+    def record(self) -> WindRecord:
+        """The record; raises ScenarioError where it cannot be used."""
+        return self._series.record
+
+    @property
+    def _series(self) -> "Series":
+        source = SAMPLE if self.path is None else self.path
+        file = Path(source)
+        changed = file.stat().st_mtime_ns if self.path is not None and file.is_file() else 0
+        try:
+            return _read(source, self.columns, changed)
+        except RecordError as error:
+            found = [
+                Problem("wind.path", f"{p.key}: {p.message}" if p.key else p.message) for p in error.problems
+            ]
+            raise ScenarioError(found, source) from None
+
+    def lasts(self, step: int, pace: Pace) -> int:
+        """For how many steps from ``step`` on the wind stays the same."""
+        edges, start = self._series.ends, self._start(step, pace)
+        if start is None:
+            return FOR_EVER
+        row = int(np.searchsorted(edges, start, "right"))
+        return max(int((edges[row] - start) / pace.seconds() + _ROUNDING), 1)
+
+    def stretches(self, step: int, pace: Pace) -> list[Stretch]:
+        """The winds of a step, in order."""
+        rows, record = self._rows(step, pace), self.record
+        speeds, directions = record.speed[rows.numbers], record.direction[rows.numbers]
+        strengths = np.ones(len(speeds)) if pace.strength is None else pace.strength(speeds)
+        shares = rows.shares
+        if pace.deviates and len(speeds) > self.winds:
+            picked, shares = self._picked(step, shares * strengths, pace)
+            strength = float(np.dot(rows.shares, strengths))
+            speeds, directions, strengths = speeds[picked], directions[picked], np.full(len(picked), strength)
+        columns = (shares, directions, speeds, strengths)
+        found = [
+            Stretch(share, direction, None, speed, strength)
+            for share, direction, speed, strength in zip(*(c.tolist() for c in columns), strict=True)
+        ]
+        after = 1.0 - float(shares.sum())
+        return [*found, Stretch(after, 0.0, None, 0.0, 0.0)] if after > _ROUNDING else found
+
+    def _picked(
+        self, step: int, works: NDArray[np.float64], pace: Pace
+    ) -> tuple[NDArray[np.intp], NDArray[np.float64]]:
+        """Which winds of a step stand for all, in proportion to the sand they move, and their shares."""
+        total = np.cumsum(works)
+        if total[-1] == 0.0:
+            return np.zeros(1, np.intp), np.ones(1)
+        first = float(pace.samples.draws(step, 1)[0] >> np.uint64(11)) * 2.0**-53
+        at = (np.arange(self.winds) + first) / self.winds * total[-1]
+        picked, counts = np.unique(np.searchsorted(total, at, "right"), return_counts=True)
+        return picked, counts / self.winds
+
+    def _start(self, step: int, pace: Pace) -> float | None:
+        """When in the record (s) a step starts; None after its end."""
+        start, whole = step * pace.seconds(), float(self._series.ends[-1])
+        if not self.repeat and start >= whole:
+            return None
+        return start % whole
+
+    def _rows(self, step: int, pace: Pace) -> Rows:
+        start = self._start(step, pace)
+        if start is None:
+            return Rows(np.zeros(0), np.zeros(0, np.intp))
+        edges, length = self._series.ends, pace.seconds()
+        whole = float(edges[-1])
+        if length >= whole and self.repeat:
+            return Rows(np.diff(edges, prepend=0.0) / whole, np.arange(len(edges)))
+        numbers, ends = _covered(edges, start, min(start + length, whole))
+        if start + length > whole and self.repeat:
+            more, later = _covered(edges, 0.0, start + length - whole)
+            numbers, ends = np.append(numbers, more), np.append(ends, later + whole)
+        shares = np.diff(ends, prepend=start) / length
+        kept = shares > _ROUNDING
+        return Rows(shares[kept], numbers[kept])
+
+    def placed_parts(self) -> list[tuple[tuple[str | int, ...], Blowing]]:
+        """The winds that it is made of, and under which keys they stand: none is stated."""
+        return []
+
+    def summary(self) -> str:
+        """The wind in a few words."""
+        return f"as in the record {'that ships with Barchan' if self.path is None else Path(self.path).name}"
+
+
+def _covered(
+    edges: NDArray[np.float64], start: float, end: float
+) -> tuple[NDArray[np.intp], NDArray[np.float64]]:
+    """The rows between two times, and when each ends within them."""
+    first = int(np.searchsorted(edges, start, "right"))
+    last = min(int(np.searchsorted(edges, end, "left")), len(edges) - 1)
+    numbers = np.arange(first, last + 1)
+    return numbers, np.minimum(edges[numbers], end)
+
+
+@lru_cache(maxsize=4)
+def _read(source: str, columns: RecordFormat, _changed: int) -> Series:
+    record = read_record(source, columns)
+    return Series(record, np.cumsum(record.duration))
