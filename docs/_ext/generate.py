@@ -6,6 +6,7 @@ written into ``_generated`` (not kept in git); what a page of prose includes is 
 
 import inspect
 from collections.abc import Iterable, Iterator
+from importlib import import_module
 from itertools import groupby
 from pathlib import Path
 from typing import Any
@@ -47,6 +48,9 @@ def all_pages() -> Iterator[tuple[str, str]]:
     yield "commands.md", commands_page()
     yield "parts/measures.md", measures_table()
     yield "parts/events.md", events_tables()
+    yield "parts/laws.md", laws_table()
+    yield "parts/saltation.md", group_table("barchan.wind", "Saltation")
+    yield "parts/records.md", group_table("barchan.wind.records", "RecordFormat")
 
 
 def table(header: tuple[str, ...], rows: Iterable[tuple[str, ...]], widths: str) -> str:
@@ -178,6 +182,19 @@ def measures_table() -> str:
 
     rows = [(code(m.name), m.title, "–" if m.unit == "-" else m.unit) for m in (*MEASURES, *PER_YEAR)]
     return table(("Name", "What", "Unit"), rows, "30 45 25")
+
+
+def laws_table() -> str:
+    """The flux laws."""
+    from barchan.wind.flux import LAWS
+
+    rows = [(code(name), law.title, code(law.formula), law.source) for name, law in LAWS.items()]
+    return table(("Name", "Law", "Mass flux", "Source"), rows, "18 17 30 35")
+
+
+def group_table(module: str, name: str) -> str:
+    """The parameters of a group that no scenario holds."""
+    return parameter_table(declarations(getattr(import_module(module), name)))
 
 
 def events_tables() -> str:

@@ -163,9 +163,16 @@ def test_a_row_stands_until_the_next_one_but_not_across_a_gap(tmp_path):
         (PLAIN.replace(",90", ",-10"), "row 4, column 'direction': is -10"),
         (
             PLAIN.replace(",6,", ",-6,"),
-            r"row 3, column 'speed \(m/s\)': is -6; allowed: speeds from 0 m/s on",
+            r"row 3, column 'speed \(m/s\)': is -6; allowed: speeds from 0 to 150 m/s",
         ),
         (PLAIN.replace(",6,", ",strong,"), r"row 3, column 'speed \(m/s\)': is 'strong'; allowed: numbers"),
+        (PLAIN.replace(",6,", ",8888,"), "row 3, .* is 8888; allowed: speeds"),
+        ("\n\n" + PLAIN.replace(",6,", ",6,1,"), "Expected 3 fields in row 5, saw 4"),
+        (PLAIN.replace(",5,", ",5,1,").replace(",6,", ",6,1,"), "rows with more values than the heading"),
+        (
+            PLAIN.replace("2024-01-01T01:00", "7").replace("time", "time (h)"),
+            r"column 'time \(h\)': is '2024",
+        ),
         (PLAIN.replace("direction", "bearing"), "no column that tells the direction; the columns are time"),
         (PLAIN.replace("(m/s)", "(furlongs)"), "is in 'furlongs'; allowed: m/s, kn, km/h, mph"),
         (
@@ -178,6 +185,11 @@ def test_mistakes_are_told_with_row_and_column(tmp_path, text, said):
     with pytest.raises(RecordError, match=said) as raised:
         read_record(table(tmp_path, text))
     assert "wind.csv" in str(raised.value)
+
+
+def test_a_format_of_times_that_is_none_is_refused(tmp_path):
+    with pytest.raises(RecordError, match="time_format: 'Q' is a bad directive"):
+        read_record(table(tmp_path, PLAIN), RecordFormat(time_format="%Q"))
 
 
 def test_a_mistake_in_each_column_is_told_at_once(tmp_path):

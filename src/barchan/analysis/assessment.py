@@ -7,6 +7,7 @@ from barchan.analysis.crest_theory import Crest, bed_instability, elongation, gr
 from barchan.analysis.drift import Drift, drift_of, drift_potential, sand_flux
 from barchan.analysis.dune_types import dune_type
 from barchan.analysis.regimes import Variability, variability
+from barchan.ground.start import first_bed
 from barchan.scenario import Scenario
 from barchan.wind.records import WindRecord
 from barchan.wind.saltation import Saltation
@@ -63,6 +64,13 @@ def assess_record(record: WindRecord, sand: Saltation, supply: float | None = No
     up = math.log(FRYBERGER_HEIGHT / sand.roughness_length) / math.log(sand.height / sand.roughness_length)
     potential = drift_potential(replace(record, speed=record.speed * up))
     return assess(sand_flux(record, sand), potential, supply)
+
+
+def scenario_supply(scenario: Scenario) -> float:
+    """The sand of a scenario's first bed, spread evenly over the ground (m)."""
+    scenario = scenario.seeded()
+    bed = first_bed(scenario.lattice, scenario.ground, scenario.sand, scenario.seed)
+    return float(bed.sand.mean()) * scenario.lattice.thickness
 
 
 def scenario_drift(scenario: Scenario) -> Drift:

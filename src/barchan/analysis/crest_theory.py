@@ -41,9 +41,9 @@ class Crest:
 def gross_transport(drift: Drift, speedup: float = 0.0) -> Crest:
     """The crest with the most sand moving across it, one way or the other.
 
-    Maximises Σ q_i (|sin| + γ sin²) of the angles between crest and winds. γ = 0 is the gross bedform-normal
-    transport of Rubin & Hunter (1987, Science 237, 276); γ = 1.6, the bed instability of Courrech du Pont et
-    al. (2014, Geology 42, 743), takes the speed-up over the crest into account.
+    Maximises ``Σ q_i (|sin| + γ sin²)`` of the angles between crest and winds. γ = 0 is the gross
+    bedform-normal transport of Rubin & Hunter (1987, Science 237, 276); γ = 1.6, the bed instability of
+    Courrech du Pont et al. (2014, Geology 42, 743), takes the speed-up over the crest into account.
     """
     azimuths = np.arange(0.0, 180.0, FINEST)
     if not drift.total > 0:
@@ -64,7 +64,7 @@ def bed_instability(drift: Drift) -> Crest:
 def elongation(drift: Drift, speedup: float = SPEEDUP) -> float:
     """Where fingers of scarce sand grow to, degrees clockwise from north; NaN where they grow nowhere.
 
-    The direction along which the resultant of the flux over the crest, q_i (1 + γ |sin|), points itself:
+    The direction along which the resultant of the flux over the crest, ``q_i (1 + γ |sin|)``, points itself:
     Courrech du Pont et al. (2014, Geology 42, 743). Of several, the one with the largest flux.
     """
     few = _few(drift)

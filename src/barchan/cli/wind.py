@@ -1,5 +1,6 @@
 """``barchan wind``: what a wind does to sand."""
 
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
@@ -46,11 +47,11 @@ def wind(
     out
         The picture's file (PNG, PDF or SVG by its ending); wind-VIEW.png in the current folder without it.
     supply
-        Sand spread evenly over the ground (m), to tell the dunes to expect; both kinds are told without it.
+        Sand spread evenly over the ground (m), to tell the dunes to expect; without it that of the scenario, or
+        both kinds are told.
     sectors
         Directions of the roses.
     """
-    from barchan.analysis.assessment import assess, assess_record, scenario_drift
     from barchan.cli.report import print_table
     from barchan.cli.terminal import print_note, save_picture
     from barchan.wind.records import read_record
@@ -62,21 +63,12 @@ def wind(
 
         save_picture((thresholds if view == "thresholds" else flux_laws)(grains), path)
         return
-    record = None
     if _is_record(source):
-        record = read_record(source, group_from(RecordFormat, form))
-        found = assess_record(record, grains, supply)
-        title = record.source
-        rows = [*_record_rows(record, grains), *_potential_rows(found)]
+        subject = _of_record(read_record(source, group_from(RecordFormat, form)), grains, supply)
     else:
-        from barchan.archive import source_at
-        from barchan.scenario.files import load_scenario
-
-        scenario = load_scenario(source_at(source))
-        found = assess(scenario_drift(scenario), supply=supply)
-        title = scenario.title or source
-        rows = [("wind", scenario.wind.summary(), ""), ("weights", "polls times hop length", "")]
-    print_table([*rows, *_drift_rows(found)], left=True)
+        subject = _of_scenario(source, supply)
+    found, record = subject.found, subject.record
+    print_table([*subject.rows, *_drift_rows(found)], left=True)
     for remark in record.remarks if record else ():
         print_note(remark)
     if not found.moves:
@@ -84,7 +76,50 @@ def wind(
 
     from barchan.figures.roses import roses
 
-    save_picture(roses(title, found, record, grains.threshold_speed(), sectors), path)
+    save_picture(roses(subject.title, found, record, subject.sand.threshold_speed(), sectors), path)
+
+
+@dataclass(frozen=True)
+class _Subject:
+    """A wind that is looked at."""
+
+    title: str
+    rows: "Rows"
+    found: "Assessment"
+    record: "WindRecord | None"
+    sand: Saltation
+
+
+def _of_record(record: "WindRecord", sand: Saltation, supply: float | None) -> _Subject:
+    from barchan.analysis.assessment import assess_record
+
+    found = assess_record(record, sand, supply)
+    return _Subject(
+        record.source, [*_record_rows(record, sand), *_potential_rows(found)], found, record, sand
+    )
+
+
+def _of_scenario(source: str, supply: float | None) -> _Subject:
+    """The wind of a scenario over its own sand: the record that drives it, or its winds by what they move."""
+    from barchan.analysis.assessment import assess, scenario_drift, scenario_supply
+    from barchan.archive import source_at
+    from barchan.scenario.files import load_scenario
+    from barchan.wind import Recorded
+
+    scenario = load_scenario(source_at(source))
+    sand = scenario.clock or Saltation()
+    supply = scenario_supply(scenario) if supply is None else supply
+    title = scenario.title or source
+    rows: Rows = [
+        ("scenario", title, ""),
+        ("wind", scenario.wind.summary(), ""),
+        ("sand supply", f"{supply:.3g} m", ""),
+    ]
+    if isinstance(scenario.wind, Recorded):
+        subject = _of_record(scenario.wind.record, sand, supply)
+        return replace(subject, title=title, rows=[*rows, *subject.rows])
+    found = assess(scenario_drift(scenario), supply=supply)
+    return _Subject(title, [*rows, ("weights", "polls times hop length", "")], found, None, sand)
 
 
 def _is_record(source: str) -> bool:

@@ -38,7 +38,7 @@ def read_record(path: Path | str, form: RecordFormat | None = None) -> WindRecor
     reader = _reader(path)
     if reader is None:
         allowed = f"is of an unknown kind; allowed: {', '.join(READERS)}, and tables in .gz"
-        raise RecordError([Problem("", allowed)], path.name)
+        raise RecordError([Problem("", allowed)], str(path))
     if not path.is_file():
         raise RecordError([Problem("", "no such file")], str(path))
     return checked(reader(path, form or RecordFormat()))

@@ -7,6 +7,9 @@ from numpy.typing import NDArray
 
 from barchan.errors import Problem, RecordError
 
+FASTEST = 150.0
+"""Speed (m/s) that no wind near the ground exceeds: more is a wrong unit, or a code for a missing value."""
+
 GAP = 3.0
 """A row stands until the next one; rows further apart than this many usual steps have a gap between them."""
 
@@ -124,7 +127,11 @@ def _value_problems(rows: Rows) -> list[Problem]:
     problems = []
     unit, metres = rows.unit
     wrong = {
-        "speed": (rows.speed / metres, rows.speed < 0, f"allowed: speeds from 0 {unit} on"),
+        "speed": (
+            rows.speed / metres,
+            (rows.speed < 0) | (rows.speed > FASTEST),
+            f"allowed: speeds from 0 to {FASTEST / metres:.0f} {unit}",
+        ),
         "direction": (
             rows.direction,
             (rows.direction < 0) | (rows.direction > 360),

@@ -3,6 +3,7 @@
 import gzip
 import io
 import re
+import warnings
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -78,19 +79,27 @@ def _table(text: str, first: int, separator: str, source: str) -> "pd.DataFrame"
     sample = body.split("\n", 3)[1:3]
     comma = separator != "," and any(re.search(r"\d,\d", line) for line in sample)
     try:
-        table = pd.read_csv(
-            io.StringIO(body),
-            sep=separator,
-            decimal="," if comma else ".",
-            skip_blank_lines=False,
-            skipinitialspace=True,
-            keep_default_na=False,
-            na_values=NO_VALUE,
-            index_col=False,
-            low_memory=False,
-        )
+        with warnings.catch_warnings():
+            warnings.simplefilter("error", pd.errors.ParserWarning)
+            table = pd.read_csv(
+                io.StringIO(body),
+                sep=separator,
+                decimal="," if comma else ".",
+                skip_blank_lines=False,
+                skipinitialspace=True,
+                keep_default_na=False,
+                na_values=NO_VALUE,
+                index_col=False,
+                low_memory=False,
+            )
+    except pd.errors.ParserWarning:
+        raise RecordError(
+            [Problem("", "has rows with more values than the heading has names")], source
+        ) from None
     except (pd.errors.ParserError, pd.errors.EmptyDataError) as error:
-        raise RecordError([Problem("", f"cannot be read as a table: {str(error).strip()}")], source) from None
+        said = str(error).strip().removeprefix("Error tokenizing data. C error: ")
+        said = re.sub(r"line (\d+)", lambda found: f"row {int(found[1]) + first}", said)
+        raise RecordError([Problem("", f"cannot be read as a table: {said}")], source) from None
     table.columns = [str(name).strip() for name in table.columns]
     return table.dropna(how="all")
 

@@ -34,17 +34,27 @@ def seconds(
     empty = np.any([part.isna().to_numpy() for part in parts], axis=0)
     if empty.any():
         raise _error(name, numbers[int(np.argmax(empty))], "is empty; allowed: a time in each row", source)
-    if len(parts) == 1 and parts[0].dtype.kind in "iuf" and form is None:
-        column = parts[0].to_numpy()
-        unit = split(name)[1]
-        if unit in SECONDS:
-            return (column - column[0]) * SECONDS[unit], None
     if not len(parts[0]):
         return np.zeros(0), None
+    unit = split(name)[1]
+    if unit in SECONDS and form is None:
+        return _counted(parts[0], name, numbers, SECONDS[unit], source), None
     words = parts[0].astype(str)
     for part in parts[1:]:
         words = words + " " + part.astype(str)
     return _dates(words, name, numbers, form, source)
+
+
+def _counted(
+    words: "pd.Series", name: str, numbers: NDArray[np.int64], unit: float, source: str
+) -> NDArray[np.float64]:
+    import pandas as pd
+
+    column = pd.to_numeric(words, errors="coerce").to_numpy(np.float64)
+    if not np.isfinite(column).all():
+        row = int(np.argmin(np.isfinite(column)))
+        raise _error(name, numbers[row], f"is '{words.iloc[row]}'; allowed: numbers", source)
+    return (column - column[0]) * unit
 
 
 def _dates(
@@ -56,7 +66,9 @@ def _dates(
     wanted = form or (COMPACT.get(len(first), "ISO8601") if first.isdigit() else "ISO8601")
     try:
         dates = pd.to_datetime(words, format=wanted)
-    except ValueError:
+    except ValueError as error:
+        if "bad directive" in str(error) or "stray %" in str(error):
+            raise RecordError([Problem("time_format", str(error))], source) from None
         row, message = _first_mistake(words, wanted)
         raise _error(name, numbers[row], message, source) from None
     if dates.dt.tz is not None:
