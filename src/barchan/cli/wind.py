@@ -47,8 +47,8 @@ def wind(
     out
         The picture's file (PNG, PDF or SVG by its ending); wind-VIEW.png in the current folder without it.
     supply
-        Sand spread evenly over the ground (m), to tell the dunes to expect; without it that of the scenario, or
-        both kinds are told.
+        Sand spread evenly over the ground (m), to tell the dunes to expect; without it that of the scenario,
+        and of a record both kinds are told.
     sectors
         Directions of the roses.
     """
