@@ -73,6 +73,7 @@ class SlabModel(Model):
         frame = WindFrame.of(segment.direction)
         mobility = self.mobility(bed, segment.direction)
         tables, surface, sand, mobile = self._enter(bed, frame, self.hop_length(segment), mobility)
+        path, _memory = self._look_ahead(tables, frame, surface, sand)
         schedule = Schedule(
             self.parameters.polling == "non_repeated",
             self.parameters.forced_erosion,
@@ -87,7 +88,7 @@ class SlabModel(Model):
             *(tables.turns.copy(), tables.sequences),
             np.zeros(self.lattice.cells, np.int64) if releases else None,
             np.zeros(self.lattice.cells, np.uint8) if releases else None,
-            *(tables.grid, tables.wind, tables.speedup, tables.path, tables.repose, tables.axis, tables.ray),
+            *(tables.grid, tables.wind, tables.speedup, path, tables.repose, tables.axis, tables.ray),
             *(work_space(tables.grid.rows, tables.grid.cols, schedule), schedule),
             *(np.uint64(stream.key), segment.step, segment.steps, segment.first, segment.polls, counts),
         )
@@ -203,6 +204,21 @@ class SlabModel(Model):
         units = np.rint(frame.enter(bed.ground) / self.lattice.thickness * 2.0**FRACTION_BITS)
         surface = units.astype(np.int64) + (sand.astype(np.int64) << FRACTION_BITS)
         return tables, _with_room(surface, np.int64), np.ascontiguousarray(sand).ravel().copy(), mobile
+
+    def _look_ahead(
+        self, tables: SlabTables, frame: WindFrame, surface: NDArray, sand: NDArray[np.int32] | None
+    ) -> tuple[Any, NDArray[np.uint8] | None]:
+        """What stops a slab on its way, and the memory that it points to."""
+        if tables.path is None or tables.path.sand:
+            return tables.path, None
+        from barchan.kernels.way import clear_way
+
+        ways = np.empty((2, surface.size), np.uint8)
+        for way, order in ((0, 1), (1, -1)) if tables.speedup else ((0, 1),):
+            turned = np.ascontiguousarray(surface[::order])
+            slabs = None if sand is None else np.ascontiguousarray(sand[::order])
+            clear_way(turned, slabs, int(np.sign(frame.angle)), tables.grid, tables.repose, ways[way])
+        return tables.path._replace(clear=ways[0].ctypes.data, clear_back=ways[1].ctypes.data), ways
 
     def _leave(self, bed: Bed, frame: WindFrame, sand: NDArray) -> None:
         rows, cols = frame.enter(bed.sand).shape
