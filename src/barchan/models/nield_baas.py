@@ -142,6 +142,7 @@ class NieldBaas(SlabModel):
 
     def prepare(self, bed: Bed, seed: int) -> None:
         """Plant what stands there at first."""
+        super().prepare(bed, seed)
         cover = self.parameters.vegetation.cover(self.lattice, Stream(seed, "vegetation"))
         for field in self.fields[:3]:
             kind: Species = getattr(self.parameters, field.name)

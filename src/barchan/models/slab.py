@@ -9,8 +9,9 @@ from numpy.typing import NDArray
 
 from barchan.bed import Bed
 from barchan.models.base import Derived, Model, Tally
+from barchan.models.slab_heights import FRACTION_BITS, above_lowest, check_heights
 from barchan.models.slab_parameters import SlabTransport
-from barchan.models.slab_tables import FRACTION_BITS, Rules, SlabTables, build, settling_sequences
+from barchan.models.slab_tables import Rules, SlabTables, build, settling_sequences
 from barchan.models.wind_frame import WindFrame
 from barchan.streams import Stream
 from barchan.wind.segment import Segment
@@ -32,6 +33,10 @@ class SlabModel(Model):
             lambda model, bed, wind: model.shadow_zone(bed, wind.direction),
         ),
     )
+
+    def prepare(self, bed: Bed, seed: int) -> None:
+        """Refuse a bed whose heights cannot be counted; raises ScenarioError."""
+        check_heights(bed, self.rules().hop is not None)
 
     def rules(self) -> Rules:
         """What the model adds to slab transport."""
@@ -201,8 +206,8 @@ class SlabModel(Model):
         sand = frame.enter(bed.sand)
         if flat:
             return tables, _with_room(sand, np.int32), None, mobile
-        units = np.rint(frame.enter(bed.ground) / self.lattice.thickness * 2.0**FRACTION_BITS)
-        surface = units.astype(np.int64) + (sand.astype(np.int64) << FRACTION_BITS)
+        surface = frame.enter(above_lowest(bed.ground, self.lattice.thickness))
+        surface = surface + (sand.astype(np.int64) << FRACTION_BITS)
         return tables, _with_room(surface, np.int64), np.ascontiguousarray(sand).ravel().copy(), mobile
 
     def _look_ahead(

@@ -8,11 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from barchan.bed import Lattice
+from barchan.models.slab_heights import FRACTION_BITS
 from barchan.models.slab_parameters import SlabTransport
 from barchan.models.wind_frame import WindFrame
-
-FRACTION_BITS = 20
-"""Binary places of a height below one slab, over ground that is not flat."""
 
 _FAR = 1 << 30
 """A fall (slabs) that no shadow line survives."""
