@@ -19,7 +19,8 @@ def check(scenario: str, /, *values: Tokens) -> None:
 
     sound = load_scenario(source_at(scenario), pairs(values, check)).seeded()
     model = models()[sound.model.name](sound.model, sound.lattice)
-    model.prepare(first_bed(sound.lattice, sound.ground, sound.sand, sound.seed), sound.seed)
+    with sound.places.told():
+        model.prepare(first_bed(sound.lattice, sound.ground, sound.sand, sound.seed), sound.seed)
     console.print(f"{scenario}: sound")
     for name, fact in model.facts().items():
         console.print(f"{name}: {fact}")

@@ -208,7 +208,7 @@ class MappedPlants(Layout):
         try:
             raster = read(Path(self.path))
         except UnreadableError as error:
-            raise ScenarioError([Problem("model.vegetation.path", str(error), self.path)]) from None
+            raise self._misfit(str(error)) from None
         share = raster.heights / (raster.full_scale or 1.0)
         message = ""
         if share.shape != lattice.shape:
@@ -216,8 +216,11 @@ class MappedPlants(Layout):
         elif not np.isfinite(share).all():
             message = f"has {np.count_nonzero(~np.isfinite(share))} cells without a value; allowed: none"
         if message:
-            raise ScenarioError([Problem("model.vegetation.path", message, self.path)])
+            raise self._misfit(message)
         return share
+
+    def _misfit(self, message: str) -> ScenarioError:
+        return ScenarioError([Problem("model.vegetation.path", f"'{self.path}': {message}")])
 
 
 Vegetation = Annotated[

@@ -3,7 +3,7 @@
 import secrets
 from typing import TYPE_CHECKING, Annotated, Any, Literal, Self, Union
 
-from pydantic import Field
+from pydantic import Field, PrivateAttr
 
 from barchan.bed import Lattice
 from barchan.ground.landforms import FlatGround
@@ -11,6 +11,7 @@ from barchan.ground.sand import FlatSand, Sand
 from barchan.ground.surface import Ground
 from barchan.models import models
 from barchan.parameters import Parameters, parameter
+from barchan.scenario.positions import Places
 from barchan.wind import Steady, Wind
 
 FORMAT = 1
@@ -91,6 +92,19 @@ class Scenario(Parameters):
     wind: Wind = Field(default_factory=Steady, description="Wind.")
     model: AnyModel = Field(default_factory=_default_model, description="Model.")
     run: Run = Field(default_factory=Run, description="Run.")
+
+    _places: Places = PrivateAttr(default_factory=Places)
+
+    @property
+    def places(self) -> Places:
+        """Where its keys stand, as far as it was read from somewhere."""
+        return self._places
+
+    def placed(self, places: Places) -> Self:
+        """The same scenario, with where its keys stand."""
+        copied = self.model_copy()
+        copied._places = places
+        return copied
 
     def seeded(self) -> Self:
         """The same scenario with a seed: its own, or one drawn now."""

@@ -70,8 +70,9 @@ class Simulation:
         """Build the bed of a scenario; without a seed one is drawn, see ``simulation.scenario``."""
         self._set_up(scenario.seeded())
         scene = self.scenario
-        self.bed = first_bed(scene.lattice, scene.ground, scene.sand, scene.seed)
-        self.model.prepare(self.bed, self.scenario.seed)
+        with scene.places.told():
+            self.bed = first_bed(scene.lattice, scene.ground, scene.sand, scene.seed)
+            self.model.prepare(self.bed, scene.seed)
         self.ledger = Ledger(self.bed.slabs)
         self.model.settle(self.bed)
         self.model.begin(self.bed)
