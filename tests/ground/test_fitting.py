@@ -246,9 +246,7 @@ def test_depths_of_sand_are_slabs_or_metres(array):
 
 def test_depths_below_zero_are_refused(array):
     path = array(-HEIGHTS)
-    with pytest.raises(
-        ScenarioError, match=r"sand\.path: .*: has values from -107 to -?0; allowed: 0 to"
-    ):
+    with pytest.raises(ScenarioError, match=r"sand\.path: .*: has values from -107 to -?0; allowed: 0 to"):
         FileSand(path=str(path)).slabs(LATTICE, np.zeros(LATTICE.shape), STREAM)
 
 

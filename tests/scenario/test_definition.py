@@ -4,7 +4,7 @@ import json
 
 import numpy as np
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import HealthCheck, assume, given, settings
 from hypothesis import strategies as st
 
 from barchan.errors import ScenarioError
@@ -98,8 +98,8 @@ def test_every_small_scenario_builds_a_bed_at_rest_or_has_more_slabs_than_can_be
     try:
         simulation = Simulation(load_scenario(drawn))
     except ScenarioError as error:
-        assert "so thicker slabs" in str(error)
-        return
+        assume("so thicker slabs" not in str(error))
+        raise
     bed = simulation.bed
     assert bed.sand.shape == (drawn["lattice"]["rows"], drawn["lattice"]["columns"])
     assert bed.sand.min() >= 0
