@@ -1,8 +1,9 @@
 """Any field of a frame by its name: kept in the frame, derived by the run's model, or plain for every bed.
 
-What a model derives follows the parameters that the scenario states, also where a run changed them.
+What a model derives follows the parameters and the wind's speed that were in force when the frame was taken.
 """
 
+import json
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
@@ -14,6 +15,7 @@ from barchan.bed import Bed
 from barchan.errors import BarchanError
 from barchan.models import Derived, Model, models
 from barchan.scenario import Scenario, nearest
+from barchan.simulation import Record, in_force
 from barchan.wind.segment import Segment
 
 if TYPE_CHECKING:
@@ -32,6 +34,14 @@ PLAIN = (
     ),
 )
 """What can be derived from every bed, whatever its model."""
+
+
+def scenario_at(frame: "xr.Dataset", scenario: Scenario) -> Scenario:
+    """The scenario with what events had changed when the frame was taken; see the attribute ``events``."""
+    happened = json.loads(frame.attrs.get("events", "[]"))
+    if not happened:
+        return scenario
+    return in_force(scenario, map(Record.from_data, happened), int(frame["step"]))
 
 
 def field_names(frame: "xr.Dataset", scenario: Scenario) -> list[str]:
@@ -65,6 +75,7 @@ def _kept(frame: "xr.Dataset", scenario: Scenario, name: str) -> "xr.DataArray":
 def _computed(frame: "xr.Dataset", scenario: Scenario, derived: Derived) -> "xr.DataArray":
     import xarray as xr
 
+    scenario = scenario_at(frame, scenario)
     lattice = scenario.lattice
     model = models()[scenario.model.name](scenario.model, lattice)
     bed = Bed.from_fields(lattice, {str(n): v.values for n, v in frame.data_vars.items()}, model.fields)

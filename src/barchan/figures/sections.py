@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from barchan.analysis.fields import scenario_at
 from barchan.figures.style import (
     CURVE,
     GROUND,
@@ -111,7 +112,7 @@ def profile(
     section = section_along_wind(scenario, direction, _through_highest(frame, scenario) if at is None else at)
     ground = frame["ground"].values[section.rows, section.cols]
     surface = smooth(frame["elevation"].values, smoothing, scenario)[section.rows, section.cols]
-    line = _shadow(section, surface, scenario)
+    line = _shadow(section, surface, scenario_at(frame, scenario))
     if field is None:
         figure = new_figure(9.0, 3.0)
         axes = lowest = figure.add_subplot()
@@ -189,7 +190,7 @@ def _draw_field(
 
 
 def _shadow(section: Section, surface: NDArray, scenario: Scenario) -> NDArray[np.float64]:
-    """The shadow line of the scenario's model; a model without shadows has none."""
+    """The shadow line of a scenario's model; a model without shadows has none."""
     angle = getattr(scenario.model, "shadow_angle", None)
     if angle is None:
         return np.full(len(surface), -np.inf)
