@@ -32,6 +32,10 @@ CURVE_SMOOTHING = 2.0
 """Cells over which a field's curve is smoothed at least: single cells stand in each other's shadow."""
 
 
+HALF = 0.5
+"""Share of cells in the wind below which a curve of what is 0 in shadow has a gap."""
+
+
 @dataclass(frozen=True)
 class Section:
     """A line through the field along the wind, from its upwind to its downwind end."""
@@ -159,7 +163,10 @@ def _draw_field(
     scenario: Scenario,
     smoothing: float,
 ) -> None:
-    """A field along a section, cell by cell (pale) and smoothed, over shadow zones and its centre."""
+    """A field along a section, cell by cell (pale) and smoothed, over shadow zones and its centre.
+
+    The curve of a field that is 0 in shadow is that of the cells in the wind, with gaps where most are not.
+    """
     from matplotlib.transforms import blended_transform_factory
 
     axes.fill_between(
@@ -177,12 +184,16 @@ def _draw_field(
     if centre is not None:
         axes.axhline(centre, color="black", linewidth=0.8, linestyle="--")
     cells = field.values[section.rows, section.cols].astype(float)
-    smoothed = smooth(field.values, smoothing, scenario)[section.rows, section.cols]
+    curve = smooth(field.values, smoothing, scenario)
+    label = f"smoothed over {smoothing:g} cells"
+    if field.attrs.get("sheltered"):
+        share = smooth(field.values != 0, smoothing, scenario)
+        curve = np.divide(curve, share, out=np.full(curve.shape, np.nan), where=share > HALF)
+        label += " in the wind"
     axes.step(
         section.distance, cells, where="mid", color=CURVE, linewidth=0.7, alpha=0.4, label="single cells"
     )
-    label = f"smoothed over {smoothing:g} cells"
-    axes.plot(section.distance, smoothed, color=CURVE, linewidth=1.6, label=label)
+    axes.plot(section.distance, curve[section.rows, section.cols], color=CURVE, linewidth=1.6, label=label)
     axes.legend(loc="lower right", bbox_to_anchor=(1, 1), fontsize=8, frameon=False, ncols=2, borderaxespad=0)
     axes.set_ylabel(label_of(field))
     axes.margins(x=0)
