@@ -40,10 +40,11 @@ def parameter(
 
 
 def redeclared(base: type[BaseModel], name: str, default: Any, source: str) -> Any:
-    """The parameter ``name`` of ``base`` with another default, from another source."""
+    """The parameter ``name`` of ``base`` with another default (or what makes it), from another source."""
     inherited = base.model_fields[name]
     extra = {**_extra(inherited), "source": source}
-    return inherited.merge_field_infos(inherited, default=default, json_schema_extra=extra)
+    factory = {"default_factory": default} if callable(default) else {"default": default}
+    return inherited.merge_field_infos(inherited, **factory, json_schema_extra=extra)
 
 
 class Parameters(BaseModel):
@@ -102,7 +103,7 @@ def declarations(parameters: type[Parameters], prefix: str = "") -> Iterator[Dec
         yield Declaration(
             key=key,
             type=type_name(field.annotation),
-            default=None if field.is_required() else field.get_default(call_default_factory=True),
+            default=None if field.is_required() else _plain(field.get_default(call_default_factory=True)),
             unit=extra.get("unit", "-"),
             bounds=allowed(field),
             meaning=field.description or "",
@@ -114,6 +115,13 @@ def declarations(parameters: type[Parameters], prefix: str = "") -> Iterator[Dec
         )
         if inner is not None:
             yield from declarations(inner, f"{key}[].")
+
+
+def _plain(value: Any) -> Any:
+    """A default as a scenario file would hold it, without notes."""
+    if isinstance(value, list):
+        return [_plain(item) for item in value]
+    return value.model_dump(exclude={NOTE}) if isinstance(value, Parameters) else value
 
 
 def _extra(field: FieldInfo) -> dict[str, Any]:

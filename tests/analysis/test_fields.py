@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 
 from barchan.analysis.fields import field_names, field_of
-from barchan.archive import simulate
+from barchan.archive import dataset_of, open_run, run, simulate
 from barchan.errors import BarchanError
 from barchan.models import models
-from barchan.simulation import Simulation
+from barchan.simulation import SetParameter, SetWind, Simulation
 from tests.tiny import COLUMNS, ROWS, tiny
 
 EVERY_MODEL = pytest.mark.parametrize("name", list(models()))
@@ -119,3 +119,40 @@ def test_what_is_no_field_of_a_frame_is_no_field(name):
     frame, scenario = last(model={"name": "nield_baas"})
     with pytest.raises(BarchanError, match=f"no field '{name}'"):
         field_of(frame, scenario, name)
+
+
+def changed_run():
+    """A run of ten steps whose hop, shadow angle and wind change after the fifth."""
+    simulation = Simulation(tiny(model={"name": "momiji"}, run__steps=10))
+    frames = []
+    for frame in simulation:
+        frames.append(frame)
+        if frame.step == 5:
+            simulation.apply(SetParameter(key="model.hop_length", value=2.0))
+            simulation.apply(SetParameter(key="model.shadow_angle", value=5.0))
+    return dataset_of(simulation, frames), simulation.scenario
+
+
+def test_what_is_derived_follows_the_parameters_in_force_at_the_frame():
+    dataset, scenario = changed_run()
+    assert dataset["step"].values.tolist() == [0, 5, 10]
+    hops = [field_of(dataset.isel(step=at), scenario, "hop").attrs["centre"] for at in range(3)]
+    assert hops == [5.0, 5.0, 2.0]
+    now = tiny(model={"name": "momiji", "hop_length": 2.0, "shadow_angle": 5.0})
+    last = dataset.isel(step=-1)
+    plain = last.drop_attrs()
+    for name in ("shadow", "hop"):
+        np.testing.assert_array_equal(
+            field_of(last, scenario, name).values, field_of(plain, now, name).values
+        )
+
+
+def test_what_is_derived_follows_the_speed_of_a_wind_that_was_set(tmp_path):
+    simulation = Simulation(tiny(model={"name": "momiji"}, run__steps=10))
+    simulation.advance(5)
+    simulation.apply(SetWind(wind={"direction": 200.0, "speed": 7.0}))
+    run(simulation, tmp_path / "windy")
+    with open_run(tmp_path / "windy") as dataset:
+        first, last = (dataset.isel(step=at).load() for at in (0, -1))
+        assert field_of(first, simulation.scenario, "hop").attrs["centre"] == 5.0
+        assert field_of(last, simulation.scenario, "hop").attrs["centre"] == 7.0

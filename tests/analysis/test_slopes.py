@@ -100,3 +100,11 @@ def test_a_flat_bed_has_no_slopes(level, periodic):
     slopes = streamwise_slopes(np.full((ROWS, COLUMNS), level), 1.0, 270.0, periodic)
     assert math.isnan(slopes.windward)
     assert math.isnan(slopes.lee)
+
+
+@pytest.mark.parametrize(("width", "angle"), [(1.0, 3.1), (2.0, 0.9)])
+def test_what_smoothing_leaves_of_single_slabs_is_slope_too(width, angle):
+    slabs = np.random.default_rng(1).integers(0, 3, (256, 256))
+    slopes = streamwise_slopes(slabs / 3, 1.0, 270.0, width=width)
+    assert slopes.windward == pytest.approx(angle, abs=0.1)
+    assert slopes.lee == pytest.approx(angle, abs=0.1)

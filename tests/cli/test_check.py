@@ -57,4 +57,21 @@ def test_a_file_of_plants_that_is_missing_is_told(barchan):
         "check", "nebkhas", "--model.vegetation.kind", "file", "--model.vegetation.path", "no.npy"
     )
     assert failed.code != 0
-    assert "model.vegetation.path" in failed.err
+    assert "model.vegetation.path: 'no.npy': no such file (command line)" in failed.err
+
+
+def test_mistakes_in_files_are_told_with_the_line_that_names_them(here, barchan):
+    """All that is found out only when ground and first sand are made."""
+    text = """{
+      "barchan": 1, "lattice": {"rows": 8, "columns": 8},
+      "ground": {"kind": "file",
+        "path": "none.npy"},
+      "sand": {"kind": "ripples",
+        "wavelength": 900.0}
+    }"""
+    (here / "lost.json").write_text(text)
+    said = barchan("check", "lost.json", "--run.seed", "1").err
+    assert f"ground.path: '{here / 'none.npy'}': no such file (lost.json:4)" in said
+    assert "sand.wavelength: is 900 m" in said
+    assert "at least one (lost.json:6)" in said
+    assert "lost.json: 2 problems" in said

@@ -103,3 +103,38 @@ def test_the_pale_curve_is_the_field_cell_by_cell():
     (cells,) = (line for line in below.lines if line.get_label() == "single cells")
     np.testing.assert_allclose(cells.get_ydata(), hop.values[0])
     assert any(set(line.get_ydata()) == {5.0} for line in below.lines)
+
+
+def test_a_curve_of_what_is_zero_in_shadow_is_that_of_the_cells_in_the_wind(painted):
+    """Ridges of one slab on a flat: each shelters one cell, and all others have the same hop."""
+    sand = np.full((ROWS, COLUMNS), 3)
+    sand[:, ::6] = 4
+    frame, scenario = painted(sand, model={"name": "momiji", "speedup_linear": 0.0, "speedup_quadratic": 0.0})
+    hop = field_of(frame, scenario, "hop")
+    assert set(hop.values.flat) == {0.0, 5.0}
+    _, below = profile(frame, scenario, at=0.5, field=hop).axes
+    (curve,) = (line for line in below.lines if "in the wind" in line.get_label())
+    np.testing.assert_allclose(curve.get_ydata(), 5.0)
+
+
+def test_a_curve_has_a_gap_where_most_cells_stand_in_shadow(painted):
+    sand = np.full((ROWS, COLUMNS), 1)
+    sand[:, 4:6] = 12
+    frame, scenario = painted(sand, model={"name": "momiji"}, lattice__boundary_x="open")
+    _, below = profile(frame, scenario, at=0.5, field=field_of(frame, scenario, "hop")).axes
+    (curve,) = (line for line in below.lines if "in the wind" in line.get_label())
+    assert np.isnan(curve.get_ydata()[8:16]).all()
+    assert np.isfinite(curve.get_ydata()[:5]).all()
+
+
+def test_the_colours_of_stress_do_not_begin_below_zero():
+    scenario = tiny(model={"name": "pelletier"}, sand={"kind": "random", "mean": 9})
+    frame = simulate(scenario).isel(step=-1)
+    stress = field_of(frame, scenario, "stress")
+    low, high = limits_of(stress.values, 1.0)
+    assert low < 0.0
+    bar = field_map(stress, frame, scenario).axes[1]
+    assert bar.get_ylim() == (0.0, pytest.approx(high))
+    colours = bar.collections[-1].get_cmap()
+    whole = field_map(stress, frame, scenario, limits=(low, high)).axes[1].collections[-1].get_cmap()
+    assert colours((1.0 - 0.0) / high) == pytest.approx(whole(0.5), abs=0.03)

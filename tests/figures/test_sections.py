@@ -7,12 +7,13 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from barchan.archive import simulate
+from barchan.archive import dataset_of, simulate
 from barchan.bed import Bed
 from barchan.figures.sections import profile, section_along_wind, shadow_line, space_time
 from barchan.models import models
+from barchan.simulation import SetParameter, Simulation
 from barchan.wind.segment import downwind
-from tests.tiny import COLUMNS, ROWS, tiny
+from tests.tiny import COLUMNS, RIDGES, ROWS, tiny
 
 directions = st.floats(0, 360, exclude_max=True)
 places = st.floats(0, 1)
@@ -186,3 +187,23 @@ def test_space_and_time_shows_every_frame_at_its_step():
 def test_a_place_beside_the_field_is_refused(at):
     with pytest.raises(ValueError, match="0 to 1"):
         section_along_wind(tiny(), 270.0, at)
+
+
+def test_shadows_in_a_section_follow_the_angle_in_force_at_the_frame():
+    simulation = Simulation(tiny(**RIDGES, run__steps=10))
+    simulation.advance(5)
+    simulation.apply(SetParameter(key="model.shadow_angle", value=5.0))
+    frame = dataset_of(simulation, list(simulation)).isel(step=-1)
+    changed = simulation.scenario.model_copy(update={"model": simulation.model.parameters})
+    shadows = [
+        shadow_of(profile(shown, scenario))
+        for shown, scenario in ((frame, simulation.scenario), (frame.drop_attrs(), changed))
+    ]
+    np.testing.assert_array_equal(*shadows)
+    assert len(shadow_of(profile(frame.drop_attrs(), simulation.scenario))) < len(shadows[0])
+
+
+def shadow_of(figure):
+    """The corners of the shadow zones in a picture of a section."""
+    (shade,) = (c for c in figure.axes[0].collections if c.get_label() == "shadow zone")
+    return np.concatenate([path.vertices for path in shade.get_paths()])

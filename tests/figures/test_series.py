@@ -2,10 +2,12 @@
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from barchan.analysis.course import MEASURES, course
 from barchan.archive import simulate
-from barchan.figures.series import SHOWN, time_series
+from barchan.figures.series import SHOWN, about_middle, time_series
 from tests.tiny import tiny
 
 
@@ -25,10 +27,33 @@ def test_every_panel_shows_the_values_at_their_steps(measured):
     for axes, name in zip(time_series(measured, tiny()).axes, SHOWN, strict=True):
         (line,) = axes.get_lines()
         np.testing.assert_array_equal(line.get_xdata(), [0, 5, 10, 15, 20])
-        np.testing.assert_array_equal(line.get_ydata(), measured[name])
+        turns = 180.0 if name == "crest_azimuth" else np.inf
+        np.testing.assert_allclose(line.get_ydata() % turns, measured[name] % turns)
 
 
 def test_units_stand_beside_their_axes(measured):
     units = {measure.name: measure.unit for measure in MEASURES}
     for axes, name in zip(time_series(measured, tiny()).axes, SHOWN, strict=True):
         assert axes.get_ylabel() == ("" if units[name] == "-" else units[name])
+
+
+def test_crests_that_cross_north_do_not_jump():
+    azimuths = np.array([np.nan, 170.0, 178.0, 1.0, 4.0, 179.0])
+    shown, middle = about_middle(azimuths)
+    assert middle % 180.0 == 0.0
+    np.testing.assert_allclose(shown - middle, [np.nan, -10.0, -2.0, 1.0, 4.0, -1.0])
+
+
+@given(st.lists(st.floats(0, 180, exclude_max=True), min_size=1, max_size=20))
+def test_an_orientation_is_drawn_within_half_a_turn_and_stays_itself(azimuths):
+    shown, middle = about_middle(np.array(azimuths))
+    assert (np.abs(shown - middle) <= 90.0).all()
+    assert np.abs((shown - azimuths + 90.0) % 180.0 - 90.0).max() < 1e-9
+
+
+def test_the_axis_of_orientations_is_labelled_from_0_to_180(measured):
+    turned = measured.copy(deep=True)
+    turned["crest_azimuth"][:] = [170.0, 178.0, 1.0, 4.0, 179.0]
+    axes = next(axes for axes in time_series(turned, tiny()).axes if "orientation" in axes.get_title("left"))
+    assert [label.get_text() for label in axes.get_yticklabels()] == ["90", "135", "0", "45", "90"]
+    assert np.ptp(axes.get_lines()[0].get_ydata()) == 14.0

@@ -79,7 +79,9 @@ class Field:
         return len(self.sand[0])
 
     def __post_init__(self):
-        self.base = [[round(g * SCALE) for g in row] for row in self.ground]
+        base = [[round(g * SCALE) for g in row] for row in self.ground]
+        lowest = min(map(min, base))
+        self.base = [[g - lowest for g in row] for row in base]
 
     def height(self, row, col):
         """Height of the surface in units of 1/SCALE slabs."""

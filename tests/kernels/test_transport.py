@@ -175,6 +175,9 @@ FEATURES = [
     # speed-up, plants, uneven ground, oblique wind, path test, release
     (True, False, False, False, False, False),
     (True, False, True, True, True, False),
+    (False, False, True, False, True, False),
+    (True, False, True, False, True, False),
+    (False, False, True, True, True, False),
     (False, True, False, False, False, False),
     (False, True, True, True, False, True),
     (False, False, False, True, False, True),

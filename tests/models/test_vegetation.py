@@ -6,6 +6,7 @@ import pytest
 from barchan.bed import Lattice
 from barchan.errors import ScenarioError
 from barchan.models.nield_baas import NieldBaas
+from barchan.models.species import Shrub
 from barchan.models.vegetation import Blowouts, Islands, MappedPlants, UniformPlants
 from barchan.simulation import Simulation
 from barchan.streams import Stream
@@ -37,15 +38,32 @@ def curve(*balances):
 @pytest.mark.parametrize(
     ("species", "said"),
     [
-        (curve(0.0, 0.0), r"curve\[1\]\.balance is 0\.0 after 0\.0; allowed: balances that increase"),
-        (curve(0.0, 1.0, 0.5), r"curve\[2\]\.balance is 0\.5 after 1\.0"),
-        ({**curve(0.0, 1.0), "lowest": 2.0}, r"lowest 2\.0 is above highest 1\.0"),
-        (curve(0.0), r"model\.grass\.curve"),
+        (curve(0.0, 0.0), {"curve[1].balance": "is 0.0 after 0.0; allowed: balances that increase"}),
+        (
+            {**curve(0.0, 1.0, 0.5, 2.0, 2.0), "lowest": 2.0},
+            {
+                "curve[2].balance": "is 0.5 after 1.0; allowed: balances that increase",
+                "curve[4].balance": "is 2.0 after 2.0; allowed: balances that increase",
+                "lowest": "is 2.0, above highest 1.0",
+            },
+        ),
+        ({"lowest": 4.0}, {"lowest": "is 4.0, above highest 1.0"}),
+        (curve(0.0), {"curve": 'is [{"balance": 0.0, "change": 0.0}]; allowed: list of group { … }'}),
     ],
 )
-def test_a_curve_that_is_none_is_refused(species, said):
-    with pytest.raises(ScenarioError, match=said):
+def test_every_mistake_of_a_species_is_told_on_its_own_key(species, said):
+    with pytest.raises(ScenarioError) as caught:
         tiny(model={"name": "nield_baas", "grass": species})
+    found = {problem.key: problem.message for problem in caught.value.problems}
+    assert set(found) == {f"model.grass.{key}" for key in said}
+    for key, message in said.items():
+        assert found[f"model.grass.{key}"].startswith(message)
+
+
+def test_keys_of_one_species_change_singly():
+    shrub = tiny(model={"name": "nield_baas"}, model__shrub__highest=0.5).model.shrub
+    assert shrub == Shrub(highest=0.5)
+    assert (shrub.lowest, shrub.curve) == (-0.5, Shrub().curve)
 
 
 def test_blowouts_are_bare_patches_of_their_size():

@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 from barchan.bed import LARGEST_ASPECT, LEAST_ASPECT, Lattice
 from barchan.ground.area import Area
 from barchan.models.slab_parameters import SlabTransport
-from barchan.models.vegetation import Species
+from barchan.models.species import Species
 from barchan.parameters import NOTE, Parameters
 from barchan.scenario import Scenario
 from barchan.wind import MixedAxes, Regime, Steady
@@ -51,7 +51,7 @@ def group(parameters: type[Parameters]) -> st.SearchStrategy[dict[str, Any]]:
         return drawn.map(_crosses)
     if parameters is Points:
         return drawn.map(_goes_on)
-    if parameters is Species:
+    if issubclass(parameters, Species):
         return drawn.map(_is_a_function)
     if issubclass(parameters, SlabTransport):
         return drawn.map(_lets_go_above_rest)
@@ -113,10 +113,11 @@ def _lets_go_above_rest(data: dict[str, Any]) -> dict[str, Any]:
 
 
 def _is_a_function(data: dict[str, Any]) -> dict[str, Any]:
-    """A species with balances that increase and bounds in order."""
-    curve = [{**vertex, "balance": float(at)} for at, vertex in enumerate(data["curve"])]
-    lowest, highest = sorted([data["lowest"], data["highest"]])
-    return {**data, "curve": curve, "lowest": lowest, "highest": highest}
+    """A species with balances that increase, and both bounds in order or none."""
+    if "curve" in data:
+        data["curve"] = [{**vertex, "balance": float(at)} for at, vertex in enumerate(data["curve"])]
+    bounds = sorted(data.pop(name) for name in ("lowest", "highest") if name in data)
+    return {**data, "lowest": bounds[0], "highest": bounds[1]} if len(bounds) == 2 else data
 
 
 def _starts_somewhere(data: dict[str, Any]) -> dict[str, Any]:

@@ -4,7 +4,7 @@ import json
 
 import numpy as np
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import HealthCheck, assume, given, settings
 from hypothesis import strategies as st
 
 from barchan.errors import ScenarioError
@@ -94,8 +94,12 @@ def test_the_text_of_a_scenario_leaves_nothing_to_defaults():
 
 @settings(max_examples=30, suppress_health_check=[HealthCheck.too_slow])
 @given(buildable())
-def test_every_small_scenario_builds_a_bed_at_rest(drawn):
-    simulation = Simulation(load_scenario(drawn))
+def test_every_small_scenario_builds_a_bed_at_rest_or_has_more_slabs_than_can_be_counted(drawn):
+    try:
+        simulation = Simulation(load_scenario(drawn))
+    except ScenarioError as error:
+        assume("so thicker slabs" not in str(error))
+        raise
     bed = simulation.bed
     assert bed.sand.shape == (drawn["lattice"]["rows"], drawn["lattice"]["columns"])
     assert bed.sand.min() >= 0
@@ -104,7 +108,7 @@ def test_every_small_scenario_builds_a_bed_at_rest(drawn):
     assert simulation.model.settle(bed) == 0
 
 
-HILL = {"ground": {"kind": "bump", "height": 1e4, "radius": 1e-3}}
+HILL = {"ground": {"kind": "bump", "height": 5.0, "radius": 1e-3}}
 EXTREMES = {
     "thin": {"lattice__slab_aspect": 1e-4, "lattice__cell_size": 1e-4},
     "thick": {"lattice__cell_size": 1e5, "lattice__slab_height": 1e6},

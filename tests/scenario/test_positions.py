@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from barchan.scenario.positions import dotted, parse
+from barchan.scenario.positions import dotted, parse, undotted
 
 texts = st.text(max_size=6) | st.sampled_from(['"', "{", "]", ":", ",", "\\", 'a": 1', "\n"])
 leaves = st.none() | st.booleans() | st.integers() | st.floats(allow_nan=False, allow_infinity=False) | texts
@@ -115,3 +115,11 @@ def test_numbers_that_are_none_are_reported_with_their_line():
 def test_a_path_is_written_as_users_write_it():
     assert dotted(("sand", "parts", 0, "mean")) == "sand.parts[0].mean"
     assert dotted(()) == ""
+
+
+PATHS = st.lists(st.one_of(st.sampled_from(["sand", "parts", "mean"]), st.integers(0, 99)), min_size=1)
+
+
+@given(PATHS.filter(lambda path: isinstance(path[0], str)))
+def test_a_path_that_was_written_out_is_read_back(path):
+    assert undotted(dotted(tuple(path))) == tuple(path)

@@ -1,10 +1,11 @@
 """Any field of a frame by its name: kept in the frame, derived by the run's model, or plain for every bed.
 
-What a model derives follows the parameters that the scenario states, also where a run changed them.
+What a model derives follows the parameters and the wind's speed that were in force when the frame was taken.
 """
 
+import json
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,6 +15,7 @@ from barchan.bed import Bed
 from barchan.errors import BarchanError
 from barchan.models import Derived, Model, models
 from barchan.scenario import Scenario, nearest
+from barchan.simulation import Record, in_force
 from barchan.wind.segment import Segment
 
 if TYPE_CHECKING:
@@ -34,6 +36,14 @@ PLAIN = (
 """What can be derived from every bed, whatever its model."""
 
 
+def scenario_at(frame: "xr.Dataset", scenario: Scenario) -> Scenario:
+    """The scenario with what events had changed when the frame was taken; see the attribute ``events``."""
+    happened = json.loads(frame.attrs.get("events", "[]"))
+    if not happened:
+        return scenario
+    return in_force(scenario, map(Record.from_data, happened), int(frame["step"]))
+
+
 def field_names(frame: "xr.Dataset", scenario: Scenario) -> list[str]:
     """Names of the fields that ``field_of`` knows."""
     kept = [str(name) for name, values in frame.data_vars.items() if values.dims == ("y", "x")]
@@ -43,8 +53,9 @@ def field_names(frame: "xr.Dataset", scenario: Scenario) -> list[str]:
 def field_of(frame: "xr.Dataset", scenario: Scenario, name: str) -> "xr.DataArray":
     """A field of one frame, with ``unit`` and ``long_name`` among its attributes.
 
-    The attribute ``centre`` is the value that pictures show it evenly about, where there is one. Raises
-    BarchanError where there is no such field.
+    Where there is one, the attribute ``centre`` is the value that pictures show it evenly about and ``least``
+    the one that it cannot lie below; ``sheltered`` is 1 where it is 0 on cells in shadow. Raises BarchanError
+    where there is no such field.
     """
     known = field_names(frame, scenario)
     if name not in known:
@@ -59,12 +70,13 @@ def _derived(scenario: Scenario) -> dict[str, Derived]:
 
 def _kept(frame: "xr.Dataset", scenario: Scenario, name: str) -> "xr.DataArray":
     own = {field.name: field.centre for field in models()[scenario.model.name].fields}
-    return _with_centre(frame[name], own.get(name))
+    return _described(frame[name], centre=own.get(name))
 
 
 def _computed(frame: "xr.Dataset", scenario: Scenario, derived: Derived) -> "xr.DataArray":
     import xarray as xr
 
+    scenario = scenario_at(frame, scenario)
     lattice = scenario.lattice
     model = models()[scenario.model.name](scenario.model, lattice)
     bed = Bed.from_fields(lattice, {str(n): v.values for n, v in frame.data_vars.items()}, model.fields)
@@ -74,12 +86,12 @@ def _computed(frame: "xr.Dataset", scenario: Scenario, derived: Derived) -> "xr.
         level = Bed(lattice, np.zeros(lattice.shape), np.zeros(lattice.shape, np.int32))
         centre = float(derived.of(model, level, wind).flat[0])
     values = xr.DataArray(derived.of(model, bed, wind), frame["elevation"].coords, ("y", "x"), derived.name)
-    return _with_centre(values.assign_attrs(unit=derived.unit, long_name=derived.meaning), centre)
+    values = values.assign_attrs(unit=derived.unit, long_name=derived.meaning)
+    return _described(values, centre=centre, least=derived.least, sheltered=int(derived.sheltered) or None)
 
 
-def _with_centre(values: "xr.DataArray", centre: float | None) -> "xr.DataArray":
-    attributes: dict[str, Any] = {} if centre is None else {"centre": centre}
-    return values.assign_attrs(attributes)
+def _described(values: "xr.DataArray", **attributes: float | None) -> "xr.DataArray":
+    return values.assign_attrs({name: value for name, value in attributes.items() if value is not None})
 
 
 def _wind(frame: "xr.Dataset", scenario: Scenario) -> Segment:

@@ -27,7 +27,8 @@ def streamwise_slopes(
     """Mean slopes that face a wind from ``direction`` (degrees) and that turn from it.
 
     Slopes of the surface smoothed over ``width`` cells, averaged with the slope itself as weight: exact
-    for straight flanks, and flat ground between bedforms does not count.
+    for straight flanks, and level ground between bedforms does not count. All relief does: bedforms, hills
+    and walls of the ground, and what the smoothing leaves of single slabs.
     """
     east, north = gradient(smoothed(elevation, width, periodic), cell_size, periodic)
     x, y = downwind(direction)

@@ -36,7 +36,9 @@ def simulate(scenario: Scenario) -> "xr.Dataset":
 
 
 def dataset_of(simulation: Simulation, frames: Iterable[Frame]) -> "xr.Dataset":
-    """Frames of a simulation as a dataset."""
+    """Frames of a simulation as a dataset; its attribute ``events`` holds what was changed (JSON)."""
+    import json
+
     import xarray as xr
 
     frames = list(frames)
@@ -53,6 +55,7 @@ def dataset_of(simulation: Simulation, frames: Iterable[Frame]) -> "xr.Dataset":
         if info.in_frames
     }
     dataset = xr.Dataset({**fields, **values}, coordinates, run_attributes(simulation.scenario))
+    dataset.attrs["events"] = json.dumps([record.data() for record in simulation.events])
     dataset["elevation"] = dataset["ground"] + dataset["sand"] * lattice.thickness
     dataset["elevation"].attrs.update(ELEVATION)
     return with_time(dataset, simulation.scenario)

@@ -144,9 +144,18 @@ def scenario_of(path: Path) -> Scenario:
 
 def log_of(path: Path) -> list[dict[str, Any]]:
     """The log's entries; a line that was cut short is passed over."""
+    return _entries(path / LOG)
+
+
+def events_of(path: Path) -> list[dict[str, Any]]:
+    """What was changed during the run in a folder, as plain data."""
+    return _entries(path / EVENTS)
+
+
+def _entries(path: Path) -> list[dict[str, Any]]:
     entries = []
-    if (path / LOG).is_file():
-        for line in (path / LOG).read_text("utf-8").splitlines():
+    if path.is_file():
+        for line in path.read_text("utf-8").splitlines():
             with suppress(json.JSONDecodeError):
                 entries.append(json.loads(line))
     return entries

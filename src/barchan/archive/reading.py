@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from barchan.archive.dataset import ELEVATION, with_time
-from barchan.archive.folder import CHECKPOINT, FRAMES, SCENARIO, log_of, scenario_of
+from barchan.archive.folder import CHECKPOINT, FRAMES, SCENARIO, events_of, log_of, scenario_of
 from barchan.archive.frames import published
 from barchan.errors import ArchiveError
 from barchan.scenario import Scenario, load_scenario, preset_names
@@ -39,6 +39,7 @@ def open_run(path: str | Path) -> "xr.Dataset":
     lazy = _Elevation(dataset["ground"].variable, dataset["sand"].variable, scenario.lattice.thickness)
     from xarray.core.indexing import LazilyIndexedArray
 
+    dataset.attrs["events"] = json.dumps(events_of(path))
     dataset.attrs["stopped"] = _stopped(path) or "not finished"
     dataset["elevation"] = (("step", "y", "x"), LazilyIndexedArray(lazy), ELEVATION)
     return with_time(dataset, scenario)

@@ -14,14 +14,15 @@ def check(scenario: str, /, *values: Tokens) -> None:
     from barchan.archive import source_at
     from barchan.cli.terminal import console, print_note
     from barchan.ground.start import first_bed
-    from barchan.models import models
     from barchan.scenario.files import load_scenario
 
     sound = load_scenario(source_at(scenario), pairs(values, check)).seeded()
-    model = models()[sound.model.name](sound.model, sound.lattice)
-    model.prepare(first_bed(sound.lattice, sound.ground, sound.sand, sound.seed), sound.seed)
+    model = sound.new_model()
+    with sound.places.told():
+        sound.forcing().wind_of(0)
+        model.prepare(first_bed(sound.lattice, sound.ground, sound.sand, sound.seed), sound.seed)
     console.print(f"{scenario}: sound")
-    for name, fact in model.facts().items():
+    for name, fact in {**sound.time_facts(), **model.facts()}.items():
         console.print(f"{name}: {fact}")
     for remark in sound.remarks():
         print_note(remark)

@@ -44,14 +44,18 @@ def field_map(
     """A map of a field of one frame (see ``analysis.fields.field_of``) on the lightly shaded surface.
 
     Without ``limits`` the colours of a field that has a centre lie evenly about it; a few outlying cells
-    may lie beyond the scale, which then ends in arrows.
+    may lie beyond the scale, which then ends in arrows. A scale does not begin below what is possible.
     """
     from matplotlib.cm import ScalarMappable
     from matplotlib.colors import Normalize
 
     shown = smooth(field.values, smoothing, scenario)
     low, high = limits or limits_of(shown, field.attrs.get("centre"))
-    scale = ScalarMappable(Normalize(low, high), _colours(field, scenario, colours))
+    shades = _colours(field, scenario, colours)
+    least = field.attrs.get("least", low)
+    if limits is None and low < least < high:
+        low, shades = least, _upper(shades, (least - low) / (high - low))
+    scale = ScalarMappable(Normalize(low, high), shades)
     image = lit(scale.to_rgba(shown)[..., :3], frame, scenario, smoothing, RELIEF)
     figure = new_figure(*map_size(scenario))
     axes = figure.add_subplot()
@@ -71,6 +75,13 @@ def limits_of(values: NDArray, centre: float | None) -> tuple[float, float]:
         reach = max(high - centre, centre - low)
         low, high = centre - reach, centre + reach
     return (low, high) if high > low else (low - 0.5, high + 0.5)
+
+
+def _upper(colours: "Colormap", start: float) -> "Colormap":
+    """The colours from ``start`` (0 to 1) on."""
+    from matplotlib.colors import ListedColormap
+
+    return ListedColormap(colours(np.linspace(start, 1.0, 256)))
 
 
 def _ends(values: NDArray, low: float, high: float) -> str:

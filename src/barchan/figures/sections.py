@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from barchan.analysis.fields import scenario_at
 from barchan.figures.style import (
     CURVE,
     GROUND,
@@ -29,6 +30,10 @@ if TYPE_CHECKING:
 
 CURVE_SMOOTHING = 2.0
 """Cells over which a field's curve is smoothed at least: single cells stand in each other's shadow."""
+
+
+HALF = 0.5
+"""Share of cells in the wind below which a curve of what is 0 in shadow has a gap."""
 
 
 @dataclass(frozen=True)
@@ -111,7 +116,7 @@ def profile(
     section = section_along_wind(scenario, direction, _through_highest(frame, scenario) if at is None else at)
     ground = frame["ground"].values[section.rows, section.cols]
     surface = smooth(frame["elevation"].values, smoothing, scenario)[section.rows, section.cols]
-    line = _shadow(section, surface, scenario)
+    line = _shadow(section, surface, scenario_at(frame, scenario))
     if field is None:
         figure = new_figure(9.0, 3.0)
         axes = lowest = figure.add_subplot()
@@ -158,7 +163,10 @@ def _draw_field(
     scenario: Scenario,
     smoothing: float,
 ) -> None:
-    """A field along a section, cell by cell (pale) and smoothed, over shadow zones and its centre."""
+    """A field along a section, cell by cell (pale) and smoothed, over shadow zones and its centre.
+
+    The curve of a field that is 0 in shadow is that of the cells in the wind, with gaps where most are not.
+    """
     from matplotlib.transforms import blended_transform_factory
 
     axes.fill_between(
@@ -176,12 +184,16 @@ def _draw_field(
     if centre is not None:
         axes.axhline(centre, color="black", linewidth=0.8, linestyle="--")
     cells = field.values[section.rows, section.cols].astype(float)
-    smoothed = smooth(field.values, smoothing, scenario)[section.rows, section.cols]
+    curve = smooth(field.values, smoothing, scenario)
+    label = f"smoothed over {smoothing:g} cells"
+    if field.attrs.get("sheltered"):
+        share = smooth(field.values != 0, smoothing, scenario)
+        curve = np.divide(curve, share, out=np.full(curve.shape, np.nan), where=share > HALF)
+        label += " in the wind"
     axes.step(
         section.distance, cells, where="mid", color=CURVE, linewidth=0.7, alpha=0.4, label="single cells"
     )
-    label = f"smoothed over {smoothing:g} cells"
-    axes.plot(section.distance, smoothed, color=CURVE, linewidth=1.6, label=label)
+    axes.plot(section.distance, curve[section.rows, section.cols], color=CURVE, linewidth=1.6, label=label)
     axes.legend(loc="lower right", bbox_to_anchor=(1, 1), fontsize=8, frameon=False, ncols=2, borderaxespad=0)
     axes.set_ylabel(label_of(field))
     axes.margins(x=0)
@@ -189,7 +201,7 @@ def _draw_field(
 
 
 def _shadow(section: Section, surface: NDArray, scenario: Scenario) -> NDArray[np.float64]:
-    """The shadow line of the scenario's model; a model without shadows has none."""
+    """The shadow line of a scenario's model; a model without shadows has none."""
     angle = getattr(scenario.model, "shadow_angle", None)
     if angle is None:
         return np.full(len(surface), -np.inf)

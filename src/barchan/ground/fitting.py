@@ -50,7 +50,7 @@ class FromFile(Parameters):
             heights = self._filled(self._scaled(raster), least, most)
             return self._fitted(heights, raster.cell_size, lattice)
         except UnreadableError as error:
-            raise ScenarioError([Problem(f"{group}.path", str(error), self.path)]) from None
+            raise ScenarioError([Problem(f"{group}.path", f"'{self.path}': {error}")]) from None
 
     def _scaled(self, raster: Raster) -> NDArray[np.float64]:
         if raster.full_scale is None:

@@ -1,4 +1,4 @@
-"""A slab on the wind: how far it hops, where it comes down, and what stands in its way.
+"""A slab on the wind: how far it hops and where it comes down.
 
 Positions and hops are fixed-point numbers in the wind's frame, along and across the columns' axis.
 """
@@ -64,13 +64,6 @@ class Speedup(NamedTuple):
     """Whether each hop of a flight is measured where it starts, or all where the flight does."""
 
 
-class Path(NamedTuple):
-    """What stops a slab on its way."""
-
-    sand: bool
-    """Whether sand that is too steep stops it too, or only ground."""
-
-
 @njit(cache=True, forceinline=True)
 def wrapped(place, size, wrap):
     """A fixed-point position brought back into the field, or -1 where it has left."""
@@ -121,46 +114,3 @@ def hop_cells(height, levels, speedup):
 def fixed_hop(hop, unit):
     """A hop's part along an axis in 1/``CELL`` cells."""
     return np.int64(np.rint(hop * unit))
-
-
-@njit(cache=True)
-def _stands_in_the_way(surface, sand, cell, other, limit, slab, path):
-    """Whether what a slab over ``cell`` comes upon next is too high to pass."""
-    top = np.int64(surface[other])
-    if not path.sand:
-        top = np.int64(0)
-        if sand is not None:
-            top = np.int64(surface[other]) - np.int64(sand[other]) * slab
-    return top - np.int64(surface[cell]) > limit
-
-
-@njit(cache=True)
-def fly(surface, sand, along, across, hop_along, hop_across, grid, repose, path):
-    """One hop, cell by cell, as far as nothing stands in its way (seed 000, Alg. 7).
-
-    Returns the new position (negative where the slab has left), the distance flown, and whether the slab
-    was stopped.
-    """
-    pieces = (max(abs(hop_along), abs(hop_across)) + CELL - 1) >> 32
-    a = along
-    c = across
-    flown_along = np.int64(0)
-    flown_across = np.int64(0)
-    for piece in range(1, pieces + 1):
-        next_along = hop_along if piece == pieces else hop_along // pieces * piece
-        next_across = hop_across if piece == pieces else hop_across // pieces * piece
-        next_a = wrapped(along + next_along, grid.cols, grid.wrap_along)
-        next_c = wrapped(across + next_across, grid.rows, grid.wrap_across)
-        if next_a < 0 or next_c < 0:
-            return np.int64(-1), np.int64(-1), hop_along, hop_across, False
-        cell = (c >> 32) * grid.cols + (a >> 32)
-        other = (next_c >> 32) * grid.cols + (next_a >> 32)
-        corner = c >> 32 != next_c >> 32 and a >> 32 != next_a >> 32
-        limit = repose.corner_limit if corner else repose.face_limit
-        if cell != other and _stands_in_the_way(surface, sand, cell, other, limit, repose.slab, path):
-            return a, c, flown_along, flown_across, True
-        a = next_a
-        c = next_c
-        flown_along = next_along
-        flown_across = next_across
-    return a, c, flown_along, flown_across, False

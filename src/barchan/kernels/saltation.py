@@ -21,7 +21,6 @@ from barchan.kernels.flight import (
     CELL,
     MOBILE,
     fixed_hop,
-    fly,
     hop_cells,
     move_level,
     wrapped,
@@ -29,6 +28,7 @@ from barchan.kernels.flight import (
 from barchan.kernels.random import GOLDEN, below, high, low, mix
 from barchan.kernels.settle import CHECKED, let_go, upset
 from barchan.kernels.shadow import in_shadow
+from barchan.kernels.way import fly, way_is_clear
 
 TRAVEL_UNIT = 1 << 16
 """One cell in the tally of distances travelled."""
@@ -276,21 +276,24 @@ def run_polls(
         sticks = False
         while not settled:
             flown += 1
-            if path is None:
+            clear = True
+            stopped = False
+            if path is not None:
+                clear = way_is_clear(heights, along, across, hop_along, hop_across, grid, path)
+                if not clear:
+                    along, across, flown_along, flown_across, stopped = fly(
+                        surface, sand, along, across, hop_along, hop_across, grid, repose, path
+                    )
+                    travel_along += flown_along >> 16
+                    travel_across += flown_across >> 16
+                    row = across >> 32
+            if clear:
                 travel_along += hop_along >> 16
                 travel_across += hop_across >> 16
                 along = wrapped(along + hop_along, grid.cols, grid.wrap_along)
                 if hop_across != 0:
                     across = wrapped(across + hop_across, grid.rows, grid.wrap_across)
                     row = across >> 32
-            stopped = False
-            if path is not None:
-                along, across, flown_along, flown_across, stopped = fly(
-                    surface, sand, along, across, hop_along, hop_across, grid, repose, path
-                )
-                travel_along += flown_along >> 16
-                travel_across += flown_across >> 16
-                row = across >> 32
             col = along >> 32
             if along < 0 or across < 0:
                 break

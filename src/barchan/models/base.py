@@ -58,6 +58,10 @@ class Derived:
     """Computes it from the model, a bed and the wind over it."""
     centred: bool = False
     """Whether pictures show it evenly about its value on a flat bed."""
+    sheltered: bool = False
+    """Whether it is 0 on cells in shadow, and curves along a section leave these out."""
+    least: float | None = None
+    """The value that it cannot lie below, where there is one."""
 
 
 @dataclass(frozen=True)

@@ -12,7 +12,8 @@ from barchan.models.base import Curve, Derived, Layer
 from barchan.models.slab import SlabModel
 from barchan.models.slab_parameters import SlabTransport
 from barchan.models.slab_tables import Giving, Rules
-from barchan.models.vegetation import SPECIES, Species, UniformPlants, Vegetation, species
+from barchan.models.species import SPECIES, Grass, Mesquite, Shrub, Species
+from barchan.models.vegetation import UniformPlants, Vegetation
 from barchan.parameters import parameter, redeclared
 from barchan.streams import Stream
 from barchan.wind.clock import YEAR, spoken
@@ -23,18 +24,6 @@ STEPS_PER_YEAR = 80
 
 _ROUNDING = 1e-9
 """Slack for ends of years that are whole steps but for rounding."""
-
-
-def _grass() -> Species:
-    return species(0.0, 1.0, (-1.4, -1.0), (0.1, 0.0), (0.45, 0.4), (0.85, 0.0), (1.4, -1.0))
-
-
-def _mesquite() -> Species:
-    return species(-1.0, 3.0, (-1.3, -1.0), (-0.65, 0.0), (0.1, 0.1), (0.5, 0.1), (1.5, 0.0), (2.5, -1.0))
-
-
-def _shrub() -> Species:
-    return species(-0.5, 1.5, (-1.3, -1.0), (-0.65, 0.0), (0.0, 0.1), (0.2, 0.0), (2.2, -1.0))
 
 
 class NieldBaasParameters(SlabTransport):
@@ -89,16 +78,16 @@ class NieldBaasParameters(SlabTransport):
         "80, or with a clock those of a calendar year.",
         source="Nield & Baas 2008; seed 000, Tables 6.4-6.6",
     )
-    grass: Species = Field(
-        default_factory=_grass, description="Pioneer grass; its curve is that of DECAL's descendants."
+    grass: Grass = Field(
+        default_factory=Grass, description="Pioneer grass; its curve is that of DECAL's descendants."
     )
-    mesquite: Species = Field(
-        default_factory=_mesquite,
+    mesquite: Mesquite = Field(
+        default_factory=Mesquite,
         description="Mesquite; its curve is assumed, for the published one was not found: like the shrub's "
         "under erosion, with a broad optimum under moderate burial.",
     )
-    shrub: Species = Field(
-        default_factory=_shrub, description="Woody shrub; its curve is that of DECAL's descendants."
+    shrub: Shrub = Field(
+        default_factory=Shrub, description="Woody shrub; its curve is that of DECAL's descendants."
     )
     vegetation: Vegetation = Field(default_factory=UniformPlants, description="Plants at the start.")
 
@@ -149,6 +138,7 @@ class NieldBaas(SlabModel):
 
     def prepare(self, bed: Bed, seed: int) -> None:
         """Plant what stands there at first."""
+        super().prepare(bed, seed)
         cover = self.parameters.vegetation.cover(self.lattice, Stream(seed, "vegetation"))
         for field in self.fields[:3]:
             kind: Species = getattr(self.parameters, field.name)

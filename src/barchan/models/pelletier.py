@@ -111,6 +111,8 @@ class Pelletier(SlabModel):
                 model.stress(bed, wind.direction), bed, wind.direction
             ),
             centred=True,
+            sheltered=True,
+            least=0.0,
         ),
     )
 

@@ -8,11 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from barchan.bed import Lattice
+from barchan.models.slab_heights import FRACTION_BITS
 from barchan.models.slab_parameters import SlabTransport
 from barchan.models.wind_frame import WindFrame
-
-FRACTION_BITS = 20
-"""Binary places of a height below one slab, over ground that is not flat."""
 
 _FAR = 1 << 30
 """A fall (slabs) that no shadow line survives."""
@@ -75,7 +73,6 @@ def build(
     parameters: SlabTransport, rules: Rules, lattice: Lattice, frame: WindFrame, hop: float, flat: bool
 ) -> SlabTables:
     """The tables for a wind in ``frame`` with hops of ``hop`` cells, over flat ground or not."""
-    from barchan.kernels.flight import Path
     from barchan.kernels.shadow import Grid
 
     rows, cols = reversed(lattice.shape) if frame.crossed else lattice.shape
@@ -86,6 +83,7 @@ def build(
     passes = parameters.path_test == "off" or (parameters.path_test == "hard" and flat)
     fall = math.tan(math.radians(parameters.shadow_angle)) / lattice.aspect
     start = 0.5 if parameters.shadow_from == "edge" else 0.0
+    repose = _repose(parameters, rules, lattice, 1 if flat else 1 << FRACTION_BITS)
     axis, ray = None, None
     if frame.angle == 0.0:
         axis, memory = _axis_shadow(cols, fall, start, flat)
@@ -95,8 +93,8 @@ def build(
         grid=grid,
         wind=_wind(parameters, rules.giving, frame, hop),
         speedup=rules.hop and _speedup(rules.hop, grid, hop, flat),
-        path=None if passes else Path(parameters.path_test == "surface"),
-        repose=_repose(parameters, rules, lattice, 1 if flat else 1 << FRACTION_BITS),
+        path=None if passes else _path(parameters, repose, flat),
+        repose=repose,
         axis=axis,
         ray=ray,
         turns=turns,
@@ -137,6 +135,13 @@ def _speedup(rule: HopRule, grid: Any, hop: float, flat: bool) -> Any:
         whole=rule.whole,
         every_hop=rule.every_hop,
     )
+
+
+def _path(parameters: SlabTransport, repose: Any, flat: bool) -> Any:
+    from barchan.kernels.way import Path
+
+    height = np.dtype(np.int32 if flat else np.int64)
+    return Path(parameters.path_test == "surface", height.type(repose.face_limit), height.itemsize)
 
 
 def _repose(parameters: SlabTransport, rules: Rules, lattice: Lattice, one: int) -> Any:

@@ -72,6 +72,7 @@ class SpeedupModel(SlabModel):
             "hop length",
             lambda model, bed, wind: model.open_hops(bed, wind),
             centred=True,
+            sheltered=True,
         ),
         Derived(
             "speedup",
@@ -79,6 +80,7 @@ class SpeedupModel(SlabModel):
             "hop length over that on a flat bed",
             lambda model, bed, wind: model.open_hops(bed, wind) / model.hop_length(wind),
             centred=True,
+            sheltered=True,
         ),
     )
 

@@ -1,85 +1,22 @@
-"""Plants on a bed: species that grow with the year's sediment balance, and where they stand at first."""
+"""Where plants stand on a bed at first."""
 
-from itertools import pairwise
 from pathlib import Path
-from typing import Annotated, ClassVar, Literal, Self
+from typing import Annotated, ClassVar, Literal
 
 import numpy as np
 from numpy.typing import NDArray
-from pydantic import Field, model_validator
+from pydantic import Field
 
 from barchan.bed import Lattice
 from barchan.errors import Problem, ScenarioError
 from barchan.ground.area import Area, covered
 from barchan.ground.raster import UnreadableError, read
+from barchan.models.species import LEAST, MOST, SPECIES
 from barchan.parameters import Parameters, parameter
 from barchan.streams import Stream, high
 
-SPECIES = ("grass", "mesquite", "shrub")
-
-FIGURE = "seed 000, Fig. 3.6; numbers of DECAL's descendants, mesquite assumed"
-RANGES = "seed 000, §4.7: physiological ranges"
 TABLES = "seed 000, Tables 6.4-6.6"
 OWN = "our choice"
-
-LEAST, MOST = -10.0, 10.0
-"""Bounds of a coefficient of vegetation."""
-
-
-class Vertex(Parameters):
-    """A point of a growth curve."""
-
-    balance: float = parameter(
-        unit="m/yr", ge=-1000, le=1000, meaning="Sand gained (negative: lost) in a year.", source=FIGURE
-    )
-    change: float = parameter(
-        unit="1/yr",
-        ge=-100,
-        le=100,
-        meaning="Change of effectiveness in a year at that balance.",
-        source=FIGURE,
-    )
-
-
-class Species(Parameters):
-    """How one kind of plant grows and dies."""
-
-    lowest: float = parameter(unit="-", ge=LEAST, le=MOST, meaning="Least effectiveness.", source=RANGES)
-    highest: float = parameter(unit="-", ge=LEAST, le=MOST, meaning="Greatest effectiveness.", source=RANGES)
-    curve: list[Vertex] = parameter(
-        unit="-",
-        min_length=2,
-        max_length=100,
-        meaning="Growth against the year's balance: straight between the points, held beyond them.",
-        source=FIGURE,
-    )
-
-    @model_validator(mode="after")
-    def _is_a_function(self) -> Self:
-        balances = [vertex.balance for vertex in self.curve]
-        for number, (before, after) in enumerate(pairwise(balances), start=1):
-            if after <= before:
-                raise ValueError(
-                    f"curve[{number}].balance is {after} after {before}; allowed: balances that increase"
-                )
-        if self.lowest > self.highest:
-            raise ValueError(f"lowest {self.lowest} is above highest {self.highest}")
-        return self
-
-    def growth(self, balance: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Change of effectiveness in a year with these balances (m)."""
-        x, y = zip(*((vertex.balance, vertex.change) for vertex in self.curve), strict=True)
-        return np.interp(balance, x, y)
-
-    def grown(self, cover: NDArray[np.float64], balance: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Effectiveness a year later."""
-        return np.clip(cover + self.growth(balance), self.lowest, self.highest)
-
-
-def species(lowest: float, highest: float, *points: tuple[float, float]) -> Species:
-    """A species from the points (balance, change) of its curve."""
-    curve = [Vertex(balance=balance, change=change) for balance, change in points]
-    return Species(lowest=lowest, highest=highest, curve=curve)
 
 
 class Layout(Parameters):
@@ -208,7 +145,7 @@ class MappedPlants(Layout):
         try:
             raster = read(Path(self.path))
         except UnreadableError as error:
-            raise ScenarioError([Problem("model.vegetation.path", str(error), self.path)]) from None
+            raise self._misfit(str(error)) from None
         share = raster.heights / (raster.full_scale or 1.0)
         message = ""
         if share.shape != lattice.shape:
@@ -216,8 +153,11 @@ class MappedPlants(Layout):
         elif not np.isfinite(share).all():
             message = f"has {np.count_nonzero(~np.isfinite(share))} cells without a value; allowed: none"
         if message:
-            raise ScenarioError([Problem("model.vegetation.path", message, self.path)])
+            raise self._misfit(message)
         return share
+
+    def _misfit(self, message: str) -> ScenarioError:
+        return ScenarioError([Problem("model.vegetation.path", f"'{self.path}': {message}")])
 
 
 Vegetation = Annotated[

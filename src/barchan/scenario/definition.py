@@ -3,7 +3,7 @@
 import secrets
 from typing import TYPE_CHECKING, Annotated, Any, Literal, Self, Union
 
-from pydantic import Field, model_validator
+from pydantic import Field, PrivateAttr, model_validator
 from pydantic_core import PydanticCustomError
 
 from barchan.bed import Lattice
@@ -13,6 +13,7 @@ from barchan.ground.surface import Ground
 from barchan.models import Model, models
 from barchan.parameters import Parameters, parameter
 from barchan.scenario.consistency import inconsistencies
+from barchan.scenario.positions import Places
 from barchan.wind import Clock, Forcing, Pace, Steady, Wind
 from barchan.wind.clock import spoken
 
@@ -102,6 +103,19 @@ class Scenario(Parameters):
     )
     model: AnyModel = Field(default_factory=_default_model, description="Model.")
     run: Run = Field(default_factory=Run, description="Run.")
+
+    _places: Places = PrivateAttr(default_factory=Places)
+
+    @property
+    def places(self) -> Places:
+        """Where its keys stand, as far as it was read from somewhere."""
+        return self._places
+
+    def placed(self, places: Places) -> Self:
+        """The same scenario, with where its keys stand."""
+        copied = self.model_copy()
+        copied._places = places
+        return copied
 
     @model_validator(mode="after")
     def _goes_together(self) -> Self:

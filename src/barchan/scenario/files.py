@@ -12,7 +12,7 @@ from barchan.errors import Problem, ScenarioError
 from barchan.scenario.definition import Scenario
 from barchan.scenario.migrations import migrate
 from barchan.scenario.positions import Path as KeyPath
-from barchan.scenario.positions import parse
+from barchan.scenario.positions import Places, parse
 from barchan.scenario.wording import nearest, problems_of
 
 Override = tuple[str, str]
@@ -63,22 +63,15 @@ def validate(
 
     _name_variants(data)
 
-    def place(path: KeyPath) -> str:
-        if any(path[: len(g)] == g or (path and g[: len(path)] == path) for g in given):
-            return "command line"
-        line = (
-            next((lines[path[:n]] for n in range(len(path), 0, -1) if path[:n] in lines), 0) if lines else 0
-        )
-        return f"{name}:{line}" if line else ""
-
+    places = Places(name, lines or {}, given)
     try:
         scenario = Scenario.model_validate_json(json.dumps(data))
     except ValidationError as error:
-        found += problems_of(error, Scenario, data, place)
+        found += problems_of(error, Scenario, data, places.of)
         raise ScenarioError(found, name) from None
     if found:
         raise ScenarioError(found, name)
-    return scenario
+    return scenario.placed(places)
 
 
 def _name_variants(data: dict[str, Any]) -> None:

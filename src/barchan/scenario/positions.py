@@ -2,9 +2,13 @@
 
 import json
 import re
+from collections.abc import Iterator, Mapping
+from collections.abc import Set as AbstractSet
+from contextlib import contextmanager
+from dataclasses import dataclass, field, replace
 from typing import Any
 
-from barchan.errors import Problem
+from barchan.errors import Problem, ScenarioError
 
 Path = tuple[str | int, ...]
 
@@ -34,6 +38,47 @@ def parse(text: str, name: str) -> tuple[Any, dict[Path, int], list[Problem]]:
     for path, line in repeated:
         problems.append(Problem(dotted(path), "given twice", f"{name}:{line}"))
     return data, lines, problems
+
+
+@dataclass(frozen=True, eq=False)
+class Places:
+    """Where the keys of a scenario stand: in lines of a file, or on the command line.
+
+    It is no part of what a scenario says, so any two are equal.
+    """
+
+    name: str = ""
+    lines: Mapping[Path, int] = field(default_factory=dict)
+    given: AbstractSet[Path] = frozenset()
+    """Keys of the command line."""
+
+    def __eq__(self, other: object) -> bool:
+        """Whether the other tells places too."""
+        return isinstance(other, Places)
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def of(self, path: Path) -> str:
+        """``file:line`` or ``command line``; nothing where it is not known."""
+        if any(path[: len(g)] == g or (path and g[: len(path)] == path) for g in self.given):
+            return "command line"
+        known = (self.lines[path[:n]] for n in range(len(path), 0, -1) if path[:n] in self.lines)
+        line = next(known, 0)
+        return f"{self.name}:{line}" if line else ""
+
+    @contextmanager
+    def told(self) -> Iterator[None]:
+        """Let errors raised here tell where their keys stand."""
+        try:
+            yield
+        except ScenarioError as error:
+            problems = [p if p.place else replace(p, place=self.of(undotted(p.key))) for p in error.problems]
+            raise ScenarioError(problems, self.name or "scenario") from None
+
+
+def undotted(key: str) -> Path:
+    """The path that users write as ``sand.parts[0].mean``."""
+    return tuple(int(step) if step.isdigit() else step for step in re.findall(r"[^.\[\]]+", key))
 
 
 def dotted(path: Path) -> str:

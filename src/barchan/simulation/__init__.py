@@ -1,7 +1,7 @@
 """The simulation: owns the bed, advances a model through the wind, takes events, emits frames."""
 
 from barchan.simulation.core import Frame, Simulation, Watch
-from barchan.simulation.events import Event, Record, SetParameter, SetWind, Stroke, event_from
+from barchan.simulation.events import Event, Record, SetParameter, SetWind, Stroke, event_from, in_force
 from barchan.simulation.ledger import Ledger
 from barchan.simulation.state import State
 
@@ -17,4 +17,5 @@ __all__ = [
     "Stroke",
     "Watch",
     "event_from",
+    "in_force",
 ]

@@ -71,8 +71,10 @@ class Simulation:
         """Build the bed of a scenario; without a seed one is drawn, see ``simulation.scenario``."""
         self._set_up(scenario.seeded())
         scene = self.scenario
-        self.bed = first_bed(scene.lattice, scene.ground, scene.sand, scene.seed)
-        self.model.prepare(self.bed, self.scenario.seed)
+        with scene.places.told():
+            self.forcing.wind_of(0)
+            self.bed = first_bed(scene.lattice, scene.ground, scene.sand, scene.seed)
+            self.model.prepare(self.bed, scene.seed)
         self.ledger = Ledger(self.bed.slabs)
         self.model.settle(self.bed)
         self.model.begin(self.bed)
@@ -81,7 +83,6 @@ class Simulation:
         self.scenario = scenario
         self._wind = scenario.wind
         self.forcing = scenario.forcing()
-        self.forcing.wind_of(0)  # a record that cannot be read is told now
         self.model: Model = scenario.new_model()
         self.stream = Stream(scenario.seed, "transport")
         self.steps_done = 0

@@ -3,6 +3,7 @@
 Scenario plus events gives the same bits again.
 """
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
@@ -12,6 +13,7 @@ from barchan.errors import ScenarioError
 from barchan.ground.brush import Falloff
 from barchan.ground.sand import MOST_SLABS
 from barchan.parameters import Parameters, parameter
+from barchan.scenario import Scenario, validate
 from barchan.scenario.wording import problems_of
 from barchan.wind import Wind
 
@@ -85,6 +87,18 @@ class Record:
         """The record that ``data`` holds."""
         data = dict(data)
         return cls(data.pop("step"), event_from(data))
+
+
+def in_force(scenario: Scenario, events: Iterable[Record], step: int) -> Scenario:
+    """The scenario with the parameters and the wind of the last of ``step`` steps (at 0: of the first)."""
+    data = scenario.data()
+    for record in events:
+        if record.step < max(step, 1):
+            if isinstance(record.event, SetParameter):
+                data["model"][record.event.key.removeprefix("model.")] = record.event.value
+            elif isinstance(record.event, SetWind):
+                data["wind"] = record.event.wind.model_dump(mode="json")
+    return validate(data, "events")
 
 
 def event_from(data: Any) -> SetParameter | SetWind | Stroke:
