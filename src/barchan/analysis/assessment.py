@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from barchan.analysis.crest_theory import Crest, bed_instability, elongation, gross_transport
 from barchan.analysis.drift import Drift, drift_of, drift_potential, sand_flux
 from barchan.analysis.dune_types import dune_type
-from barchan.analysis.regimes import Variability, variability
+from barchan.analysis.variability import Variability, variability
 from barchan.ground.start import first_bed
 from barchan.scenario import Scenario
 from barchan.wind.records import WindRecord

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from barchan.analysis.drift import drift_of
-from barchan.analysis.regimes import variability
+from barchan.analysis.variability import variability
 
 
 def spread(*winds, width=12.0):
