@@ -8,12 +8,14 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from barchan.analysis.fields import as_modelled
 from barchan.analysis.heights import bare_fraction, highest_stack, sand_volume
 from barchan.analysis.migration import Migration, migration
 from barchan.analysis.orientation import Orientation, crest_orientation
 from barchan.analysis.slopes import Slopes, streamwise_slopes
 from barchan.analysis.spacing import dominant_spacing
 from barchan.analysis.transport import flux
+from barchan.models import OwnMeasure, models
 from barchan.scenario import Scenario
 from barchan.wind.segment import downwind
 
@@ -25,6 +27,7 @@ if TYPE_CHECKING:
 class Moment:
     """One frame of a run and what it is compared with."""
 
+    frame: "xr.Dataset"
     sand: NDArray[np.int32]
     elevation: NDArray[np.float64]
     scenario: Scenario
@@ -90,7 +93,16 @@ MEASURES = (
         lambda m: sand_volume(m.sand, m.scenario.lattice.thickness, m.scenario.lattice.cell_size),
     ),
 )
-"""Every measure of a frame, in the order in which tables show them."""
+"""Every measure of any frame, in the order in which tables show them."""
+
+
+def measures_of(scenario: Scenario) -> tuple[Measure, ...]:
+    """Every measure of a scenario's frames: those of any frame, and its model's own."""
+    return MEASURES + tuple(map(_own, models()[scenario.model.name].measures))
+
+
+def _own(own: OwnMeasure) -> Measure:
+    return Measure(own.name, own.title, own.unit, lambda m: float(own.of(*as_modelled(m.frame, m.scenario))))
 
 
 LAGS = 3
@@ -110,6 +122,7 @@ def moments(dataset: "xr.Dataset", scenario: Scenario, first: int = 0) -> Iterat
         recent.append(elevation)
         travel = np.dot(downwind(directions[at]), travelled[:, at] - travelled[:, max(at - 1, 0)])
         yield Moment(
+            frame=dataset.isel(step=at),
             sand=dataset["sand"][at].values,
             elevation=elevation,
             scenario=scenario,
@@ -126,12 +139,13 @@ def course(dataset: "xr.Dataset", scenario: Scenario) -> "xr.Dataset":
     """Every measure over the steps of a run."""
     import xarray as xr
 
-    rows = [[measure.of(moment) for measure in MEASURES] for moment in moments(dataset, scenario)]
+    measures = measures_of(scenario)
+    rows = [[measure.of(moment) for measure in measures] for moment in moments(dataset, scenario)]
     values = np.array(rows, float).T
     return xr.Dataset(
         {
             m.name: ("step", v, {"long_name": m.title, "unit": m.unit})
-            for m, v in zip(MEASURES, values, strict=True)
+            for m, v in zip(measures, values, strict=True)
         },
         {"step": dataset["step"]},
     )
@@ -140,4 +154,4 @@ def course(dataset: "xr.Dataset", scenario: Scenario) -> "xr.Dataset":
 def last_measures(dataset: "xr.Dataset", scenario: Scenario) -> dict[str, float]:
     """The measures of a run's last frame, by name."""
     last = next(iter(moments(dataset, scenario, dataset.sizes["step"] - 1)))
-    return {measure.name: float(measure.of(last)) for measure in MEASURES}
+    return {measure.name: float(measure.of(last)) for measure in measures_of(scenario)}
