@@ -120,6 +120,9 @@ def model_page(model: Any) -> str:
     if model.fields or model.derived:
         parts += ["## Fields", "What `barchan show RUN --field NAME` draws, beside the fields of every run:"]
         parts += [fields_table(model)]
+    if model.measures:
+        parts += ["## Measures", "What tables and time series show, beside the measures of every run:"]
+        parts += [own_measures_table(model)]
     facts = model(model.Parameters(), Lattice()).facts()
     if facts:
         parts += ["## What the defaults come to", "On a lattice with its defaults:"]
@@ -133,6 +136,12 @@ def fields_table(model: Any) -> str:
     fields = [*kept, *((f, "derived") for f in model.derived)]
     rows = [(code(f.name), "–" if f.unit == "1" else f.unit, f.meaning, kind) for f, kind in fields]
     return table(("Name", "Unit", "Meaning", "Kind"), rows, "20 15 50 15")
+
+
+def own_measures_table(model: Any) -> str:
+    """The measures that only this model gives."""
+    rows = [(code(m.name), m.title, "–" if m.unit == "-" else m.unit) for m in model.measures]
+    return table(("Name", "Meaning", "Unit"), rows, "30 50 20")
 
 
 def keys_page() -> str:

@@ -8,6 +8,7 @@ import pytest
 from barchan.analysis import crest_orientation, dominant_spacing, migration, streamwise_slopes
 from barchan.analysis.course import MEASURES, course, last_measures, moments
 from barchan.archive import simulate
+from barchan.models import models
 from tests.tiny import RIDGES, tiny
 
 SCENARIO = tiny(lattice__cell_size=3.0, lattice__boundary_y="open", **RIDGES)
@@ -128,3 +129,38 @@ def test_small_and_featureless_fields_can_be_measured(changes):
     scenario = tiny(**changes)
     measured = course(simulate(scenario), scenario)
     assert np.isfinite(measured["volume"]).all()
+
+
+@pytest.mark.parametrize("name", list(models()))
+def test_measures_of_the_model_stand_beside_those_of_every_run(name):
+    scenario = tiny(model={"name": name})
+    run = simulate(scenario)
+    own = [measure.name for measure in models()[name].measures]
+    measured = course(run, scenario)
+    assert list(measured.data_vars) == [*(measure.name for measure in MEASURES), *own]
+    assert len(set(measured.data_vars)) == len(measured.data_vars)
+    last = last_measures(run, scenario)
+    for measure in own:
+        assert np.isfinite(measured[measure]).all()
+        assert last[measure] == float(measured[measure][-1])
+
+
+def test_plants_are_measured_by_their_mean_and_a_reference_by_its_height():
+    plants = {"kind": "islands", "grass": 0.5, "mesquite": -0.25}
+    scenario = tiny(model={"name": "nield_baas", "vegetation": plants})
+    run = simulate(scenario)
+    measured = course(run, scenario)
+    for name in ("grass", "mesquite", "shrub"):
+        np.testing.assert_allclose(measured[f"mean_{name}"], run[name].mean(("y", "x")))
+    scenario = tiny(model={"name": "momiji"})
+    run = simulate(scenario)
+    reference = course(run, scenario)["reference_height"]
+    assert reference.attrs["unit"] == "m"
+    np.testing.assert_allclose(reference, run["elevation"].mean(("y", "x")))
+
+
+def test_the_stress_is_highest_on_relief():
+    scenario = tiny(model={"name": "pelletier"}, sand={"kind": "flat", "mean": 9})
+    stress = course(simulate(scenario), scenario)["highest_stress"].values
+    assert stress[0] == pytest.approx(1.0)
+    assert (stress[1:] > 1.0).all()

@@ -55,3 +55,11 @@ def test_the_command_that_goes_on_stands_on_one_line(here, barchan):
 def test_a_title_with_brackets_is_told_as_it_is(here, barchan, title):
     barchan("run", "tiny.json", "--quiet", "--no-picture", "--title", title)
     assert rows_of(barchan("info", "tiny").out)["title"] == title
+
+
+def test_the_measures_of_the_last_frame_are_told_the_models_own_too(here, barchan):
+    ran = barchan("run", "tiny.json", "--model.name", "momiji").out
+    table = barchan("info", "tiny").out.split("\n\n")[1]
+    assert table in ran
+    assert "highest stack" in table
+    assert "reference height of hops" in table

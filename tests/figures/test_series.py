@@ -57,3 +57,13 @@ def test_the_axis_of_orientations_is_labelled_from_0_to_180(measured):
     axes = next(axes for axes in time_series(turned, tiny()).axes if "orientation" in axes.get_title("left"))
     assert [label.get_text() for label in axes.get_yticklabels()] == ["90", "135", "0", "45", "90"]
     assert np.ptp(axes.get_lines()[0].get_ydata()) == 14.0
+
+
+def test_measures_of_the_model_have_panels_below():
+    scenario = tiny(model={"name": "nield_baas"})
+    panels = time_series(course(simulate(scenario), scenario), scenario).axes
+    own = ["mean grass", "mean mesquite", "mean shrub"]
+    assert [axes.get_title("left") for axes in panels[len(SHOWN) :]] == own
+    scenario = tiny(model={"name": "momiji"})
+    (panel,) = time_series(course(simulate(scenario), scenario), scenario).axes[len(SHOWN) :]
+    assert panel.get_xlabel() == "step"

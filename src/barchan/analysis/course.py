@@ -8,12 +8,14 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from barchan.analysis.fields import as_modelled
 from barchan.analysis.heights import bare_fraction, highest_stack, sand_volume
 from barchan.analysis.migration import Migration, migration
 from barchan.analysis.orientation import Orientation, crest_orientation
 from barchan.analysis.slopes import Slopes, streamwise_slopes
 from barchan.analysis.spacing import dominant_spacing
 from barchan.analysis.transport import flux
+from barchan.models import OwnMeasure, models
 from barchan.scenario import Scenario
 from barchan.wind.clock import YEAR
 from barchan.wind.segment import downwind
@@ -26,6 +28,7 @@ if TYPE_CHECKING:
 class Moment:
     """One frame of a run and what it is compared with."""
 
+    frame: "xr.Dataset"
     sand: NDArray[np.int32]
     elevation: NDArray[np.float64]
     scenario: Scenario
@@ -91,7 +94,8 @@ MEASURES = (
         lambda m: sand_volume(m.sand, m.scenario.lattice.thickness, m.scenario.lattice.cell_size),
     ),
 )
-"""Every measure of a frame, in the order in which tables show them."""
+"""Every measure of any frame, in the order in which tables show them."""
+
 
 PER_YEAR = (
     Measure("speed_per_year", "migration downwind", "m/yr", lambda m: _per_year(m, "speed")),
@@ -101,8 +105,13 @@ PER_YEAR = (
 
 
 def measures_of(scenario: Scenario) -> tuple[Measure, ...]:
-    """The measures that the frames of a scenario have."""
-    return MEASURES if scenario.step_seconds is None else (*MEASURES, *PER_YEAR)
+    """Every measure of a scenario's frames: those of any frame, by year too, and its model's own."""
+    timed = () if scenario.step_seconds is None else PER_YEAR
+    return (*MEASURES, *timed, *map(_own, models()[scenario.model.name].measures))
+
+
+def _own(own: OwnMeasure) -> Measure:
+    return Measure(own.name, own.title, own.unit, lambda m: float(own.of(*as_modelled(m.frame, m.scenario))))
 
 
 def _per_year(moment: Moment, name: str) -> float:
@@ -128,6 +137,7 @@ def moments(dataset: "xr.Dataset", scenario: Scenario, first: int = 0) -> Iterat
         recent.append(elevation)
         travel = np.dot(downwind(directions[at]), travelled[:, at] - travelled[:, max(at - 1, 0)])
         yield Moment(
+            frame=dataset.isel(step=at),
             sand=dataset["sand"][at].values,
             elevation=elevation,
             scenario=scenario,

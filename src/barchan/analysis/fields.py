@@ -76,11 +76,8 @@ def _kept(frame: "xr.Dataset", scenario: Scenario, name: str) -> "xr.DataArray":
 def _computed(frame: "xr.Dataset", scenario: Scenario, derived: Derived) -> "xr.DataArray":
     import xarray as xr
 
-    scenario = scenario_at(frame, scenario)
-    lattice = scenario.lattice
-    model = models()[scenario.model.name](scenario.model, lattice)
-    bed = Bed.from_fields(lattice, {str(n): v.values for n, v in frame.data_vars.items()}, model.fields)
-    wind = _wind(frame, scenario)
+    model, bed, wind = as_modelled(frame, scenario)
+    lattice = bed.lattice
     centre = None
     if derived.centred:
         level = Bed(lattice, np.zeros(lattice.shape), np.zeros(lattice.shape, np.int32))
@@ -88,6 +85,14 @@ def _computed(frame: "xr.Dataset", scenario: Scenario, derived: Derived) -> "xr.
     values = xr.DataArray(derived.of(model, bed, wind), frame["elevation"].coords, ("y", "x"), derived.name)
     values = values.assign_attrs(unit=derived.unit, long_name=derived.meaning)
     return _described(values, centre=centre, least=derived.least, sheltered=int(derived.sheltered) or None)
+
+
+def as_modelled(frame: "xr.Dataset", scenario: Scenario) -> tuple[Model, Bed, Segment]:
+    """The model, the bed and the wind of a frame, as they were when it was taken."""
+    scenario = scenario_at(frame, scenario)
+    model = models()[scenario.model.name](scenario.model, scenario.lattice)
+    carried = {str(name): values.values for name, values in frame.data_vars.items()}
+    return model, Bed.from_fields(scenario.lattice, carried, model.fields), _wind(frame, scenario)
 
 
 def _described(values: "xr.DataArray", **attributes: float | None) -> "xr.DataArray":

@@ -9,7 +9,7 @@ from barchan.errors import BarchanError
 COMMANDS = {
     "run": "Run a preset or a scenario, save it, and draw the last frame.",
     "resume": "Go on with a run that was interrupted, or beyond its last step.",
-    "info": "Tell what a run holds and how far it is.",
+    "info": "Tell what a run holds, how far it is, and the measures of its last frame.",
     "show": "Draw a frame of a run, a section, or its course in time.",
     "film": "Write an animated picture of a run.",
     "presets": "List the scenarios that ship with Barchan.",

@@ -4,15 +4,16 @@ from pathlib import Path
 
 
 def info(run: Path, /) -> None:
-    """Tell what a run holds and how far it is.
+    """Tell what a run holds, how far it is, and the measures of its last frame.
 
     Parameters
     ----------
     run
         The run's folder.
     """
-    from barchan.archive import run_info
-    from barchan.cli.report import print_table, resume_command
+    from barchan.archive import open_run, run_info
+    from barchan.cli.report import print_measures, print_table, resume_command
+    from barchan.cli.terminal import console
 
     known = run_info(run)
     scenario = known.scenario
@@ -34,3 +35,7 @@ def info(run: Path, /) -> None:
         ("size", f"{known.bytes / 1e6:.1f} MB"),
     ]
     print_table([(name, value, "") for name, value in rows], left=True)
+    if known.frames:
+        console.print()
+        with open_run(run) as dataset:
+            print_measures(dataset, scenario)

@@ -3,12 +3,17 @@
 import math
 import shlex
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from rich.text import Text
 
 from barchan.archive import Outcome, open_run
 from barchan.cli.terminal import console, print_note
+from barchan.scenario import Scenario
 from barchan.simulation import Simulation
+
+if TYPE_CHECKING:
+    import xarray as xr
 
 PICTURE = "last.png"
 
@@ -54,7 +59,6 @@ def print_outcome(outcome: Outcome, quiet: bool, picture: bool) -> None:
 
 
 def _draw(outcome: Outcome, quiet: bool) -> str | None:
-    from barchan.analysis.course import last_measures, measures_of
     from barchan.figures.maps import relief_map
 
     scenario = outcome.simulation.scenario
@@ -62,9 +66,16 @@ def _draw(outcome: Outcome, quiet: bool) -> str | None:
         path = outcome.path / PICTURE
         relief_map(dataset.isel(step=-1).load(), scenario).savefig(path)
         if not quiet:
-            values = last_measures(dataset, scenario)
-            print_table([(m.title, _number(values[m.name]), m.unit) for m in measures_of(scenario)])
+            print_measures(dataset, scenario)
     return str(path)
+
+
+def print_measures(dataset: "xr.Dataset", scenario: Scenario) -> None:
+    """The table of the last frame's measures."""
+    from barchan.analysis.course import last_measures, measures_of
+
+    values = last_measures(dataset, scenario)
+    print_table([(m.title, _number(values[m.name]), m.unit) for m in measures_of(scenario)])
 
 
 def print_table(rows: list[tuple[str, str, str]], left: bool = False) -> None:

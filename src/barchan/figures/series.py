@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from barchan.figures.style import SHADOW, new_figure
+from barchan.models import models
 from barchan.scenario import Scenario
 from barchan.wind.clock import suited_unit
 
@@ -26,16 +27,25 @@ SHOWN = (
     "flux",
 )
 
+"""Measures of any run that have a panel."""
+
+ACROSS = 3
+"""Panels side by side."""
+
 
 def time_series(course: "xr.Dataset", scenario: Scenario) -> "Figure":
-    """A panel for each measure of a run's course (see ``analysis.course``)."""
-    figure = new_figure(10.0, 7.0)
+    """A panel for each measure of a run's course (see ``analysis.course``), the model's own included."""
+    names = [*SHOWN, *(own.name for own in models()[scenario.model.name].measures)]
+    rows = -(-len(names) // ACROSS)
+    figure = new_figure(10.0, 1.0 + 2.0 * rows)
     times, unit_of_time = course["step"], "step"
     if "time" in course.coords:
         unit_of_time, length = suited_unit(float(course["time"][-1]))
         times = course["time"] / length
-    panels = figure.subplots(3, 3, sharex=True)
-    for axes, name in zip(panels.flat, SHOWN, strict=True):
+    panels = figure.subplots(rows, ACROSS, sharex=True)
+    for axes in panels.flat[len(names) :]:
+        axes.remove()
+    for axes, name in zip(panels.flat, names, strict=False):
         values = course[name]
         shown = values.values
         if name == "crest_azimuth":
@@ -47,8 +57,9 @@ def time_series(course: "xr.Dataset", scenario: Scenario) -> "Figure":
         axes.set_ylabel("" if unit == "-" else unit, fontsize=8)
         axes.tick_params(labelsize=8)
         axes.grid(alpha=0.3)
-    for axes in panels[-1]:
+    for axes in panels.flat[len(names) - ACROSS : len(names)]:
         axes.set_xlabel(unit_of_time, fontsize=8)
+        axes.xaxis.set_tick_params(labelbottom=True)
     figure.suptitle(f"{scenario.title or 'Run'}, seed {scenario.run.seed}", fontsize=10, x=0.01, ha="left")
     return figure
 

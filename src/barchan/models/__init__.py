@@ -10,9 +10,9 @@ from functools import cache
 from importlib.metadata import entry_points
 
 from barchan.errors import BarchanError
-from barchan.models.base import Curve, Derived, Layer, Model, Tally
+from barchan.models.base import Curve, Derived, Layer, Model, OwnMeasure, Tally
 
-__all__ = ["Curve", "Derived", "Layer", "Model", "Tally", "model", "model_names", "models"]
+__all__ = ["Curve", "Derived", "Layer", "Model", "OwnMeasure", "Tally", "model", "model_names", "models"]
 
 
 @cache

@@ -65,6 +65,17 @@ class Derived:
 
 
 @dataclass(frozen=True)
+class OwnMeasure:
+    """A measure of a bed that only this model can give; tables show it beside those of every bed."""
+
+    name: str
+    title: str
+    unit: str
+    of: Callable[[Any, Bed, Segment], float]
+    """Computes it from the model, a bed and the wind over it."""
+
+
+@dataclass(frozen=True)
 class Layer:
     """How a field, kept or derived, is drawn on top of the surface: from 0, unseen, to 1, dark."""
 
@@ -97,6 +108,7 @@ class Model(ABC):
     """Fields the model keeps on the bed beside ground and sand."""
     derived: ClassVar[tuple[Derived, ...]] = ()
     """Fields that show how the model sees a bed."""
+    measures: ClassVar[tuple[OwnMeasure, ...]] = ()
     layers: ClassVar[tuple[Layer, ...]] = ()
 
     def __init__(self, parameters: Any, lattice: Lattice) -> None:
@@ -162,10 +174,6 @@ class Model(ABC):
 
     def restore(self, state: dict[str, Any]) -> None:
         """Take up a remembered state."""
-
-    def measures(self, bed: Bed) -> dict[str, float]:
-        """Measures that only this model can give."""
-        return {}
 
     @classmethod
     def curves(cls, parameters: Any) -> list[Curve]:

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from pydantic import Field
 
 from barchan.bed import Bed, FieldInfo
-from barchan.models.base import Curve, Derived, Layer
+from barchan.models.base import Curve, Derived, Layer, OwnMeasure
 from barchan.models.slab import SlabModel
 from barchan.models.slab_parameters import SlabTransport
 from barchan.models.slab_tables import Giving, Rules
@@ -96,6 +96,12 @@ def _cover_of(name: str) -> FieldInfo:
     return FieldInfo(name, "float64", "1", f"effectiveness of {name}")
 
 
+def _mean_of(name: str) -> OwnMeasure:
+    return OwnMeasure(
+        f"mean_{name}", f"mean {name}", "-", lambda _model, bed, _wind: float(bed.arrays[name].mean())
+    )
+
+
 BALANCE = FieldInfo("balance", "float64", "m", "sand gained in the last full year", centre=0.0)
 YEAR_START = FieldInfo("year_start", "int32", "slabs", "sand at the start of the year", in_frames=False)
 
@@ -134,6 +140,7 @@ class NieldBaas(SlabModel):
             lambda model, bed, _: model.effectiveness(bed),
         ),
     )
+    measures = tuple(map(_mean_of, SPECIES))
     layers = (Layer("effectiveness", "plants", "Greens"),)
 
     def prepare(self, bed: Bed, seed: int) -> None:

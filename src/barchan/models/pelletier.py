@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from barchan.bed import Bed, Lattice
-from barchan.models.base import Derived
+from barchan.models.base import Derived, OwnMeasure
 from barchan.models.slab import SlabModel
 from barchan.models.slab_parameters import SlabTransport
 from barchan.models.slab_tables import Giving, Rules
@@ -113,6 +113,15 @@ class Pelletier(SlabModel):
             centred=True,
             sheltered=True,
             least=0.0,
+        ),
+    )
+
+    measures = (
+        OwnMeasure(
+            "highest_stress",
+            "highest stress",
+            "-",
+            lambda model, bed, wind: float(model.stress(bed, wind.direction).max()),
         ),
     )
 

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from barchan.bed import Bed
-from barchan.models.base import Derived
+from barchan.models.base import Derived, OwnMeasure
 from barchan.models.slab import SlabModel
 from barchan.models.slab_parameters import SlabTransport
 from barchan.models.slab_tables import HopRule, Rules
@@ -81,6 +81,15 @@ class SpeedupModel(SlabModel):
             lambda model, bed, wind: model.open_hops(bed, wind) / model.hop_length(wind),
             centred=True,
             sheltered=True,
+        ),
+    )
+
+    measures: ClassVar[tuple[OwnMeasure, ...]] = (
+        OwnMeasure(
+            "reference_height",
+            "reference height of hops",
+            "m",
+            lambda model, bed, _: model.reference_height(bed) * model.lattice.thickness,
         ),
     )
 
