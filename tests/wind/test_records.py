@@ -287,6 +287,6 @@ def test_forty_years_of_hours_are_read_in_seconds(tmp_path):
     lines = [f"{hour},{k % 17}.5,{k % 360}" for k, hour in enumerate(hours.astype(str))]
     path = table(tmp_path, "time,speed (m/s),direction\n" + "\n".join(lines) + "\n")
     read_record("sample")
-    began = time.perf_counter()
+    began = time.process_time()
     assert len(read_record(path)) == 350_000
-    assert time.perf_counter() - began < 5.0
+    assert time.process_time() - began < 5.0
