@@ -5,6 +5,7 @@ import os
 import shutil
 from collections.abc import Iterator
 from contextlib import closing, contextmanager, suppress
+from dataclasses import dataclass
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any, BinaryIO
@@ -16,8 +17,8 @@ from barchan.scenario import Scenario
 from barchan.simulation import Frame, Simulation, State
 
 SCENARIO, FRAMES, CHECKPOINT = "scenario.json", "frames.zarr", "checkpoint.npz"
-EVENTS, LOG, LOCK = "events.jsonl", "log.jsonl", "writer.lock"
-OWN = (SCENARIO, FRAMES, CHECKPOINT, "checkpoint.partial", EVENTS, LOG, LOCK)
+EVENTS, LOG, LOCK, PARENT = "events.jsonl", "log.jsonl", "writer.lock", "parent.json"
+OWN = (SCENARIO, FRAMES, CHECKPOINT, "checkpoint.partial", EVENTS, LOG, LOCK, PARENT)
 """All that an archive writes into its folder."""
 FIRST = {LOCK, f"{SCENARIO}.partial"}
 """What a run that was killed before it had a scenario may leave."""
@@ -31,6 +32,14 @@ def writing(path: Path) -> Iterator[None]:
     except OSError as error:
         safe = f"; what was saved in {path} stays good" if (path / CHECKPOINT).exists() else ""
         raise ArchiveError(f"cannot write to {path}: {error.strerror or error}{safe}") from error
+
+
+@dataclass(frozen=True)
+class Parent:
+    """The run that a branch came from, and the step at which it left it."""
+
+    run: Path
+    step: int
 
 
 class Archive:
@@ -48,8 +57,13 @@ class Archive:
                 self.frames = Frames(path / FRAMES)
 
     @classmethod
-    def create(cls, path: Path, simulation: Simulation, overwrite: bool = False) -> "Archive":
-        """Make the folder of a new run; one that is not empty is refused unless asked."""
+    def create(
+        cls, path: Path, simulation: Simulation, overwrite: bool = False, parent: Parent | None = None
+    ) -> "Archive":
+        """Make the folder of a new run; one that is not empty is refused unless asked.
+
+        A branch names its ``parent``, by its way from the folder.
+        """
         with writing(path):
             check_room(path, overwrite)
             if path.is_dir() and any(path.iterdir()):
@@ -58,6 +72,9 @@ class Archive:
             archive = cls(path)
             with archive.closed_on_failure():
                 archive.write_scenario(simulation)
+                if parent is not None:
+                    way = os.path.relpath(parent.run.resolve(), path.resolve())
+                    _write(path / PARENT, json.dumps({"run": way, "step": parent.step}) + "\n")
                 (path / EVENTS).touch()
                 archive.start(simulation)
         return archive
@@ -101,10 +118,6 @@ class Archive:
         with writing(self.path), (self.path / LOG).open("a", encoding="utf-8") as file:
             file.write(json.dumps(entry) + "\n")
 
-    def last_version(self) -> str:
-        """The version of the program that wrote last."""
-        return str(next((e["version"] for e in reversed(log_of(self.path)) if "version" in e), ""))
-
     def last_state(self) -> State:
         """The newest complete checkpoint, with the frames newer than it dropped."""
         state = read_checkpoint(self.path / CHECKPOINT)
@@ -140,6 +153,19 @@ def scenario_of(path: Path) -> Scenario:
     if not (path / SCENARIO).is_file():
         raise ArchiveError(f"{path}: not a run (it has no {SCENARIO})")
     return load_scenario(path / SCENARIO)
+
+
+def parent_of(path: Path) -> Parent | None:
+    """Where the run in a folder branched off, if it is a branch."""
+    if not (path / PARENT).is_file():
+        return None
+    known = json.loads((path / PARENT).read_text("utf-8"))
+    return Parent(Path(os.path.normpath(path / known["run"])), known["step"])
+
+
+def last_version(path: Path) -> str:
+    """The version of the program that wrote last to the run in a folder."""
+    return str(next((e["version"] for e in reversed(log_of(path)) if "version" in e), ""))
 
 
 def log_of(path: Path) -> list[dict[str, Any]]:

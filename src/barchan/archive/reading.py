@@ -11,7 +11,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from barchan.archive.dataset import ELEVATION
-from barchan.archive.folder import CHECKPOINT, FRAMES, SCENARIO, events_of, log_of, scenario_of
+from barchan.archive.folder import (
+    CHECKPOINT,
+    FRAMES,
+    SCENARIO,
+    Parent,
+    events_of,
+    log_of,
+    parent_of,
+    scenario_of,
+)
 from barchan.archive.frames import published
 from barchan.errors import ArchiveError
 from barchan.scenario import Scenario, load_scenario, preset_names
@@ -88,6 +97,8 @@ class RunInfo:
     stopped: str | None
     """Why the run ended; None while it can go on."""
     bytes: int
+    parent: Parent | None
+    """Where it branched off, if it is a branch."""
 
 
 def run_info(path: str | Path) -> RunInfo:
@@ -106,7 +117,7 @@ def run_info(path: str | Path) -> RunInfo:
         checkpoint = read_checkpoint(path / CHECKPOINT).step
     size = sum(f.stat().st_size for f in path.rglob("*") if f.is_file())
     last = int(steps[-1]) if len(steps) else 0
-    return RunInfo(path, scenario, len(steps), last, checkpoint, _stopped(path), size)
+    return RunInfo(path, scenario, len(steps), last, checkpoint, _stopped(path), size, parent_of(path))
 
 
 def load(source: str | Path | Mapping[str, Any], **overrides: Any) -> Scenario:
