@@ -5,8 +5,8 @@ import shutil
 import numpy as np
 import pytest
 
-from barchan.archive import branch, open_run, reopen, resume, run, run_info
-from barchan.archive.folder import CHECKPOINT, Parent
+from barchan.archive import Parent, branch, open_run, reopen, resume, run, run_info
+from barchan.archive.folder import CHECKPOINT
 from barchan.errors import ArchiveError
 from barchan.simulation import SetParameter, SetWind, Simulation, Stroke
 from barchan.wind import Steady

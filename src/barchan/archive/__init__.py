@@ -5,7 +5,8 @@ Everything is written so that a process killed at any moment leaves a run that c
 
 from barchan.archive.branching import Branch, branch
 from barchan.archive.dataset import dataset_of, simulate
-from barchan.archive.folder import Archive, Parent, check_room
+from barchan.archive.folder import Archive, check_room
+from barchan.archive.parent import Parent
 from barchan.archive.reading import RunInfo, load, open_run, run_info, source_at
 from barchan.archive.running import Outcome, Reopened, reopen, resume, run
 

@@ -7,7 +7,8 @@ from pathlib import Path
 import numpy as np
 
 from barchan.archive.checkpoint import read_checkpoint
-from barchan.archive.folder import CHECKPOINT, Parent, events_of, last_version, scenario_of
+from barchan.archive.folder import CHECKPOINT, events_of, last_version, scenario_of
+from barchan.archive.parent import Parent
 from barchan.archive.reading import open_run, run_info
 from barchan.archive.running import Outcome, Progress, remark_on, run
 from barchan.errors import ArchiveError

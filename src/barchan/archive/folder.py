@@ -5,19 +5,19 @@ import os
 import shutil
 from collections.abc import Iterator
 from contextlib import closing, contextmanager, suppress
-from dataclasses import dataclass
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any, BinaryIO
 
 from barchan.archive.checkpoint import read_checkpoint, write_checkpoint
 from barchan.archive.frames import Frames, published
+from barchan.archive.parent import PARENT, Parent
 from barchan.errors import ArchiveError
 from barchan.scenario import Scenario
 from barchan.simulation import Frame, Simulation, State
 
 SCENARIO, FRAMES, CHECKPOINT = "scenario.json", "frames.zarr", "checkpoint.npz"
-EVENTS, LOG, LOCK, PARENT = "events.jsonl", "log.jsonl", "writer.lock", "parent.json"
+EVENTS, LOG, LOCK = "events.jsonl", "log.jsonl", "writer.lock"
 OWN = (SCENARIO, FRAMES, CHECKPOINT, "checkpoint.partial", EVENTS, LOG, LOCK, PARENT)
 """All that an archive writes into its folder."""
 FIRST = {LOCK, f"{SCENARIO}.partial"}
@@ -32,14 +32,6 @@ def writing(path: Path) -> Iterator[None]:
     except OSError as error:
         safe = f"; what was saved in {path} stays good" if (path / CHECKPOINT).exists() else ""
         raise ArchiveError(f"cannot write to {path}: {error.strerror or error}{safe}") from error
-
-
-@dataclass(frozen=True)
-class Parent:
-    """The run that a branch came from, and the step at which it left it."""
-
-    run: Path
-    step: int
 
 
 class Archive:
@@ -73,8 +65,7 @@ class Archive:
             with archive.closed_on_failure():
                 archive.write_scenario(simulation)
                 if parent is not None:
-                    way = os.path.relpath(parent.run.resolve(), path.resolve())
-                    _write(path / PARENT, json.dumps({"run": way, "step": parent.step}) + "\n")
+                    _write(path / PARENT, parent.text(path))
                 (path / EVENTS).touch()
                 archive.start(simulation)
         return archive
@@ -153,14 +144,6 @@ def scenario_of(path: Path) -> Scenario:
     if not (path / SCENARIO).is_file():
         raise ArchiveError(f"{path}: not a run (it has no {SCENARIO})")
     return load_scenario(path / SCENARIO)
-
-
-def parent_of(path: Path) -> Parent | None:
-    """Where the run in a folder branched off, if it is a branch."""
-    if not (path / PARENT).is_file():
-        return None
-    known = json.loads((path / PARENT).read_text("utf-8"))
-    return Parent(Path(os.path.normpath(path / known["run"])), known["step"])
 
 
 def last_version(path: Path) -> str:

@@ -11,17 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from barchan.archive.dataset import ELEVATION
-from barchan.archive.folder import (
-    CHECKPOINT,
-    FRAMES,
-    SCENARIO,
-    Parent,
-    events_of,
-    log_of,
-    parent_of,
-    scenario_of,
-)
+from barchan.archive.folder import CHECKPOINT, FRAMES, SCENARIO, events_of, log_of, scenario_of
 from barchan.archive.frames import published
+from barchan.archive.parent import Parent, parent_of
 from barchan.errors import ArchiveError
 from barchan.scenario import Scenario, load_scenario, preset_names
 

@@ -5,7 +5,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
-from barchan.archive.folder import CHECKPOINT, Archive, Parent, last_version, scenario_of
+from barchan.archive.folder import CHECKPOINT, Archive, last_version, scenario_of
+from barchan.archive.parent import Parent
 from barchan.simulation import Simulation
 
 BREATH = 0.1
