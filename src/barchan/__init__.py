@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 __version__ = version("barchan")
 
 if TYPE_CHECKING:
-    from barchan.archive import load, open_run, resume, run, simulate
+    from barchan.archive import branch, load, open_run, resume, run, simulate
     from barchan.errors import ArchiveError, BarchanError, ScenarioError
     from barchan.models import model_names
     from barchan.scenario import Scenario, preset_names
@@ -28,6 +28,7 @@ _HOMES = {
     "SetWind": "simulation",
     "Simulation": "simulation",
     "Stroke": "simulation",
+    "branch": "archive",
     "load": "archive",
     "model_names": "models",
     "open_run": "archive",
@@ -47,6 +48,7 @@ __all__ = [
     "Simulation",
     "Stroke",
     "__version__",
+    "branch",
     "load",
     "model_names",
     "open_run",

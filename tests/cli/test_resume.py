@@ -10,7 +10,8 @@ from pathlib import Path
 import pytest
 
 from barchan.archive import Archive, load, open_run, resume, run, run_info
-from barchan.archive.folder import log_of
+from barchan.archive.checkpoint import read_checkpoint
+from barchan.archive.folder import CHECKPOINT, log_of
 from barchan.simulation import Simulation
 from tests.tiny import tiny
 
@@ -118,3 +119,40 @@ def test_a_quiet_resume_prints_nothing(finished, barchan):
 def test_going_on_with_another_version_is_remarked_on(finished, barchan, monkeypatch):
     monkeypatch.setattr("barchan.archive.running._version", lambda: "99.0")
     assert "now 99.0: the bits may differ" in barchan("resume", finished, "--steps", 25, "--no-picture").out
+
+
+def test_a_branch_goes_on_elsewhere_with_another_wind_and_other_parameters(finished, barchan):
+    result = barchan(
+        *("resume", finished, "--at", 10, "--out", "branch", "--no-picture"),
+        *("--model.hop-length", 2, "--wind.direction", 200, "--wind.speed=3"),
+    )
+    assert result.code == 0
+    assert f"branch of {finished} from step 10 on" in result.out
+    going = Simulation.from_state(read_checkpoint(Path("branch") / CHECKPOINT))
+    assert going.steps_done == 20
+    assert [record.step for record in going.events] == [10, 10]
+    assert going.model.parameters.hop_length == 2.0
+    assert (going.wind.direction, going.wind.speed) == (200.0, 3.0)
+    (row,) = (line for line in barchan("info", "branch").out.splitlines() if line.startswith("branch of"))
+    assert row.split(None, 2)[2] == "tiny, from step 10 on"
+    assert run_info(finished).frames == 5
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (["--at", "10"], "say where to with --out"),
+        (["--model.hop-length", "2"], "say where to with --out"),
+        (["--out", "branch", "--run.seed", "2"], "run.seed: cannot change during a run"),
+        (["--out", "branch", "--model.hop-lenth", "2"], "did you mean 'model.hop_length'?"),
+        (["--out", "branch", "--wind.direction", "400"], "wind.direction: is 400"),
+        (["--out", "branch", "--at", "30"], "has done 20 steps"),
+        (["--out", "branch", "--step", "30"], "did you mean '--steps'?"),
+        (["--out", "tiny"], "is not empty"),
+    ],
+)
+def test_what_is_wrong_with_a_branch_is_told_before_anything_is_written(finished, barchan, words, said):
+    result = barchan("resume", finished, *words)
+    assert result.code == 1
+    assert said in result.err
+    assert not Path("branch").exists()

@@ -11,13 +11,14 @@ from typing import Any, BinaryIO
 
 from barchan.archive.checkpoint import read_checkpoint, write_checkpoint
 from barchan.archive.frames import Frames, published
+from barchan.archive.parent import PARENT, Parent
 from barchan.errors import ArchiveError
 from barchan.scenario import Scenario
 from barchan.simulation import Frame, Simulation, State
 
 SCENARIO, FRAMES, CHECKPOINT = "scenario.json", "frames.zarr", "checkpoint.npz"
 EVENTS, LOG, LOCK = "events.jsonl", "log.jsonl", "writer.lock"
-OWN = (SCENARIO, FRAMES, CHECKPOINT, "checkpoint.partial", EVENTS, LOG, LOCK)
+OWN = (SCENARIO, FRAMES, CHECKPOINT, "checkpoint.partial", EVENTS, LOG, LOCK, PARENT)
 """All that an archive writes into its folder."""
 FIRST = {LOCK, f"{SCENARIO}.partial"}
 """What a run that was killed before it had a scenario may leave."""
@@ -48,8 +49,13 @@ class Archive:
                 self.frames = Frames(path / FRAMES)
 
     @classmethod
-    def create(cls, path: Path, simulation: Simulation, overwrite: bool = False) -> "Archive":
-        """Make the folder of a new run; one that is not empty is refused unless asked."""
+    def create(
+        cls, path: Path, simulation: Simulation, overwrite: bool = False, parent: Parent | None = None
+    ) -> "Archive":
+        """Make the folder of a new run; one that is not empty is refused unless asked.
+
+        A branch names its ``parent``, by its way from the folder.
+        """
         with writing(path):
             check_room(path, overwrite)
             if path.is_dir() and any(path.iterdir()):
@@ -58,6 +64,8 @@ class Archive:
             archive = cls(path)
             with archive.closed_on_failure():
                 archive.write_scenario(simulation)
+                if parent is not None:
+                    _write(path / PARENT, parent.text(path))
                 (path / EVENTS).touch()
                 archive.start(simulation)
         return archive
@@ -101,10 +109,6 @@ class Archive:
         with writing(self.path), (self.path / LOG).open("a", encoding="utf-8") as file:
             file.write(json.dumps(entry) + "\n")
 
-    def last_version(self) -> str:
-        """The version of the program that wrote last."""
-        return str(next((e["version"] for e in reversed(log_of(self.path)) if "version" in e), ""))
-
     def last_state(self) -> State:
         """The newest complete checkpoint, with the frames newer than it dropped."""
         state = read_checkpoint(self.path / CHECKPOINT)
@@ -140,6 +144,11 @@ def scenario_of(path: Path) -> Scenario:
     if not (path / SCENARIO).is_file():
         raise ArchiveError(f"{path}: not a run (it has no {SCENARIO})")
     return load_scenario(path / SCENARIO)
+
+
+def last_version(path: Path) -> str:
+    """The version of the program that wrote last to the run in a folder."""
+    return str(next((e["version"] for e in reversed(log_of(path)) if "version" in e), ""))
 
 
 def log_of(path: Path) -> list[dict[str, Any]]:

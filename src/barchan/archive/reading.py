@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from barchan.archive.dataset import ELEVATION, with_time
 from barchan.archive.folder import CHECKPOINT, FRAMES, SCENARIO, events_of, log_of, scenario_of
 from barchan.archive.frames import published
+from barchan.archive.parent import Parent, parent_of
 from barchan.errors import ArchiveError
 from barchan.scenario import Scenario, load_scenario, preset_names
 
@@ -90,6 +91,8 @@ class RunInfo:
     stopped: str | None
     """Why the run ended; None while it can go on."""
     bytes: int
+    parent: Parent | None
+    """Where it branched off, if it is a branch."""
 
 
 def run_info(path: str | Path) -> RunInfo:
@@ -108,7 +111,7 @@ def run_info(path: str | Path) -> RunInfo:
         checkpoint = read_checkpoint(path / CHECKPOINT).step
     size = sum(f.stat().st_size for f in path.rglob("*") if f.is_file())
     last = int(steps[-1]) if len(steps) else 0
-    return RunInfo(path, scenario, len(steps), last, checkpoint, _stopped(path), size)
+    return RunInfo(path, scenario, len(steps), last, checkpoint, _stopped(path), size, parent_of(path))
 
 
 def load(source: str | Path | Mapping[str, Any], **overrides: Any) -> Scenario:

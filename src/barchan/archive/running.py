@@ -5,7 +5,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
-from barchan.archive.folder import CHECKPOINT, Archive, scenario_of
+from barchan.archive.folder import CHECKPOINT, Archive, last_version, scenario_of
+from barchan.archive.parent import Parent
 from barchan.simulation import Simulation
 
 BREATH = 0.1
@@ -37,14 +38,15 @@ def run(
     overwrite: bool = False,
     progress: Progress | None = None,
     stop: Callable[[], bool] = lambda: False,
+    parent: Parent | None = None,
 ) -> Outcome:
-    """Run a simulation to its end into a new folder.
+    """Run a simulation to its end into a new folder, which names its ``parent`` if it is a branch.
 
     ``progress`` is told about ten times a second; when ``stop`` says so the run is saved where it is and
     ends, to be resumed. Raises ArchiveError where the folder is not empty or cannot be written; what was
     saved stays good.
     """
-    archive = Archive.create(Path(path), simulation, overwrite)
+    archive = Archive.create(Path(path), simulation, overwrite, parent)
     scenario = simulation.scenario
     archive.log("start", seed=scenario.seed, steps=scenario.run.steps, version=_version())
     return _drive(simulation, archive, progress, stop)
@@ -60,11 +62,7 @@ class Reopened:
     @property
     def remark(self) -> str:
         """What to know before going on: that another version of the program may give other bits."""
-        before = self.archive.last_version()
-        now = _version()
-        return (
-            f"begun with Barchan {before}, now {now}: the bits may differ" if before not in ("", now) else ""
-        )
+        return remark_on(last_version(self.archive.path))
 
     def go_on(self, *, progress: Progress | None = None, stop: Callable[[], bool] = lambda: False) -> Outcome:
         """Run to the end."""
@@ -137,6 +135,12 @@ def _drive(
         return _finish(simulation, archive, polls / worked if worked else 0.0)
     finally:
         archive.close()
+
+
+def remark_on(before: str) -> str:
+    """What to know before going on with a run that this version of the program wrote last."""
+    now = _version()
+    return f"begun with Barchan {before}, now {now}: the bits may differ" if before not in ("", now) else ""
 
 
 def _version() -> str:

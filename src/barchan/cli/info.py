@@ -29,6 +29,7 @@ def info(run: Path, /) -> None:
         *facts.items(),
         ("wind", scenario.wind.summary()),
         ("seed", str(scenario.run.seed)),
+        *([("branch of", f"{known.parent.run}, from step {known.parent.step} on")] if known.parent else []),
         ("frames", f"{known.frames}, the last at step {known.last_step} of {scenario.run.steps}"),
         ("checkpoint", "none" if known.checkpoint is None else f"step {known.checkpoint}"),
         ("state", state),

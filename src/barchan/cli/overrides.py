@@ -1,14 +1,16 @@
 """Values of a scenario given on the command line: ``--model.hop-length 7``."""
 
 import inspect
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import Annotated, Any
 
 from cyclopts import Parameter
 
 from barchan.errors import Problem, ScenarioError
 from barchan.scenario import Scenario, nearest
-from barchan.scenario.files import Override
+from barchan.scenario.files import Override, value_of
+from barchan.simulation import SetParameter, SetWind, Stroke, event_from
+from barchan.wind import Wind
 
 Tokens = Annotated[
     str,
@@ -51,6 +53,24 @@ def pairs(tokens: tuple[str, ...], command: Callable[..., Any] | None = None) ->
     if problems:
         raise ScenarioError(problems, "command line")
     return found
+
+
+def changes(found: list[Override], wind: Wind) -> Iterator[SetParameter | SetWind | Stroke]:
+    """The events that values given for keys of the model, and of the ``wind`` as it blows, come to.
+
+    Raises ScenarioError for keys that cannot change during a run.
+    """
+    keys = [(key.replace("-", "_"), value_of(text)) for key, text in found]
+    wrong = [key for key, _ in keys if key.partition(".")[0] not in ("model", "wind")]
+    if wrong:
+        message = "cannot change during a run; what can: keys of the wind, and live ones of the model"
+        raise ScenarioError([Problem(key, message, "command line") for key in wrong], "command line")
+    yield from (SetParameter(key=key, value=value) for key, value in keys if key.startswith("model."))
+    blows = {key.removeprefix("wind."): value for key, value in keys if key.startswith("wind.")}
+    if blows:
+        now = wind.model_dump(mode="json", exclude_none=True)
+        same_kind = blows.get("kind", now["kind"]) == now["kind"]
+        yield event_from({"kind": "wind", "wind": {**now, **blows} if same_kind else blows})
 
 
 def _options(command: Callable[..., Any] | None) -> list[str]:

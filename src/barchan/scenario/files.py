@@ -107,6 +107,14 @@ def _anchor(data: Any, folder: Path) -> None:
         data["path"] = str(folder / data["path"])
 
 
+def value_of(text: str) -> Any:
+    """A value that was given as text: as JSON where it is, as the text itself elsewhere."""
+    try:
+        return json.loads(text, parse_constant=str)
+    except json.JSONDecodeError:
+        return text
+
+
 def _override(data: dict[str, Any], path: KeyPath, text: str) -> list[Problem]:
     """Set one value in plain data."""
     group: Any = data
@@ -117,10 +125,7 @@ def _override(data: dict[str, Any], path: KeyPath, text: str) -> list[Problem]:
         if not isinstance(inner, dict):
             return [Problem(".".join(map(str, path[: at + 1])), "is not a group of keys", "command line")]
         group = inner
-    try:
-        value = json.loads(text, parse_constant=str)
-    except json.JSONDecodeError:
-        value = text
+    value = value_of(text)
     field = Scenario.model_fields.get(str(path[0])) if len(path) == 1 else None
     if field is not None and field.annotation is str and not isinstance(value, str):
         value = text
