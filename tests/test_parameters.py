@@ -6,6 +6,7 @@ import pytest
 from pydantic import Field, ValidationError
 
 from barchan.parameters import Declaration, Parameters, allowed, declarations, parameter, redeclared
+from barchan.wind import Regime
 
 
 class Inner(Parameters):
@@ -135,3 +136,19 @@ def test_a_redeclared_parameter_differs_in_default_and_source_only():
 @pytest.mark.parametrize("note", ["why", ["two", "lines"], None])
 def test_every_group_may_carry_a_note(note):
     assert Example(needed=1.0, note=note).note == note
+
+
+def test_every_variant_of_a_group_is_declared():
+    keys = [d.key for d in declarations(Regime) if d.key.startswith("course")]
+    assert keys == [
+        "course.kind",
+        "course.kind",
+        "course.time_1",
+        "course.value_1",
+        "course.time_2",
+        "course.value_2",
+        "course.kind",
+        "course.points",
+        "course.points[].time",
+        "course.points[].value",
+    ]

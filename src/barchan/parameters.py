@@ -90,14 +90,18 @@ class Declaration:
 
 
 def declarations(parameters: type[Parameters], prefix: str = "") -> Iterator[Declaration]:
-    """All parameters of a class and of the groups within it, keys dotted, in order of declaration."""
+    """All parameters of a class and of the groups within it, keys dotted, in order of declaration.
+
+    Where a group has several variants the keys of each follow one another, each begins with its kind.
+    """
     for name, field in parameters.model_fields.items():
         if name == NOTE:
             continue
         key = f"{prefix}{name}"
-        inner = _group(field.annotation)
-        if inner is not None and not _extra(field):
-            yield from declarations(inner, f"{key}.")
+        inner = variants(field.annotation)
+        if inner and not _extra(field):
+            for group in inner:
+                yield from declarations(group, f"{key}.")
             continue
         extra = _extra(field)
         yield Declaration(
@@ -113,8 +117,8 @@ def declarations(parameters: type[Parameters], prefix: str = "") -> Iterator[Dec
             scale=extra.get("scale", "linear"),
             required=field.is_required(),
         )
-        if inner is not None:
-            yield from declarations(inner, f"{key}[].")
+        for group in inner:
+            yield from declarations(group, f"{key}[].")
 
 
 def _plain(value: Any) -> Any:
@@ -128,10 +132,11 @@ def _extra(field: FieldInfo) -> dict[str, Any]:
     return field.json_schema_extra if isinstance(field.json_schema_extra, dict) else {}
 
 
-def _group(annotation: Any) -> type[Parameters] | None:
+def variants(annotation: Any) -> list[type[Parameters]]:
+    """The classes of parameters that an annotation allows."""
     if isinstance(annotation, type) and issubclass(annotation, Parameters):
-        return annotation
-    return next((found for inner in get_args(annotation) if (found := _group(inner))), None)
+        return [annotation]
+    return [found for inner in get_args(annotation) for found in variants(inner)]
 
 
 def type_name(annotation: Any) -> str:

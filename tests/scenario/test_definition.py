@@ -8,9 +8,8 @@ from hypothesis import HealthCheck, assume, given, settings
 from hypothesis import strategies as st
 
 from barchan.errors import ScenarioError
-from barchan.parameters import NOTE, Parameters
+from barchan.parameters import NOTE, Parameters, variants
 from barchan.scenario import Scenario, load_scenario
-from barchan.scenario.listing import variants
 from barchan.simulation import Simulation
 from tests.scenario.strategies import group, scenarios
 from tests.tiny import data, tiny

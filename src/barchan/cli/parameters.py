@@ -28,7 +28,8 @@ def parameters(key: str = "", /) -> None:
         live = ", may change during a run" if declaration.live else ""
         value = "null" if declaration.default is None else f"{declaration.default}{unit}"
         default = "required" if declaration.required else f"default {value}"
-        facts = f"  {default}; {declaration.bounds}{live}"
+        only = declaration.bounds == f"'{declaration.default}'"
+        facts = f"  {declaration.bounds}" if only else f"  {default}; {declaration.bounds}{live}"
         console.print(Text.assemble("  ", (declaration.key, "cyan"), facts))
         source = f" ({declaration.source})" if declaration.source else ""
         console.print(Text.assemble(f"      {declaration.meaning}", (source, "dim")))

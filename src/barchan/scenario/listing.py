@@ -2,9 +2,8 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Any, get_args
 
-from barchan.parameters import Declaration, Parameters, declarations
+from barchan.parameters import Declaration, declarations, variants
 from barchan.scenario.definition import Scenario
 
 TOP = "scenario"
@@ -15,13 +14,6 @@ class Key(Declaration):
     """A key of a scenario and the group or variant it belongs to."""
 
     heading: str
-
-
-def variants(annotation: Any) -> list[type[Parameters]]:
-    """The classes of parameters that an annotation allows."""
-    if isinstance(annotation, type) and issubclass(annotation, Parameters):
-        return [annotation]
-    return [found for inner in get_args(annotation) for found in variants(inner)]
 
 
 def all_keys() -> Iterator[Key]:
