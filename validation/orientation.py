@@ -11,12 +11,15 @@ the one anticlockwise of the bisector, so that a positive error is away from the
 wind.
 """
 
+from pathlib import Path
+
 import numpy as np
 
 import barchan
 from barchan.analysis.crest_theory import bed_instability, gross_transport
 from barchan.analysis.drift import drift_of
 from barchan.analysis.orientation import crest_orientation
+from barchan.figures.style import new_figure
 from validation.study import Row, over_seeds
 
 TITLE = "Crests under two winds"
@@ -27,6 +30,7 @@ RATIOS = (1, 2, 5)
 BISECTORS = (270.0, 250.0)
 TURN = 5
 LEAST_COHERENCE = 0.3
+FIGURE = Path(__file__).parents[1] / "docs" / "_static" / "crest-orientation.png"
 
 
 def winds(divergence, ratio, bisector):
@@ -35,10 +39,10 @@ def winds(divergence, ratio, bisector):
     return [((bisector - half) % 360, ratio * TURN), ((bisector + half) % 360, TURN)]
 
 
-def crest(divergence, ratio, bisector, seed, turn=None):
+def crest(divergence, ratio, bisector, seed, turn=TURN, **changes):
     """The orientation of crests after 1000 steps, and its coherence."""
     regimes = [
-        {"direction": direction, "steps": steps if turn is None else turn * steps // TURN}
+        {"direction": direction, "steps": turn * steps // TURN}
         for direction, steps in winds(divergence, ratio, bisector)
     ]
     scenario = barchan.load(
@@ -50,6 +54,7 @@ def crest(divergence, ratio, bisector, seed, turn=None):
         run__steps=1000,
         run__seed=seed,
         run__save_every=1000,
+        **changes,
     )
     simulation = barchan.Simulation(scenario)
     simulation.advance(1000)
@@ -68,6 +73,7 @@ def cases():
 
 def rows():
     results = dict(zip(cases(), over_seeds(crest, cases(), SEEDS), strict=True))
+    draw(results).savefig(FIGURE)
     within = {n: [] for n in RATIOS}
     for ratio in RATIOS:
         for divergence in DIVERGENCES:
@@ -88,6 +94,41 @@ def rows():
             yield Row(f"{ratio}:1, {divergence}° apart", said, texts[0], f"off the axes: {texts[1]}")
     for ratio, limit in ((1, 10), (2, 15), (5, 15)):
         yield _count(ratio, limit, within[ratio])
+
+
+def draw(results):
+    """Measured crests of all runs over divergence, with the predictions as lines."""
+    figure = new_figure(10.0, 3.6)
+    panels = figure.subplots(1, len(RATIOS), sharey=True)
+    lines = np.linspace(DIVERGENCES[0], DIVERGENCES[-1], 301)
+    for axes, ratio in zip(panels, RATIOS, strict=True):
+        for rule, style in ((gross_transport, "-"), (bed_instability, ":")):
+            theory = [-difference(rule(drift_of(winds(d, ratio, 270.0))).azimuth, 0.0) % 180 for d in lines]
+            broken = np.where(np.abs(np.diff(theory, append=theory[-1])) > 20, np.nan, theory)
+            axes.plot(lines, broken, style, color="#555555", linewidth=1.2)
+        for bisector, mark, colour in zip(BISECTORS, "o^", ("#35507a", "#b5651d"), strict=True):
+            for divergence in DIVERGENCES:
+                found = results[divergence, ratio, bisector]
+                turned = [-difference(a, bisector - 270.0) % 180 for a in found["azimuth"]]
+                known = np.array(found["coherence"]) >= LEAST_COHERENCE
+                axes.plot(
+                    [divergence] * len(turned),
+                    np.where(known, (np.array(turned) + 45) % 180 - 45, np.nan),
+                    mark,
+                    color=colour,
+                    markersize=4,
+                    alpha=0.7,
+                    label=f"bisector {bisector:g}°" if divergence == DIVERGENCES[0] else None,
+                )
+        axes.set_title(f"{ratio}:1", loc="left", fontsize=10)
+        axes.set_xlabel("divergence of the winds (degrees)", fontsize=9)
+        axes.set_xticks(range(30, 181, 30))
+        axes.set_ylim(-45, 135)
+        axes.set_yticks(range(-45, 136, 45))
+        axes.grid(alpha=0.3)
+    panels[0].set_ylabel("crest from the line across the bisector", fontsize=9)
+    panels[0].legend(fontsize=8)
+    return figure
 
 
 def _text(errors, coherences):
