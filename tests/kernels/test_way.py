@@ -92,7 +92,7 @@ def test_no_hop_over_a_way_that_is_clear_would_be_stopped(test, along, across, a
     bed = Bed(lattice, ground, random.integers(0, 3, lattice.shape).astype(np.int32))
     frame = WindFrame(0, angle)
     tables, surface, sand, _ = model._enter(bed, frame, 5.0, None)
-    path, _memory = model._look_ahead(tables, frame, surface, sand)
+    path = model._ways.path(bed.ground, tables, frame, surface, sand)
     clear = 0
     for _ in range(100):
         start = int(random.integers(37 * CELL)), int(random.integers(9 * CELL))

@@ -7,11 +7,12 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
-from barchan.bed import Bed
+from barchan.bed import Bed, Lattice
 from barchan.models.base import Derived, Model, Tally
 from barchan.models.slab_heights import FRACTION_BITS, above_lowest, check_heights
 from barchan.models.slab_parameters import SlabTransport
 from barchan.models.slab_tables import Rules, SlabTables, build, settling_sequences
+from barchan.models.slab_way import Ways
 from barchan.models.wind_frame import WindFrame
 from barchan.streams import Stream
 from barchan.wind.segment import Segment
@@ -33,6 +34,11 @@ class SlabModel(Model):
             lambda model, bed, wind: model.shadow_zone(bed, wind.direction),
         ),
     )
+
+    def __init__(self, parameters: Any, lattice: Lattice) -> None:
+        """Set the model up for a lattice."""
+        super().__init__(parameters, lattice)
+        self._ways = Ways()
 
     def prepare(self, bed: Bed, seed: int) -> None:
         """Refuse a bed whose heights cannot be counted; raises ScenarioError."""
@@ -78,7 +84,7 @@ class SlabModel(Model):
         frame = WindFrame.of(segment.direction)
         mobility = self.mobility(bed, segment.direction)
         tables, surface, sand, mobile = self._enter(bed, frame, self.hop_length(segment), mobility)
-        path, _memory = self._look_ahead(tables, frame, surface, sand)
+        path = self._ways.path(bed.ground, tables, frame, surface, sand)
         schedule = Schedule(
             self.parameters.polling == "non_repeated",
             self.parameters.forced_erosion,
@@ -224,21 +230,6 @@ class SlabModel(Model):
         surface = frame.enter(above_lowest(bed.ground, self.lattice.thickness))
         surface = surface + (sand.astype(np.int64) << FRACTION_BITS)
         return tables, _with_room(surface, np.int64), np.ascontiguousarray(sand).ravel().copy(), mobile
-
-    def _look_ahead(
-        self, tables: SlabTables, frame: WindFrame, surface: NDArray, sand: NDArray[np.int32] | None
-    ) -> tuple[Any, NDArray[np.uint8] | None]:
-        """What stops a slab on its way, and the memory that it points to."""
-        if tables.path is None or tables.path.sand:
-            return tables.path, None
-        from barchan.kernels.way import clear_way
-
-        ways = np.empty((2, surface.size), np.uint8)
-        for way, order in ((0, 1), (1, -1)) if tables.speedup else ((0, 1),):
-            turned = np.ascontiguousarray(surface[::order])
-            slabs = None if sand is None else np.ascontiguousarray(sand[::order])
-            clear_way(turned, slabs, int(np.sign(frame.angle)), tables.grid, tables.repose, ways[way])
-        return tables.path._replace(clear=ways[0].ctypes.data, clear_back=ways[1].ctypes.data), ways
 
     def _leave(self, bed: Bed, frame: WindFrame, sand: NDArray) -> None:
         rows, cols = frame.enter(bed.sand).shape
