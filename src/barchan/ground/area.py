@@ -14,10 +14,10 @@ from barchan.parameters import Parameters, parameter
 class Area(Parameters):
     """A rectangle of the field, its edges given as fractions of the field."""
 
-    west: float = parameter(0.0, unit="-", ge=0, le=1, meaning="West edge.")
-    east: float = parameter(1.0, unit="-", ge=0, le=1, meaning="East edge.")
-    south: float = parameter(0.0, unit="-", ge=0, le=1, meaning="South edge.")
-    north: float = parameter(1.0, unit="-", ge=0, le=1, meaning="North edge.")
+    west: float = parameter(0.0, unit="-", ge=0, le=1, meaning="West edge.", source="our choice")
+    east: float = parameter(1.0, unit="-", ge=0, le=1, meaning="East edge.", source="our choice")
+    south: float = parameter(0.0, unit="-", ge=0, le=1, meaning="South edge.", source="our choice")
+    north: float = parameter(1.0, unit="-", ge=0, le=1, meaning="North edge.", source="our choice")
 
     @model_validator(mode="after")
     def _has_area(self) -> Self:
