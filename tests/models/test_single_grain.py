@@ -88,7 +88,8 @@ def test_a_falling_grain_reaches_its_settling_speed():
     )
     grains = _grains(*_slots(1))
     grains.z[0], grains.held[0] = 100.0, 1
-    about = flight.air(WIND), ground.grid, ground.arrays, ground.scale, flight.bounce(), flight.lift_off(WIND)
+    rules = flight.bounce(), flight.lift_off(WIND)
+    about = flight.air(WIND), ground.grid, ground.arrays, ground.scale, rules, None
     for _ in range(2000):
         fly(0, 1, np.uint64(1), grains, *about, ground.events)
     assert -grains.w[0] == pytest.approx(flight.parameters.settling_speed(), rel=0.01)

@@ -12,9 +12,9 @@ from barchan.kernels.grain_state import NOWHERE, OUT, free_slot
 from barchan.kernels.grain_surface import renew_mesh, renew_mesh_about
 from barchan.kernels.settle import CHECKED, let_go, upset
 
-MOVED, LEFT, CAPPED, TRAVEL_X, TRAVEL_Y, FLOWN = range(6)
+MOVED, LEFT, CAPPED, TRAVEL_X, TRAVEL_Y, FLOWN, LOST = range(7)
 """What the counts of a step hold; travel in ``TRAVEL_UNIT``."""
-COUNTS = 6
+COUNTS = 7
 
 
 @njit(cache=True, nogil=True, error_model="numpy")

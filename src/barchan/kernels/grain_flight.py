@@ -10,7 +10,8 @@ from numba import njit
 
 from barchan.kernels.grain_bounce import bounce
 from barchan.kernels.grain_lift import lift
-from barchan.kernels.grain_state import FLYING, GONE, mesh_cell, record_end
+from barchan.kernels.grain_splash import rebound
+from barchan.kernels.grain_state import FLYING, GONE, NOWHERE, mesh_cell, record_end
 from barchan.kernels.grain_surface import surface_at
 from barchan.kernels.random import derive
 
@@ -118,13 +119,16 @@ def _come_in(slot, grains, grid):
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
-def fly(first, last, key, grains, air, grid, ground, scale, bounce_rule, lift_rule, events):
+def fly(first, last, key, grains, air, grid, ground, scale, rules, splash, events):
     """Let the slots from ``first`` to before ``last`` fly for one time step, and bounce where they land.
+
+    ``rules`` are those of bounces and of lift-off; with ``splash`` grains rebound by that instead.
 
     Slots that were free, or whose grain came to rest or left the field, may start anew from elsewhere. Each
     gets an entry of ``events``, from ``first`` on; returns how many. The bed is only read: what becomes of it
     is for ``exchange``. So slots may be shared among threads.
     """
+    bounce_rule, lift_rule = rules
     cell = np.empty(BLOCK, np.int32)
     wind = np.empty(BLOCK, np.float32)
     share = np.empty(BLOCK, np.float32)
@@ -141,15 +145,33 @@ def fly(first, last, key, grains, air, grid, ground, scale, bounce_rule, lift_ru
                 continue
             if cell[j] == OUTSIDE and grains.held[slot] == FLYING:
                 _come_in(slot, grains, grid)
+            hits = False
             if grains.held[slot] == FLYING:
-                surface, east, north = surface_at(
-                    grains.x[slot], grains.y[slot], ground.height, scale.cell_size, grid
-                )
+                x, y = grains.x[slot], grains.y[slot]
+                surface, east, north = surface_at(x, y, ground.height, scale.cell_size, grid)
                 if grains.z[slot] >= surface:
                     continue
-                bounce(slot, surface, east, north, grains, bounce_rule)
+                if splash is None:
+                    bounce(slot, surface, east, north, grains, bounce_rule)
+                else:
+                    hits = True
+                    events.x[found], events.y[found] = x, y
+                    events.u[found], events.v[found] = grains.u[slot], grains.v[slot]
+                    events.start[found] = derive(key, slot)
+                    events.impact[found] = rebound(
+                        slot, events.start[found], surface, east, north, grains, splash
+                    )
+                    u, v = events.u[found], events.v[found]
+                    if grains.held[slot] == FLYING:
+                        u, v = u - grains.u[slot], v - grains.v[slot]
+                    events.lost[found] = u * air.wind_x + v * air.wind_y
             if grains.held[slot] != FLYING:
+                if not hits:
+                    events.impact[found] = 0.0
                 record_end(found, slot, bounce_rule.most, grains, grid, events)
                 events.source[found] = lift(slot, derive(key, slot), grains, ground, scale, grid, lift_rule)
+                found += 1
+            elif hits:
+                events.slot[found] = events.rest[found] = events.source[found] = NOWHERE
                 found += 1
     return found - first

@@ -131,9 +131,10 @@ class LiftOff(NamedTuple):
 
 
 class Events(NamedTuple):
-    """What became of grains in an iteration, one entry for each that is no longer in flight."""
+    """What became of grains in an iteration: an entry for each that flies no longer, or hit the bed."""
 
     slot: np.ndarray
+    """The slot, where it was freed; ``NOWHERE`` where its grain flies on."""
     rest: np.ndarray
     """The cell it came to rest on, or ``NOWHERE``, or ``OUT`` of the field."""
     source: np.ndarray
@@ -143,6 +144,18 @@ class Events(NamedTuple):
     way_y: np.ndarray
     capped: np.ndarray
     """Whether it stopped because it had bounced too often."""
+    impact: np.ndarray
+    """Speed at which it hit the bed (m/s); 0 where it did not, or where impacts throw nothing out."""
+    x: np.ndarray
+    """Where it did (cells, float32)."""
+    y: np.ndarray
+    u: np.ndarray
+    """Its velocity then (m/s)."""
+    v: np.ndarray
+    lost: np.ndarray
+    """Speed along the wind that the impact took (m/s)."""
+    start: np.ndarray
+    """Where the random numbers of the impact start."""
 
 
 NOWHERE, OUT = -1, -2
@@ -197,6 +210,7 @@ def record_end(k, slot, most, grains, grid, events):
     """Put into entry ``k`` how the flight of a slot ended, if there was one, and free the slot."""
     events.slot[k] = slot
     events.source[k] = events.rest[k] = NOWHERE
+    events.capped[k] = False
     if grains.held[slot] != FREE:
         gone = grains.held[slot] == GONE
         events.rest[k] = OUT if gone else nearest_cell(grains.x[slot], grains.y[slot], grid)

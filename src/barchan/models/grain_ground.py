@@ -56,6 +56,16 @@ class GrainGround:
 
         self.counts[FLOWN] += slots
 
+    def eject(self, found: list[tuple[int, int]], grains: Any, splash: Any) -> None:
+        """Throw parcels out where grains hit the bed; ``found`` are the shares of the events."""
+        from barchan.kernels.grain_splash import eject
+
+        for first, count in found:
+            eject(
+                *(first, first + count, grains, self.arrays, self.scale, self.grid),
+                *(splash, self.events, self.counts),
+            )
+
     def spread_lid(self) -> None:
         """Find the sheltered air anew."""
         if self.rules.shelter_angle is None:
@@ -125,7 +135,10 @@ def _room_for_events(slots: int) -> Any:
     from barchan.kernels.grain_state import Events
 
     slot, rest, source, way_x, way_y = np.zeros((5, slots), np.int64)
-    return Events(slot, rest, source, way_x, way_y, np.zeros(slots, np.uint8))
+    x, y = np.zeros((2, slots), np.float32)
+    impact, u, v, lost = np.zeros((4, slots))
+    capped, start = np.zeros(slots, np.uint8), np.zeros(slots, np.uint64)
+    return Events(slot, rest, source, way_x, way_y, capped, impact, x, y, u, v, lost, start)
 
 
 def _levels(bed: Bed, one: int) -> NDArray[np.int64]:

@@ -42,6 +42,7 @@ class GrainModel(Model):
         super().__init__(parameters, lattice)
         self.motion, self.marks = _slots(max(1, round(parameters.load * lattice.cells)))
         self.iteration = 0
+        self.slots_in_use = self.marks.shape[1]
 
     def prepare(self, bed: Bed, seed: int) -> None:
         """Look whether grains can fly here; raises ScenarioError with everything that keeps them from it."""
@@ -89,14 +90,38 @@ class GrainModel(Model):
     def lift_off(self, wind: Segment, chance: float = 1.0) -> Any:
         """How free slots lift parcels, each with a ``chance`` in an iteration."""
 
+    def passed(self, counts: NDArray[np.int64]) -> None:
+        """Take note of what happened in a step."""
+
+    @property
+    def spare_slots(self) -> int:
+        """Free slots to keep in flight for grains that start within a step; all where not given."""
+        return self.marks.shape[1]
+
+    def _choose_slots(self) -> None:
+        """Leave free slots but the spare ones out of flight; grains move up where too many lie between."""
+        held = np.flatnonzero(self.marks[0])
+        last = int(held[-1]) + 1 if held.size else 0
+        if last > held.size + self.spare_slots:
+            order = np.argsort(self.marks[0] == 0, kind="stable")
+            self.motion[...] = self.motion[:, order]
+            self.marks[...] = self.marks[:, order]
+            last = held.size
+        self.slots_in_use = min(last + self.spare_slots, self.marks.shape[1])
+
+    def splash(self) -> Any:
+        """What impacts throw out; None: nothing, grains bounce."""
+        return None
+
     def advance(self, bed: Bed, segment: Segment, stream: Stream, still: int, limit: int) -> Tally:
         """Let the grains in the air fly, land and be replaced."""
         total = Tally(still=still, airborne=self.airborne)
         ground = GrainGround(self.parameters, bed, segment.direction, self.marks.shape[1])
-        grains, air = self.grains(), self.air(segment)
+        grains = self.grains()
         for _ in range(segment.steps):
             ground.counts[:] = 0
-            self._step(segment, stream, grains, air, ground)
+            self._step(segment, stream, grains, self.air(segment), ground)
+            self.passed(ground.counts)
             total.add(ground.tally(self.airborne, total.still))
             if limit and total.still >= limit:
                 break
@@ -108,6 +133,7 @@ class GrainModel(Model):
             self._follow(derive(stream.key, self.iteration), grains, air, ground, wind)
             self.iteration += 1
             return
+        self._choose_slots()
         for number in range(self.parameters.iterations_per_step):
             if number % self.parameters.shelter_every == 0:
                 ground.spread_lid()
@@ -123,24 +149,27 @@ class GrainModel(Model):
         from barchan.kernels.grain_flight import BLOCK, fly
         from barchan.kernels.sharing import shared, thread_count
 
-        slots, arrays, events = self.marks.shape[1], ground.arrays, ground.events
-        about = grains, air, ground.grid, arrays, ground.scale, self.bounce(), self.lift_off(wind), events
+        slots, arrays, events = self.slots_in_use, ground.arrays, ground.events
+        rules, splash = (self.bounce(), self.lift_off(wind)), self.splash()
+        about = grains, air, ground.grid, arrays, ground.scale, rules, splash, events
         found = shared(
             lambda first, last: fly(first, last, np.uint64(key), *about), slots, BLOCK, thread_count()
         )
         for first, count in found:
             exchange(first, count, grains, arrays, ground.scale, ground.grid, events, ground.counts)
+        if splash is not None:
+            ground.eject(found, grains, splash)
         ground.count_flight(slots)
 
     def _follow(self, key: int, grains: Any, air: Any, ground: GrainGround, wind: Segment) -> None:
         """As many grains as the field has cells fly from lift-off to rest, one after the other."""
         from barchan.kernels.grain_paths import trajectories
 
-        rules = self.bounce(), self.lift_off(wind), self.lift_off(wind, 0.0)
+        rules = self.lift_off(wind), (self.bounce(), self.lift_off(wind, 0.0))
         slopes = ground.sequences, ground.repose, ground.queue, ground.waiting
         trajectories(
             *(self.lattice.cells, np.uint64(key), grains, air, ground.arrays, ground.scale, ground.grid),
-            *(rules, slopes, ground.events, ground.counts),
+            *(rules, self.splash(), slopes, ground.events, ground.counts),
         )
 
     def grains(self) -> Any:
@@ -160,12 +189,21 @@ class GrainModel(Model):
 
         ground = GrainGround(self.parameters, bed, wind.direction, 1)
         ground.spread_lid()
-        rules = self.bounce(), self.lift_off(wind), self.lift_off(wind, 0.0)
+        rules = self.lift_off(wind), (self.bounce(), self.lift_off(wind, 0.0))
         path = np.zeros((max(2, round(longest / self.parameters.time_step)), PATH_COLUMNS))
         found: list[NDArray[np.float64]] = []
         for number in range(_TRIES * count):
             grains = _grains(*_slots(1))
-            about = grains, self.air(wind), ground.arrays, ground.scale, ground.grid, rules, ground.events
+            about = (
+                grains,
+                self.air(wind),
+                ground.arrays,
+                ground.scale,
+                ground.grid,
+                rules,
+                self.splash(),
+                ground.events,
+            )
             places = trace(np.uint64(derive(stream.key, number)), *about, path)
             if places:
                 flight = path[:places].copy()
