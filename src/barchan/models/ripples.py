@@ -32,7 +32,7 @@ class RipplesParameters(GrainFlight):
     )
     repose_angle: float = redeclared(GrainFlight, "repose_angle", 34.0, "seed 003, §3.4: loose sand 34 to 35")
     time_step: float = redeclared(GrainFlight, "time_step", 5e-4, "ours: for cells of 5 mm")
-    load: float = redeclared(GrainFlight, "load", 2.0, "ours: more than the wind carries")
+    load: float = redeclared(GrainFlight, "load", 4.0, "ours: more than the wind carries")
     near_bed: Literal["slowed", "threshold", "log"] = parameter(
         "slowed",
         unit="-",
