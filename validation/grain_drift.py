@@ -1,10 +1,10 @@
 """Which way ripples of grains travel: against the wind after the published rules, downwind with splash.
 
-Fields of 256 × 48 cells, 3 seeds. `wang_hu`: cells of 1 cm, 10 m/s, 6000 iterations; lift-off from anywhere (as
-seed 000, which reports ripples that travel against the wind) and not from faces that look downwind (seed
-003). `ripples`: cells of 5 mm, 40,000 iterations, grains counting 1/50 of their mass, so that the bed changes
-50 times as fast as under real wind. The drift is that of the waves between 2.5 and 20 cm long, weighted by
-their power, over the last half of a run, in ten parts.
+Fields of 256 × 48 cells, 3 seeds. `wang_hu`: cells of 1 cm, 10 m/s, 6000 iterations; lift-off from anywhere,
+as in seed 000, which reports ripples that travel against the wind, and not from faces that look downwind, as
+in seed 003. `ripples`: cells of 5 mm, 40,000 iterations, grains counting 1/50 of their mass, so that the bed
+changes 50 times as fast as under real wind. The drift is that of the waves between 2.5 and 20 cm long,
+weighted by their power, over the last half of a run, in ten parts.
 """
 
 from itertools import pairwise
