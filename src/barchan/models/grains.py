@@ -189,7 +189,9 @@ class GrainModel(Model):
 
         ground = GrainGround(self.parameters, bed, wind.direction, 1)
         ground.spread_lid()
-        rules = self.lift_off(wind), (self.bounce(), self.lift_off(wind, 0.0))
+        lifts = self.lift_off(wind)
+        surely = lifts._replace(chance=1.0 if lifts.chance > 0.0 else 0.0)
+        rules = surely, (self.bounce(), self.lift_off(wind, 0.0))
         path = np.zeros((max(2, round(longest / self.parameters.time_step)), PATH_COLUMNS))
         found: list[NDArray[np.float64]] = []
         for number in range(_TRIES * count):
