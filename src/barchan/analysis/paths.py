@@ -5,10 +5,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from barchan.analysis.fields import wind_over
-from barchan.bed import Bed
+from barchan.analysis.fields import as_modelled
 from barchan.errors import BarchanError
-from barchan.models import models
 from barchan.models.grains import GrainModel
 from barchan.scenario import Scenario
 from barchan.streams import Stream
@@ -26,16 +24,10 @@ def grain_paths(frame: "xr.Dataset", scenario: Scenario, count: int) -> list[NDA
     See ``GrainModel.paths`` for the columns. Raises BarchanError where the model follows no grains or where
     none is lifted.
     """
-    kind = models()[scenario.model.name]
-    if not issubclass(kind, GrainModel):
-        raise BarchanError(
-            f"model '{scenario.model.name}' follows no grains; paths are those of grain models"
-        )
-    model = kind(scenario.model, scenario.lattice)
-    bed = Bed.from_fields(
-        scenario.lattice, {str(n): v.values for n, v in frame.data_vars.items()}, model.fields
-    )
-    found = model.paths(bed, wind_over(frame, scenario), Stream(scenario.seed, "paths"), count)
+    model, bed, wind = as_modelled(frame, scenario)
+    if not isinstance(model, GrainModel):
+        raise BarchanError(f"model '{model.name}' follows no grains; paths are those of grain models")
+    found = model.paths(bed, wind, Stream(scenario.seed, "paths"), count)
     if not found:
         raise BarchanError("no grain is lifted: the wind is below the threshold, or no cell gives sand")
     return found

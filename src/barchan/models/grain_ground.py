@@ -9,7 +9,8 @@ from numpy.typing import NDArray
 from barchan.bed import Bed, Lattice
 from barchan.models.base import Tally
 from barchan.models.grain_parameters import GrainFlight
-from barchan.models.slab_tables import FRACTION_BITS, settling_sequences
+from barchan.models.slab_heights import FRACTION_BITS
+from barchan.models.slab_tables import settling_sequences
 from barchan.models.wind_frame import WindFrame
 
 

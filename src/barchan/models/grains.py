@@ -134,7 +134,7 @@ class GrainModel(Model):
             self.iteration += 1
             return
         self._choose_slots()
-        for number in range(self.parameters.iterations_per_step):
+        for number in range(round(wind.share * self.parameters.iterations_per_step)):
             if number % self.parameters.shelter_every == 0:
                 ground.spread_lid()
             if number and number % self.parameters.collapse_every == 0:
@@ -216,7 +216,9 @@ class GrainModel(Model):
         return found
 
     def speed(self, wind: Segment | None) -> float:
-        """Speed of the wind (m/s at 10 m)."""
+        """Speed of the wind (m/s at 10 m); a calm has none."""
+        if wind is not None and wind.polls == 0:
+            return 0.0
         if wind is None or wind.speed is None:
             return self.parameters.wind_speed
         return wind.speed
