@@ -6,7 +6,7 @@ import statistics
 from collections.abc import Iterator
 from pathlib import Path
 
-from benchmarks import kernel, program
+from benchmarks import grains, kernel, program
 
 PAGE = Path(__file__).parents[1] / "docs" / "benchmarks.md"
 
@@ -51,6 +51,16 @@ def report(only: str) -> Iterator[str]:
             large, small = speeds[f"4096², 25 steps{what}"], speeds[f"256², 25 steps{what}"]
             ratio = large.nanoseconds_a_poll / small.nanoseconds_a_poll
             yield f"A poll at 4096² costs {ratio:.2f} times one at 256²{what} (the same 25 steps from flat)."
+    if not only or "grains".startswith(only):
+        yield ""
+        yield "| grains in flight | million updates/s, one thread | two | same bits |"
+        yield "|---|---|---|---|"
+        for name, preset in grains.CASES:
+            one, two, same = grains.updates(preset)
+            yield f"| {name} | {one:.0f} | {two:.0f} ({two / one:.2f} times) | {'yes' if same else 'no'} |"
+        yield ""
+        seconds = grains.seed_003_seconds()
+        yield f"Seed 003's 3000 iterations: {seconds:.1f} s, against {grains.PUBLISHED_SECONDS:.0f} s there."
     if not only:
         yield ""
         yield "| program | seconds |"

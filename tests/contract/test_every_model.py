@@ -64,7 +64,10 @@ def test_sand_is_conserved_exactly_and_no_stack_is_negative(name, boundary, dire
 @WINDS
 def test_no_slope_exceeds_the_limit_that_the_model_states(name, direction):
     simulation = Simulation(scenario(name, wind={"direction": direction}))
-    face, *corner = np.max(list(simulation.model.slope_limits().values()), axis=0)
+    limits = list(simulation.model.slope_limits().values())
+    if not limits:
+        pytest.skip("the model states none")
+    face, *corner = np.max(limits, axis=0)
     for _ in range(4):
         simulation.advance(3)
         sand = simulation.bed.sand

@@ -11,7 +11,7 @@ from barchan.errors import BarchanError
 if TYPE_CHECKING:
     import xarray as xr
 
-View = Literal["map", "contours", "profile", "space-time", "series"]
+View = Literal["map", "contours", "profile", "space-time", "series", "paths", "hops"]
 Colours = Literal["perceptual", "grey", "red-green"]
 
 
@@ -30,6 +30,7 @@ def show(
     at: Annotated[float | None, Parameter(validator=Number(gte=0, lte=1))] = None,
     bare: bool = True,
     layers: bool = True,
+    grains: Annotated[int | None, Parameter(validator=Number(gte=1, lte=100_000))] = None,
     field: str | None = None,
 ) -> None:
     """Draw a frame of a run, a section, or its course in time.
@@ -40,7 +41,8 @@ def show(
         The run's folder.
     view
         A hill-shaded map, contours, a section along the wind with its shadow zones, that section over time,
-        or the measures over time.
+        the measures over time, paths of grains over the surface and from the side, or how long, high and
+        steep their hops are; the last two for models that follow grains.
     step
         The frame nearest to this step; the last one without it.
     out
@@ -61,6 +63,8 @@ def show(
         Where the section lies across the wind, from 0 to 1; through the highest stack without it.
     bare
         Show bare ground in grey on maps.
+    grains
+        How many grains to follow: 20 for paths, 1000 for hops without it.
     layers
         Draw what the model lays over the surface on maps: plants, light to dark green.
     field
@@ -118,6 +122,12 @@ def show(
             from barchan.figures.sections import space_time
 
             figure = space_time(dataset, scenario, at=at, colours=colours)
+        elif view in ("paths", "hops"):
+            from barchan.analysis.paths import grain_paths
+            from barchan.figures.paths import hop_histograms, path_view
+
+            followed = grain_paths(frame, scenario, grains or (20 if view == "paths" else 1000))
+            figure = (path_view if view == "paths" else hop_histograms)(frame, scenario, followed)
         else:
             from barchan.analysis.course import course
             from barchan.figures.series import time_series

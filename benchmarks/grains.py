@@ -1,0 +1,40 @@
+"""Grains in flight: grain updates a second on one thread and on two, and seed 003's case."""
+
+import time
+
+import numpy as np
+
+import barchan
+from barchan.kernels import sharing
+
+CASES = (("`wang_hu`, `szabo-10`", "szabo-10"), ("`ripples`", "ripples"))
+
+PUBLISHED_SECONDS = 210.0
+"""What seed 003's 3000 iterations took there."""
+
+
+def updates(preset: str, spells: int = 150) -> tuple[float, float, bool]:
+    """Millions of grain updates a second, at best, on one thread and on two in turns; whether bits agree."""
+    runs = [barchan.Simulation(barchan.load(preset, run__seed=1)) for _ in range(2)]
+    best = [0.0, 0.0]
+    whole = sharing.thread_count
+    try:
+        for spell in range(spells + 1):
+            for at, simulation in enumerate(runs):
+                sharing.thread_count = lambda threads=at + 1: threads
+                began = time.perf_counter()
+                tally = simulation.advance(1)
+                rate = tally.polls / (time.perf_counter() - began) / 1e6
+                best[at] = max(best[at], rate) if spell else 0.0
+    finally:
+        sharing.thread_count = whole
+    return best[0], best[1], bool(np.array_equal(runs[0].bed.sand, runs[1].bed.sand))
+
+
+def seed_003_seconds() -> float:
+    """Wall time (s) of seed 003's 3000 iterations, on as many threads as there are cores."""
+    simulation = barchan.Simulation(barchan.load("szabo-10", run__seed=1))
+    simulation.advance(1)
+    began = time.perf_counter()
+    simulation.advance(299)
+    return time.perf_counter() - began

@@ -1,0 +1,177 @@
+"""Grains in flight: gravity and drag in a wind that is looked up, many grains at a time.
+
+All grains take the same time step. A pass over a block of grains does one thing, so that the compiler
+turns it into vector instructions; wind and drag are read from tables by the leading bits of a number,
+so that no logarithm and no root is taken in flight.
+"""
+
+import numpy as np
+from numba import njit
+
+from barchan.kernels.grain_bounce import bounce
+from barchan.kernels.grain_lift import lift
+from barchan.kernels.grain_splash import rebound
+from barchan.kernels.grain_state import FLYING, GONE, NOWHERE, mesh_cell, record_end
+from barchan.kernels.grain_surface import surface_at
+from barchan.kernels.random import derive
+
+BLOCK = 256
+"""Grains that pass through the loops together: their work space stays in the fastest cache."""
+
+TABLE_SHIFT = 17
+"""Bits of a 32-bit float below those that choose a table's entry: 64 entries for each doubling."""
+
+_SHIFT = np.int32(TABLE_SHIFT)
+_NONE = np.int32(0)
+OUTSIDE = np.int32(-1)
+_ZERO = np.float32(0.0)
+
+
+@njit(cache=True, nogil=True, error_model="numpy")
+def entry(number, first, last):
+    """The table's entry for a number: its leading bits, within the table."""
+    return min(max((np.float32(number).view(np.int32) - first) >> _SHIFT, _NONE), last)
+
+
+@njit(cache=True, nogil=True, error_model="numpy")
+def _find_wind(start, count, grains, air, base, cols, cell, value):
+    """Put the wind speed at each grain of a block into ``value``."""
+    first, last = air.wind.first, np.int32(air.wind.values.size - 1)
+    x, y, z, w = grains.x, grains.y, grains.z, grains.w
+    ahead = air.rise_before
+    for j in range(count):
+        cell[j] = mesh_cell(x[start + j], y[start + j], cols)
+    for j in range(count):
+        value[j] = base[np.uint64(cell[j])]
+    for j in range(count):
+        cell[j] = entry(z[start + j] + ahead * w[start + j] - value[j], first, last)
+    for j in range(count):
+        value[j] = air.wind.values[np.uint64(cell[j])]
+
+
+@njit(cache=True, nogil=True, error_model="numpy")
+def _find_drag(start, count, grains, air, wind, cell, share):
+    """Put the share of the velocity difference that drag takes away into ``share``."""
+    first, last = air.drag.first, np.int32(air.drag.values.size - 1)
+    u, v, w = grains.u, grains.v, grains.w
+    wind_x, wind_y, early_fall = air.wind_x, air.wind_y, air.early_fall
+    for j in range(count):
+        lag_x = wind[j] * wind_x - u[start + j]
+        lag_y = wind[j] * wind_y - v[start + j]
+        fall = w[start + j] - early_fall
+        cell[j] = entry(lag_x * lag_x + lag_y * lag_y + fall * fall, first, last)
+    for j in range(count):
+        share[j] = air.drag.values[np.uint64(cell[j])]
+
+
+@njit(cache=True, nogil=True, error_model="numpy")
+def _push(start, count, grains, air, wind, share):
+    """Move a block of grains by one time step."""
+    x, y, z, u, v, w = grains.x, grains.y, grains.z, grains.u, grains.v, grains.w
+    wind_x, wind_y, fall, early_fall = air.wind_x, air.wind_y, air.fall, air.early_fall
+    before, after, rise_before, rise_after = air.before, air.after, air.rise_before, air.rise_after
+    for j in range(count):
+        i = start + j
+        east = u[i] + share[j] * (wind[j] * wind_x - u[i])
+        north = v[i] + share[j] * (wind[j] * wind_y - v[i])
+        up = w[i] - share[j] * (w[i] - early_fall) - fall
+        x[i] += before * u[i] + after * east
+        y[i] += before * v[i] + after * north
+        z[i] += rise_before * w[i] + rise_after * up
+        u[i] = east
+        v[i] = north
+        w[i] = up
+
+
+@njit(cache=True, nogil=True, error_model="numpy")
+def _find_cells(start, count, grains, grid, cell):
+    """Put the mesh cell below each grain into ``cell``, or that it is outside the field."""
+    x, y = grains.x, grains.y
+    east, north = np.float32(grid.cols), np.float32(grid.rows)
+    for j in range(count):
+        there_x, there_y = x[start + j], y[start + j]
+        inside = (there_x >= _ZERO) & (there_x < east) & (there_y >= _ZERO) & (there_y < north)
+        cell[j] = mesh_cell(there_x, there_y, grid.cols) if inside else OUTSIDE
+
+
+@njit(cache=True, nogil=True, error_model="numpy")
+def _over_edge(slot, place, laps, size, wrap, grains):
+    """Bring a coordinate that left the field in again from the other side, or take the grain out."""
+    end = np.float32(size)
+    p = place[slot]
+    if wrap:
+        if p < _ZERO:
+            p += end
+            laps[slot] -= 1
+        if p >= end:
+            p -= end
+            laps[slot] += 1
+    elif p < _ZERO or p >= end:
+        grains.held[slot] = GONE
+    place[slot] = p
+
+
+@njit(cache=True, nogil=True, error_model="numpy")
+def _come_in(slot, grains, grid):
+    """Bring a grain in over the edges it crossed, or take it out."""
+    _over_edge(slot, grains.x, grains.laps_x, grid.cols, grid.wrap_along, grains)
+    _over_edge(slot, grains.y, grains.laps_y, grid.rows, grid.wrap_across, grains)
+
+
+@njit(cache=True, nogil=True, error_model="numpy")
+def fly(first, last, key, grains, air, grid, ground, scale, rules, splash, events):
+    """Let the slots from ``first`` to before ``last`` fly for one time step, and bounce where they land.
+
+    ``rules`` are those of bounces and of lift-off; with ``splash`` grains rebound by that instead.
+
+    Slots that were free, or whose grain came to rest or left the field, may start anew from elsewhere. Each
+    gets an entry of ``events``, from ``first`` on; returns how many. The bed is only read: what becomes of it
+    is for ``exchange``. So slots may be shared among threads.
+    """
+    bounce_rule, lift_rule = rules
+    cell = np.empty(BLOCK, np.int32)
+    wind = np.empty(BLOCK, np.float32)
+    share = np.empty(BLOCK, np.float32)
+    found = first
+    for start in range(first, last, BLOCK):
+        count = min(last - start, BLOCK)
+        _find_wind(start, count, grains, air, ground.base, grid.cols, cell, wind)
+        _find_drag(start, count, grains, air, wind, cell, share)
+        _push(start, count, grains, air, wind, share)
+        _find_cells(start, count, grains, grid, cell)
+        for j in range(count):
+            slot = start + j
+            if cell[j] != OUTSIDE and grains.z[slot] >= ground.top[np.uint64(cell[j])]:
+                continue
+            if cell[j] == OUTSIDE and grains.held[slot] == FLYING:
+                _come_in(slot, grains, grid)
+            hits = False
+            if grains.held[slot] == FLYING:
+                x, y = grains.x[slot], grains.y[slot]
+                surface, east, north = surface_at(x, y, ground.height, scale.cell_size, grid)
+                if grains.z[slot] >= surface:
+                    continue
+                if splash is None:
+                    bounce(slot, surface, east, north, grains, bounce_rule)
+                else:
+                    hits = True
+                    events.x[found], events.y[found] = x, y
+                    events.u[found], events.v[found] = grains.u[slot], grains.v[slot]
+                    events.start[found] = derive(key, slot)
+                    events.impact[found] = rebound(
+                        slot, events.start[found], surface, east, north, grains, splash
+                    )
+                    u, v = events.u[found], events.v[found]
+                    if grains.held[slot] == FLYING:
+                        u, v = u - grains.u[slot], v - grains.v[slot]
+                    events.lost[found] = u * air.wind_x + v * air.wind_y
+            if grains.held[slot] != FLYING:
+                if not hits:
+                    events.impact[found] = 0.0
+                record_end(found, slot, bounce_rule.most, grains, grid, events)
+                events.source[found] = lift(slot, derive(key, slot), grains, ground, scale, grid, lift_rule)
+                found += 1
+            elif hits:
+                events.slot[found] = events.rest[found] = events.source[found] = NOWHERE
+                found += 1
+    return found - first

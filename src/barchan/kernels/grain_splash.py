@@ -1,0 +1,129 @@
+"""Splash: a grain that hits the bed rebounds or stays, and throws others out of it.
+
+Rebound with a probability that grows with speed, rebound speed in proportion to it, and a number of low, slow
+ejecta in proportion to it too (Anderson & Haff 1991; Kok & Renno 2009).
+"""
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+from numba import njit
+
+from barchan.kernels.grain_bed import LOST, MOVED, change_sand
+from barchan.kernels.grain_state import FREE, LANDED, draw, launch
+from barchan.kernels.grain_surface import nearest_cell, surface_at
+
+LOST_UNIT = 1 << 20
+"""Parts of 1 m/s in which the speed that impacts take is counted, so that sums are exact."""
+
+MOST_EJECTA = 8
+"""Ejecta of one impact at most."""
+
+REBOUND_DRAWS, EJECTA_DRAWS, DRAWS_PER_EJECTUM = 10, 20, 3
+"""Where in a slot's sequence the draws of an impact begin."""
+
+_QUARTER_TURN = math.pi / 2
+
+
+class Splash(NamedTuple):
+    """What impacts do; angles in rad, speeds in m/s."""
+
+    rebound_most: float
+    """Chance that the fastest grains rebound."""
+    rebound_rate: float
+    """How fast the chance grows with impact speed (s/m)."""
+    restitution: float
+    """Speed after a rebound over the speed before."""
+    rebound_angle: float
+    """Mean angle to the surface."""
+    number: float
+    """Ejecta for each m/s of impact speed."""
+    fastest: float
+    """Mean speed of ejecta of the fastest impacts."""
+    scale: float
+    """Impact speed at which ejecta come near to that."""
+    eject_angle: float
+    spread: float
+    """Half the range of azimuths about the impact's own."""
+    most: int
+    """Rebounds after which a grain stays where it lands."""
+
+
+@njit(cache=True, nogil=True, error_model="numpy")
+def exponential(part, mean, most):
+    """A number up to ``most`` of an exponential distribution cut off there, from a part of 1."""
+    return -mean * math.log(1.0 - part * (1.0 - math.exp(-most / mean)))
+
+
+@njit(cache=True, nogil=True, error_model="numpy")
+def thrown(u, v, azimuth, angle, speed, east, north):
+    """Velocity of a grain thrown at an ``angle`` to a surface with slopes, turned from (u, v)."""
+    length = math.sqrt(u * u + v * v)
+    x, y = (u / length, v / length) if length > 0.0 else (1.0, 0.0)
+    x, y = x * math.cos(azimuth) - y * math.sin(azimuth), x * math.sin(azimuth) + y * math.cos(azimuth)
+    rise = x * east + y * north
+    along = speed * math.cos(angle) / math.sqrt(1.0 + rise * rise)
+    across = speed * math.sin(angle) / math.sqrt(1.0 + east * east + north * north)
+    return along * x - across * east, along * y - across * north, along * rise + across
+
+
+@njit(cache=True, nogil=True, error_model="numpy")
+def rebound(slot, start, surface, east, north, grains, rule):
+    """Throw a grain back off the surface, or leave it where it is; its speed of impact."""
+    u, v, w = np.float64(grains.u[slot]), np.float64(grains.v[slot]), np.float64(grains.w[slot])
+    speed = math.sqrt(u * u + v * v + w * w)
+    grains.z[slot] = np.float32(surface)
+    chance = rule.rebound_most * (1.0 - math.exp(-rule.rebound_rate * speed))
+    if draw(start, REBOUND_DRAWS) >= chance or grains.bounces[slot] >= rule.most:
+        grains.held[slot] = LANDED
+        return speed
+    angle = exponential(draw(start, REBOUND_DRAWS + 1), rule.rebound_angle, _QUARTER_TURN)
+    azimuth = rule.spread * (2.0 * draw(start, REBOUND_DRAWS + 2) - 1.0)
+    u, v, w = thrown(u, v, azimuth, angle, rule.restitution * speed, east, north)
+    grains.u[slot], grains.v[slot], grains.w[slot] = np.float32(u), np.float32(v), np.float32(w)
+    grains.bounces[slot] += 1
+    return speed
+
+
+@njit(cache=True, nogil=True, error_model="numpy")
+def _next_free(at, events, found, grains):
+    """The next entry from ``at`` on whose slot is free."""
+    while at < found and (events.slot[at] < 0 or grains.held[events.slot[at]] != FREE):
+        at += 1
+    return at
+
+
+@njit(cache=True, nogil=True, error_model="numpy")
+def eject(first, found, grains, ground, scale, grid, rule, events, counts):
+    """Throw grains out where others hit the bed, for the entries ``first`` to before ``found``.
+
+    They take free slots. Where none is left the air carries all it can, and nothing more is thrown out.
+    """
+    free = _next_free(first, events, found, grains)
+    for k in range(first, found):
+        speed = events.impact[k]
+        if speed == 0.0:
+            continue
+        counts[LOST] += np.int64(np.rint(events.lost[k] * LOST_UNIT))
+        start = events.start[k]
+        number = rule.number * speed + draw(start, EJECTA_DRAWS)
+        x, y = events.x[k], events.y[k]
+        cell = nearest_cell(x, y, grid)
+        mean = rule.fastest * (1.0 - math.exp(-speed / rule.scale))
+        for one in range(min(np.int64(number), MOST_EJECTA)):
+            if ground.sand[cell] == 0:
+                break
+            free = _next_free(free, events, found, grains)
+            if free == found:
+                break
+            at = EJECTA_DRAWS + 1 + one * DRAWS_PER_EJECTUM
+            surface, east, north = surface_at(x, y, ground.height, scale.cell_size, grid)
+            angle = exponential(draw(start, at), rule.eject_angle, _QUARTER_TURN)
+            azimuth = rule.spread * (2.0 * draw(start, at + 1) - 1.0)
+            fast = exponential(draw(start, at + 2), mean, speed)
+            u, v, w = thrown(events.u[k], events.v[k], azimuth, angle, fast, east, north)
+            change_sand(cell, -1, ground, scale, grid)
+            counts[MOVED] += 1
+            slot = events.slot[free]
+            launch(slot, x, y, np.float32(surface), np.float32(u), np.float32(v), np.float32(w), grains)

@@ -1,0 +1,78 @@
+"""The surface that grains meet: stacks stand at the corners of a mesh, and between four it is interpolated.
+
+The mesh cell of a stack reaches from it to its neighbours in the east and north; places are counted from the
+southwesternmost stack. At an open edge the last mesh cell goes on level. A bound and a mean for each mesh
+cell let flight leave the interpolation to grains that are about to land.
+"""
+
+import numpy as np
+from numba import njit
+
+_QUARTER = np.float32(0.25)
+
+
+@njit(cache=True, nogil=True, error_model="numpy")
+def beyond(row, col, grid):
+    """The next row to the north and column to the east; the same ones at an open edge."""
+    north = row + 1
+    if north == grid.rows:
+        north = 0 if grid.wrap_across else row
+    east = col + 1
+    if east == grid.cols:
+        east = 0 if grid.wrap_along else col
+    return north, east
+
+
+@njit(cache=True, nogil=True, error_model="numpy")
+def nearest_cell(x, y, grid):
+    """The cell whose stack is nearest to a place."""
+    row, col = np.int64(y), np.int64(x)
+    north, east = beyond(row, col, grid)
+    row = north if y - np.float32(row) >= np.float32(0.5) else row
+    col = east if x - np.float32(col) >= np.float32(0.5) else col
+    return row * grid.cols + col
+
+
+@njit(cache=True, nogil=True, error_model="numpy")
+def surface_at(x, y, height, cell_size, grid):
+    """Height (m) of the surface at a place, and its slopes eastwards and northwards."""
+    row, col = np.int64(y), np.int64(x)
+    north, east = beyond(row, col, grid)
+    part_x, part_y = np.float64(x) - col, np.float64(y) - row
+    sw, se = np.float64(height[row * grid.cols + col]), np.float64(height[row * grid.cols + east])
+    nw, ne = np.float64(height[north * grid.cols + col]), np.float64(height[north * grid.cols + east])
+    south_side = sw + part_x * (se - sw)
+    north_side = nw + part_x * (ne - nw)
+    slope_x = ((se - sw) * (1.0 - part_y) + (ne - nw) * part_y) / cell_size
+    return south_side + part_y * (north_side - south_side), slope_x, (north_side - south_side) / cell_size
+
+
+@njit(cache=True, nogil=True, error_model="numpy")
+def _renew(row, col, ground, grid):
+    north, east = beyond(row, col, grid)
+    sw, se = row * grid.cols + col, row * grid.cols + east
+    nw, ne = north * grid.cols + col, north * grid.cols + east
+    height, lid = ground.height, ground.lid
+    ground.top[sw] = max(max(height[sw], height[se]), max(height[nw], height[ne]))
+    ground.base[sw] = _QUARTER * ((lid[sw] + lid[se]) + (lid[nw] + lid[ne]))
+
+
+@njit(cache=True, nogil=True, error_model="numpy")
+def renew_mesh(ground, grid):
+    """Compute bound and mean of every mesh cell."""
+    for row in range(grid.rows):
+        for col in range(grid.cols):
+            _renew(row, col, ground, grid)
+
+
+@njit(cache=True, nogil=True, error_model="numpy")
+def renew_mesh_about(cell, ground, grid):
+    """Compute bound and mean of the four mesh cells that a stack is a corner of."""
+    row = cell // grid.cols
+    col = cell - row * grid.cols
+    south = row - 1 if row > 0 else grid.rows - 1
+    west = col - 1 if col > 0 else grid.cols - 1
+    _renew(row, col, ground, grid)
+    _renew(south, col, ground, grid)
+    _renew(row, west, ground, grid)
+    _renew(south, west, ground, grid)

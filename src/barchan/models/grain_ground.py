@@ -1,0 +1,174 @@
+"""The bed as grains meet it, for the time of one call: its arrays, counts, shelter and slopes."""
+
+import math
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from barchan.bed import Bed, Lattice
+from barchan.models.base import Tally
+from barchan.models.grain_parameters import GrainFlight
+from barchan.models.slab_heights import FRACTION_BITS
+from barchan.models.slab_tables import settling_sequences
+from barchan.models.wind_frame import WindFrame
+
+
+def repose_limits(angle: float, lattice: Lattice) -> tuple[int, int]:
+    """Largest steps (parcels) that stand towards faces and corners; at least one."""
+    slope = math.tan(math.radians(angle)) / lattice.aspect
+    return max(1, math.floor(slope + 1e-9)), max(1, math.floor(math.sqrt(2.0) * slope + 1e-9))
+
+
+class GrainGround:
+    """A bed with what the kernels need beside it. Changes the bed's sand in place."""
+
+    def __init__(self, rules: GrainFlight, bed: Bed, direction: float = 270.0, slots: int = 0) -> None:
+        """Take a bed under a wind from ``direction`` (degrees), for grains in some slots."""
+        from barchan.kernels.grain_bed import COUNTS
+        from barchan.kernels.grain_state import Ground, Scale
+        from barchan.kernels.grain_surface import renew_mesh
+        from barchan.kernels.shadow import Grid
+
+        lattice = bed.lattice
+        periodic_y, periodic_x = lattice.periodic
+        self.rules, self.lattice = rules, lattice
+        self.frame = WindFrame.of(direction)
+        self.grid = Grid(*lattice.shape, periodic_x, periodic_y)
+        one = 1 << FRACTION_BITS
+        self.scale = Scale(one, lattice.thickness / one, lattice.cell_size)
+        self.repose = _repose(rules, lattice, one)
+        self.filter = _filter(rules, lattice, one)
+        self.sequences = settling_sequences(True)
+        level = _levels(bed, one)
+        height = (level * self.scale.part).astype(np.float32)
+        lid = height if rules.shelter_angle is None else height.copy()
+        mesh = np.zeros((2, lattice.cells), np.float32)
+        self.arrays = Ground(bed.sand.reshape(-1), level, height, lid, *mesh)
+        renew_mesh(self.arrays, self.grid)
+        self.queue = np.zeros(lattice.cells, np.int64)
+        self.waiting = np.zeros(lattice.cells, np.uint8)
+        self.counts = np.zeros(COUNTS, np.int64)
+        self.events = _room_for_events(slots)
+
+    def count_flight(self, slots: int) -> None:
+        """Count an iteration of that many slots."""
+        from barchan.kernels.grain_bed import FLOWN
+
+        self.counts[FLOWN] += slots
+
+    def eject(self, found: list[tuple[int, int]], grains: Any, splash: Any) -> None:
+        """Throw parcels out where grains hit the bed; ``found`` are the shares of the events."""
+        from barchan.kernels.grain_splash import eject
+
+        for first, count in found:
+            eject(
+                *(first, first + count, grains, self.arrays, self.scale, self.grid),
+                *(splash, self.events, self.counts),
+            )
+
+    def spread_lid(self) -> None:
+        """Find the sheltered air anew."""
+        if self.rules.shelter_angle is None:
+            return
+        from barchan.kernels.grain_shelter import spread_lid
+        from barchan.kernels.grain_surface import renew_mesh
+
+        frame, shape = self.frame, self.lattice.shape
+        height = np.ascontiguousarray(frame.enter(self.arrays.height.reshape(shape)))
+        lid = np.empty_like(height)
+        across, along = self.lattice.periodic
+        if frame.crossed:
+            across, along = along, across
+        offset = -math.tan(frame.angle)
+        row_step = math.floor(offset + 1e-9)
+        fall = math.tan(math.radians(self.rules.shelter_angle)) * self.lattice.cell_size
+        spread_lid(
+            height, fall / math.cos(frame.angle), row_step, max(offset - row_step, 0.0), along, across, lid
+        )
+        self.arrays.lid.reshape(shape)[...] = frame.leave(lid)
+        renew_mesh(self.arrays, self.grid)
+
+    def settle(self, key: int) -> None:
+        """Relax slopes that are too steep."""
+        from barchan.kernels.grain_bed import settle_steep
+        from barchan.kernels.grain_filter import smooth_slopes
+
+        if self.rules.collapse == "filter":
+            smooth_slopes(self.arrays, self.scale, self.grid, self.filter)
+            return
+        settle_steep(
+            *(self.arrays, self.scale, self.sequences, np.uint64(key), self.grid, self.repose),
+            *(self.queue, self.waiting),
+        )
+
+    def settle_where(self, where: NDArray[np.bool_]) -> int:
+        """Relax slopes about some cells until all hold; returns how many parcels slid."""
+        from barchan.kernels.settle import settle_field
+
+        arrays = self.arrays
+        upset = where.copy()
+        return int(
+            settle_field(arrays.level, arrays.sand, None, upset, self.sequences, self.grid, self.repose)
+        )
+
+    def tally(self, airborne: int, still: int) -> Tally:
+        """What happened in a step; ``still`` steps before it moved nothing."""
+        from barchan.kernels import grain_bed as at
+        from barchan.kernels.grain_state import TRAVEL_UNIT
+
+        counts = self.counts
+        moved = int(counts[at.MOVED])
+        return Tally(
+            steps=1,
+            polls=int(counts[at.FLOWN]),
+            moved=moved,
+            left=int(counts[at.LEFT]),
+            airborne=airborne,
+            capped=int(counts[at.CAPPED]),
+            travel_x=int(counts[at.TRAVEL_X]) / TRAVEL_UNIT,
+            travel_y=int(counts[at.TRAVEL_Y]) / TRAVEL_UNIT,
+            still=0 if moved or airborne else still + 1,
+        )
+
+
+def _room_for_events(slots: int) -> Any:
+    from barchan.kernels.grain_state import Events
+
+    slot, rest, source, way_x, way_y = np.zeros((5, slots), np.int64)
+    x, y = np.zeros((2, slots), np.float32)
+    impact, u, v, lost = np.zeros((4, slots))
+    capped, start = np.zeros(slots, np.uint8), np.zeros(slots, np.uint64)
+    return Events(slot, rest, source, way_x, way_y, capped, impact, x, y, u, v, lost, start)
+
+
+def _levels(bed: Bed, one: int) -> NDArray[np.int64]:
+    """Elevation of the surface over the lowest ground, in parts of a parcel."""
+    ground = (bed.ground - bed.ground.min()) / bed.lattice.thickness * one
+    return (np.rint(ground).astype(np.int64) + bed.sand.astype(np.int64) * one).reshape(-1)
+
+
+def _repose(rules: GrainFlight, lattice: Lattice, one: int) -> Any:
+    from barchan.kernels.avalanche import Repose
+
+    face, corner = repose_limits(rules.repose_angle, lattice)
+    return Repose(
+        slab=one,
+        face_limit=face * one,
+        corner_limit=corner * one,
+        corner_weight=math.sqrt(0.5),
+        corners=True,
+        random_order=False,
+        firm_face_limit=face * one,
+        firm_corner_limit=corner * one,
+        firm_below=-1,
+        release_face=0,
+        release_corner=0,
+    )
+
+
+def _filter(rules: GrainFlight, lattice: Lattice, one: int) -> Any:
+    from barchan.kernels.grain_filter import Filter
+
+    least = math.tan(math.radians(rules.repose_angle)) / rules.filter_scale / lattice.aspect
+    return Filter(rules.filter_gain, least * one)

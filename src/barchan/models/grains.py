@@ -1,0 +1,283 @@
+"""What all models of grains in flight share: the grains in the air, their iterations, the bed they meet."""
+
+from abc import abstractmethod
+from collections.abc import Hashable
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from barchan.bed import Bed, Lattice
+from barchan.errors import ScenarioError
+from barchan.models import grain_checks
+from barchan.models.base import Model, Tally
+from barchan.models.grain_air import HEIGHTS, SQUARED_SPEEDS, log_wind, table
+from barchan.models.grain_ground import GrainGround, repose_limits
+from barchan.models.grain_parameters import GrainFlight
+from barchan.streams import Stream, derive
+from barchan.wind.segment import Segment, downwind
+
+MOTION, MARKS = 8, 4
+"""Quantities of a grain, as numbers and as whole numbers; see ``kernels.grain_state.Grains``."""
+
+_SUNK = -1.0
+"""Height (m) of free slots, as ``kernels.grain_state.SUNK``."""
+
+
+PATH_COLUMNS = 7
+"""Columns of a path."""
+
+_TRIES = 20
+"""Cells drawn for a path at most before it is given up."""
+
+
+class GrainModel(Model):
+    """A model that follows grains through the air, each standing for the parcel that it takes along."""
+
+    Parameters = GrainFlight
+    parameters: GrainFlight
+
+    def __init__(self, parameters: Any, lattice: Lattice) -> None:
+        """Set the model up with no grain in the air."""
+        super().__init__(parameters, lattice)
+        self.motion, self.marks = _slots(max(1, round(parameters.load * lattice.cells)))
+        self.iteration = 0
+        self.slots_in_use = self.marks.shape[1]
+
+    def prepare(self, bed: Bed, seed: int) -> None:
+        """Look whether grains can fly here; raises ScenarioError with everything that keeps them from it."""
+        found = grain_checks.problems(self.parameters, bed, self.fastest())
+        if found:
+            raise ScenarioError(found)
+
+    def fastest(self) -> float:
+        """The greatest upward speed (m/s) at which the wind itself lifts grains."""
+        return 2.0 * self.parameters.friction_velocity(self.parameters.wind_speed)
+
+    @property
+    def step_seconds(self) -> float | None:
+        """Duration of a step (s), where iterations are the clock."""
+        return self.parameters.step_seconds
+
+    def facts(self) -> dict[str, str]:
+        """What a parcel is, how the wind compares with the threshold, how grains fall, how long a step is."""
+        return grain_checks.facts(self.parameters, self.lattice)
+
+    def remarks(self, hop_length: float | None, direction: float) -> list[str]:
+        """A wind that moves nothing; parcels unlike those of the sources."""
+        return grain_checks.remarks(self.parameters, self.lattice)
+
+    def state(self) -> dict[str, NDArray | float | int | str]:
+        """The grains in the air and how many iterations are done."""
+        return {"motion": self.motion, "marks": self.marks, "iteration": self.iteration}
+
+    def restore(self, state: dict[str, Any]) -> None:
+        """Take up grains in the air."""
+        self.motion[...] = state["motion"]
+        self.marks[...] = state["marks"]
+        self.iteration = int(state["iteration"])
+
+    @property
+    def airborne(self) -> int:
+        """Parcels in the air."""
+        return int(self.marks[0].sum())
+
+    @abstractmethod
+    def bounce(self) -> Any:
+        """How grains bounce."""
+
+    @abstractmethod
+    def lift_off(self, wind: Segment, chance: float = 1.0) -> Any:
+        """How free slots lift parcels, each with a ``chance`` in an iteration."""
+
+    def passed(self, counts: NDArray[np.int64]) -> None:
+        """Take note of what happened in a step."""
+
+    @property
+    def spare_slots(self) -> int:
+        """Free slots to keep in flight for grains that start within a step; all where not given."""
+        return self.marks.shape[1]
+
+    def _choose_slots(self) -> None:
+        """Leave free slots but the spare ones out of flight; grains move up where too many lie between."""
+        held = np.flatnonzero(self.marks[0])
+        last = int(held[-1]) + 1 if held.size else 0
+        if last > held.size + self.spare_slots:
+            order = np.argsort(self.marks[0] == 0, kind="stable")
+            self.motion[...] = self.motion[:, order]
+            self.marks[...] = self.marks[:, order]
+            last = held.size
+        self.slots_in_use = min(last + self.spare_slots, self.marks.shape[1])
+
+    def splash(self) -> Any:
+        """What impacts throw out; None: nothing, grains bounce."""
+        return None
+
+    def advance(self, bed: Bed, segment: Segment, stream: Stream, still: int, limit: int) -> Tally:
+        """Let the grains in the air fly, land and be replaced."""
+        total = Tally(still=still, airborne=self.airborne)
+        ground = GrainGround(self.parameters, bed, segment.direction, self.marks.shape[1])
+        grains = self.grains()
+        for _ in range(segment.steps):
+            ground.counts[:] = 0
+            self._step(segment, stream, grains, self.air(segment), ground)
+            self.passed(ground.counts)
+            total.add(ground.tally(self.airborne, total.still))
+            if limit and total.still >= limit:
+                break
+        return total
+
+    def _step(self, wind: Segment, stream: Stream, grains: Any, air: Any, ground: GrainGround) -> None:
+        if self.parameters.clock == "step":
+            ground.spread_lid()
+            self._follow(derive(stream.key, self.iteration), grains, air, ground, wind)
+            self.iteration += 1
+            return
+        self._choose_slots()
+        for number in range(round(wind.share * self.parameters.iterations_per_step)):
+            if number % self.parameters.shelter_every == 0:
+                ground.spread_lid()
+            if number and number % self.parameters.collapse_every == 0:
+                ground.settle(derive(stream.key, self.iteration))
+            self._iterate(derive(stream.key, self.iteration), grains, air, ground, wind)
+            self.iteration += 1
+        ground.settle(derive(stream.key, self.iteration))
+
+    def _iterate(self, key: int, grains: Any, air: Any, ground: GrainGround, wind: Segment) -> None:
+        """All grains fly for one time step, then those that touched down meet the bed."""
+        from barchan.kernels.grain_bed import exchange
+        from barchan.kernels.grain_flight import BLOCK, fly
+        from barchan.kernels.sharing import shared, thread_count
+
+        slots, arrays, events = self.slots_in_use, ground.arrays, ground.events
+        rules, splash = (self.bounce(), self.lift_off(wind)), self.splash()
+        about = grains, air, ground.grid, arrays, ground.scale, rules, splash, events
+        found = shared(
+            lambda first, last: fly(first, last, np.uint64(key), *about), slots, BLOCK, thread_count()
+        )
+        for first, count in found:
+            exchange(first, count, grains, arrays, ground.scale, ground.grid, events, ground.counts)
+        if splash is not None:
+            ground.eject(found, grains, splash)
+        ground.count_flight(slots)
+
+    def _follow(self, key: int, grains: Any, air: Any, ground: GrainGround, wind: Segment) -> None:
+        """As many grains as the field has cells fly from lift-off to rest, one after the other."""
+        from barchan.kernels.grain_paths import trajectories
+
+        rules = self.lift_off(wind), (self.bounce(), self.lift_off(wind, 0.0))
+        slopes = ground.sequences, ground.repose, ground.queue, ground.waiting
+        trajectories(
+            *(self.lattice.cells, np.uint64(key), grains, air, ground.arrays, ground.scale, ground.grid),
+            *(rules, self.splash(), slopes, ground.events, ground.counts),
+        )
+
+    def grains(self) -> Any:
+        """The grains as the kernels take them."""
+        return _grains(self.motion, self.marks)
+
+    def paths(
+        self, bed: Bed, wind: Segment, stream: Stream, count: int, longest: float = 10.0
+    ) -> list[NDArray[np.float64]]:
+        """The paths of ``count`` grains over a bed that stays as it is, each for ``longest`` seconds at most.
+
+        The columns of a path are the place east and north (m; it grows on beyond joined edges), the height
+        over the lowest ground (m), the velocity eastwards, northwards and upwards (m/s), and the bounces so
+        far; its rows are a time step apart. Fewer come back where hardly a cell gives sand.
+        """
+        from barchan.kernels.grain_paths import trace
+
+        ground = GrainGround(self.parameters, bed, wind.direction, 1)
+        ground.spread_lid()
+        lifts = self.lift_off(wind)
+        surely = lifts._replace(chance=1.0 if lifts.chance > 0.0 else 0.0)
+        rules = surely, (self.bounce(), self.lift_off(wind, 0.0))
+        path = np.zeros((max(2, round(longest / self.parameters.time_step)), PATH_COLUMNS))
+        found: list[NDArray[np.float64]] = []
+        for number in range(_TRIES * count):
+            grains = _grains(*_slots(1))
+            about = (
+                grains,
+                self.air(wind),
+                ground.arrays,
+                ground.scale,
+                ground.grid,
+                rules,
+                self.splash(),
+                ground.events,
+            )
+            places = trace(np.uint64(derive(stream.key, number)), *about, path)
+            if places:
+                flight = path[:places].copy()
+                flight[:, :2] = (flight[:, :2] + 0.5) * self.lattice.cell_size
+                found.append(flight)
+            if len(found) == count:
+                break
+        return found
+
+    def speed(self, wind: Segment | None) -> float:
+        """Speed of the wind (m/s at 10 m); a calm has none."""
+        if wind is not None and wind.polls == 0:
+            return 0.0
+        if wind is None or wind.speed is None:
+            return self.parameters.wind_speed
+        return wind.speed
+
+    def wind_profile(self, height: NDArray[np.float64], friction: float) -> NDArray[np.float64]:
+        """Wind speed (m/s) at heights (m) above the surface, of a wind with this friction velocity (m/s)."""
+        rules = self.parameters
+        speed = log_wind(height, friction, rules.roughness_length, rules.displacement)
+        return speed + np.where(speed > 0.0, rules.stability, 0.0)
+
+    def air(self, wind: Segment) -> Any:
+        """What the air does to grains in one time step."""
+        from barchan.kernels.grain_state import Air
+
+        rules = self.parameters
+        friction = rules.friction_velocity(self.speed(wind))
+        x, y = downwind(wind.direction)
+        step = rules.time_step
+        late = 1.0 if rules.scheme == "euler" else 0.5
+        early = 1.0 - late
+        fall = rules.gravity * step
+        numbers = (x, y, fall, fall * early)
+        moves = [share * step for share in (early, late)]
+        return Air(
+            table(lambda height: self.wind_profile(height, friction), HEIGHTS),
+            table(lambda squared: rules.drag_share(np.sqrt(squared)), SQUARED_SPEEDS),
+            *(np.float32(number) for number in numbers),
+            *(np.float32(move / self.lattice.cell_size) for move in moves),
+            *(np.float32(move) for move in moves),
+        )
+
+    def moves(self, wind: Segment | None = None) -> bool:
+        """Whether the wind is above the threshold."""
+        return self.parameters.friction_velocity(self.speed(wind)) > self.parameters.threshold()
+
+    def settle(self, bed: Bed, where: NDArray[np.bool_] | None = None) -> int:
+        """Relax slopes to the angle of repose."""
+        ground = GrainGround(self.parameters, bed)
+        return ground.settle_where(np.ones(bed.sand.size, np.bool_) if where is None else where.ravel())
+
+    def slope_limits(self) -> dict[str, tuple[int, ...]]:
+        """The steps (parcels) that stand towards faces and corners; the filter holds none."""
+        if self.parameters.collapse == "filter":
+            return {}
+        return {"sand": repose_limits(self.parameters.repose_angle, self.lattice)}
+
+    def slope_rules(self) -> Hashable:
+        """The angle of repose."""
+        return self.parameters.repose_angle
+
+
+def _slots(count: int) -> tuple[NDArray[np.float32], NDArray[np.int32]]:
+    """Free slots: motion and marks."""
+    motion = np.zeros((MOTION, count), np.float32)
+    motion[2] = _SUNK
+    return motion, np.zeros((MARKS, count), np.int32)
+
+
+def _grains(motion: NDArray[np.float32], marks: NDArray[np.int32]) -> Any:
+    from barchan.kernels.grain_state import Grains
+
+    return Grains(*motion, *marks)

@@ -1,0 +1,180 @@
+"""Grains in flight the slow and obvious way: one grain after the other, in plain Python.
+
+Numbers are 32-bit where the kernels' are, so that both give the same bits.
+"""
+
+import math
+
+import numpy as np
+
+from barchan.streams import GOLDEN, MASK, derive, mix
+from barchan.wind.segment import downwind
+
+F = np.float32
+
+
+def draw(start, number):
+    return (mix((start + GOLDEN * number) & MASK) >> 11) * 2.0**-53
+
+
+def bits(number):
+    return int(F(number).view(np.int32))
+
+
+def look_up(table, number):
+    return table.values[min(max((bits(number) - int(table.first)) >> 17, 0), table.values.size - 1)]
+
+
+class Grain:
+    held = False
+
+
+class ReferenceFlight:
+    """A bed and its grains, one iteration at a time, for the published rules."""
+
+    def __init__(self, model, bed, wind):
+        self.model, self.rules, self.bed, self.wind = model, model.parameters, bed, wind
+        self.air = model.air(wind)
+        self.lift_off = model.lift_off(wind)
+        self.grains = [Grain() for _ in range(model.marks.shape[1])]
+        self.left = self.moved = self.capped = 0
+        self.travel = [0, 0]
+
+    def height(self, row, col):
+        part = self.bed.lattice.thickness / 2**20
+        ground = self.bed.ground - self.bed.ground.min()
+        level = int(np.rint(ground[row, col] / self.bed.lattice.thickness * 2**20)) + (
+            int(self.bed.sand[row, col]) << 20
+        )
+        return F(level * part)
+
+    def corners(self, x, y):
+        """Rows and columns of the stacks about a place, and the place between them."""
+        (rows, cols), (joined_y, joined_x) = self.bed.lattice.shape, self.bed.lattice.periodic
+        row, col = int(y), int(x)
+        north = (row + 1) % rows if joined_y else min(row + 1, rows - 1)
+        east = (col + 1) % cols if joined_x else min(col + 1, cols - 1)
+        return row, north, col, east, float(x) - col, float(y) - row
+
+    def surface(self, x, y):
+        """Height and slopes of the interpolated surface."""
+        row, north, col, east, part_x, part_y = self.corners(x, y)
+        sw, se, nw, ne = (float(self.height(r, c)) for r in (row, north) for c in (col, east))
+        low, high = sw + part_x * (se - sw), nw + part_x * (ne - nw)
+        size = self.bed.lattice.cell_size
+        slope_x = ((se - sw) * (1.0 - part_y) + (ne - nw) * part_y) / size
+        return low + part_y * (high - low), slope_x, (high - low) / size
+
+    def nearest(self, x, y):
+        row, north, col, east, part_x, part_y = self.corners(x, y)
+        return (north if F(part_y) >= 0.5 else row), (east if F(part_x) >= 0.5 else col)
+
+    def base(self, x, y):
+        row, north, col, east, _, _ = self.corners(x, y)
+        sw, se, nw, ne = (self.height(r, c) for r in (row, north) for c in (col, east))
+        return F(0.25) * ((sw + se) + (nw + ne))
+
+    def fly(self, grain):
+        air = self.air
+        height = grain.z + air.rise_before * grain.w - self.base(grain.x, grain.y)
+        wind = look_up(air.wind, height)
+        lag_x, lag_y = wind * air.wind_x - grain.u, wind * air.wind_y - grain.v
+        share = look_up(
+            air.drag, lag_x * lag_x + lag_y * lag_y + (grain.w - air.early_fall) * (grain.w - air.early_fall)
+        )
+        u = grain.u + share * lag_x
+        v = grain.v + share * lag_y
+        w = grain.w - share * (grain.w - air.early_fall) - air.fall
+        grain.x += air.before * grain.u + air.after * u
+        grain.y += air.before * grain.v + air.after * v
+        grain.z += air.rise_before * grain.w + air.rise_after * w
+        grain.u, grain.v, grain.w = u, v, w
+
+    def over_edges(self, grain):
+        (rows, cols), (joined_y, joined_x) = self.bed.lattice.shape, self.bed.lattice.periodic
+        for axis, size, joined in ((0, cols, joined_x), (1, rows, joined_y)):
+            place = (grain.x, grain.y)[axis]
+            if 0 <= place < size:
+                continue
+            if not joined:
+                return False
+            if place < 0:
+                place += F(size)
+                grain.laps[axis] -= 1
+            if place >= size:
+                place -= F(size)
+                grain.laps[axis] += 1
+            grain.x, grain.y = (place, grain.y) if axis == 0 else (grain.x, place)
+        return True
+
+    def bounce(self, grain):
+        """Whether the grain flies on."""
+        surface, east, north = self.surface(grain.x, grain.y)
+        normal = np.array([-east, -north, 1.0]) / math.sqrt(1.0 + east * east + north * north)
+        velocity = np.array([float(grain.u), float(grain.v), float(grain.w)])
+        into = velocity[0] * normal[0] + velocity[1] * normal[1] + velocity[2] * normal[2]
+        out = self.rules.normal_damping * abs(into)
+        velocity = self.rules.tangential_damping * (velocity - into * normal) + out * normal
+        grain.z = F(surface)
+        squared = velocity[0] * velocity[0] + velocity[1] * velocity[1] + velocity[2] * velocity[2]
+        if squared < self.rules.stop_speed**2 or grain.bounces >= self.rules.max_bounces:
+            return False
+        grain.bounces += 1
+        grain.u, grain.v, grain.w = (F(part) for part in velocity)
+        return True
+
+    def lift(self, grain, start):
+        """The cell that gives a parcel, if one does."""
+        rows, cols = self.bed.lattice.shape
+        if draw(start, 1) >= self.lift_off.chance:
+            return None
+        x, y = F(draw(start, 2) * cols), F(draw(start, 3) * rows)
+        row, col = self.nearest(x, y)
+        if self.bed.sand[row, col] == 0:
+            return None
+        wind = downwind(self.wind.direction)
+        surface, east, north = self.surface(x, y)
+        if not self.rules.lift_from_lee and east * wind[0] + north * wind[1] < 0.0:
+            return None
+        rule = self.lift_off
+        angle = rule.flattest + draw(start, 4) * (rule.steepest - rule.flattest)
+        up = rule.slowest + draw(start, 5) * (rule.fastest - rule.slowest)
+        along = up / math.tan(angle)
+        grain.held, grain.bounces, grain.laps = True, 0, [0, 0]
+        grain.x, grain.y, grain.z = x, y, F(surface)
+        grain.u, grain.v, grain.w = F(along * wind[0]), F(along * wind[1]), F(up)
+        grain.start = x, y
+        return row, col
+
+    def iterate(self, key):
+        """All grains fly and land on the bed as it is, then the bed changes, in the order of grains."""
+        changes = []
+        for slot, grain in enumerate(self.grains):
+            rest = None
+            if grain.held:
+                self.fly(grain)
+                inside = self.over_edges(grain)
+                if inside and grain.z >= self.surface(grain.x, grain.y)[0]:
+                    continue
+                if inside and self.bounce(grain):
+                    continue
+                rest = self.nearest(grain.x, grain.y) if inside else "out"
+                self.book(grain, inside)
+                grain.held = False
+            changes.append((grain, rest, self.lift(grain, derive(key, slot))))
+        for grain, rest, source in changes:
+            if rest == "out":
+                self.left += 1
+            elif rest:
+                self.bed.sand[rest] += 1
+            if source and self.bed.sand[source] > 0:
+                self.bed.sand[source] -= 1
+                self.moved += 1
+            elif source:
+                grain.held = False
+
+    def book(self, grain, inside):
+        self.capped += bool(inside and grain.bounces >= self.rules.max_bounces)
+        for axis, (there, start) in enumerate(zip((grain.x, grain.y), grain.start, strict=True)):
+            size = self.bed.lattice.shape[1 - axis]
+            self.travel[axis] += int(np.rint((float(there) - float(start) + grain.laps[axis] * size) * 2**16))

@@ -1,0 +1,103 @@
+"""What grain models refuse and tell, collapse, clocks, and paths."""
+
+import numpy as np
+import pytest
+
+import barchan
+from barchan.analysis.paths import hops_of
+from barchan.errors import ScenarioError
+from barchan.figures.paths import broken_at_edges
+from barchan.models import model
+from barchan.simulation import Simulation
+from barchan.streams import Stream
+from barchan.wind.segment import Segment
+
+SMALL = {
+    "barchan": 1,
+    "lattice": {"rows": 16, "columns": 32, "cell_size": 0.01, "slab_height": 0.15e-3},
+    "sand": {"kind": "flat", "mean": 20},
+    "model": {"name": "wang_hu"},
+    "run": {"steps": 20, "seed": 3},
+}
+
+
+@pytest.mark.parametrize(
+    ("changes", "said"),
+    [
+        ({"model__time_step": 0.01}, "pass over a cell"),
+        ({"model__time_step": 0.09, "lattice__cell_size": 1.0, "lattice__slab_height": 1e-3}, "drag works"),
+        ({"sand__mean": 0}, "no grain can be lifted"),
+        ({"model__grain_diameter": 0.0}, "5e-05"),
+        ({"model__grain_diameter": 1.0}, "0.005"),
+        ({"model__grain_density": 100.0, "model__air_density": 90.0}, "grains that fall"),
+        ({"model__normal_damping": 1.5}, "≤ 1"),
+        ({"model__lift_least": 3.0}, "below lift_least"),
+    ],
+)
+def test_what_keeps_grains_from_flying_is_named(changes, said):
+    with pytest.raises(ScenarioError) as caught:
+        Simulation(barchan.load(SMALL, **changes))
+    assert said in str(caught.value)
+
+
+def test_the_published_grain_count_of_a_parcel_follows_from_porosity():
+    facts = Simulation(barchan.load(SMALL)).model.facts()
+    grains = 0.01**2 * 0.15e-3 * 0.6 / (np.pi / 6 * 0.15e-3**3)
+    assert f"{grains:.4g} grains" in facts["parcel"]
+
+
+def test_a_thick_parcel_is_remarked_on():
+    remarks = barchan.load(SMALL, lattice__slab_height=1e-3).remarks()
+    assert any("6.67 grain diameters" in remark for remark in remarks)
+
+
+def test_the_filter_keeps_the_sand_and_lowers_peaks():
+    simulation = Simulation(barchan.load(SMALL, model__collapse="filter", model__filter_scale=50.0))
+    simulation.bed.sand[8, 16] += 200
+    simulation.ledger.entered += 200
+    simulation.advance(3)
+    assert simulation.bed.sand[8, 16] < 150
+    assert simulation.bed.slabs + simulation.ledger.airborne == 16 * 32 * 20 + 200
+
+
+def test_a_step_of_trajectories_ends_with_no_grain_in_the_air():
+    simulation = Simulation(barchan.load(SMALL, model__clock="step"))
+    tally = simulation.advance(2)
+    assert 0 < tally.moved <= 2 * 16 * 32
+    assert simulation.ledger.airborne == 0
+    assert simulation.model.step_seconds is None
+    assert Simulation(barchan.load(SMALL, model__iterations_per_step=7)).model.step_seconds == 7e-3
+
+
+def test_paths_start_on_the_bed_and_go_downwind():
+    simulation = Simulation(barchan.load(SMALL))
+    wind = Segment(0, 1, 0, simulation.lattice.cells, 180.0)
+    for path in simulation.model.paths(simulation.bed, wind, Stream(1, "paths"), 5):
+        assert path[0, 2] == pytest.approx(20 * 0.15e-3)
+        assert path[-1, 1] > path[0, 1]
+        assert path[-1, 0] == pytest.approx(path[0, 0], abs=1e-6)
+        lengths, heights, angles = hops_of(path).T
+        assert (lengths > 0).all()
+        assert (heights > 0).all()
+        assert (angles < 90).all()
+
+
+def test_a_path_breaks_where_it_crosses_an_edge():
+    path = np.zeros((5, 7))
+    path[:, 0] = [0.1, 0.2, 0.35, 0.45, 0.65]
+    line = broken_at_edges(path, 0.3, 1.0)
+    assert np.isnan(line[:, 0]).sum() == 2
+    np.testing.assert_allclose(line[~np.isnan(line[:, 0]), 0], [0.1, 0.2, 0.05, 0.15, 0.05])
+
+
+def test_below_the_threshold_no_path_starts():
+    simulation = Simulation(barchan.load(SMALL, model__wind_speed=5.0))
+    wind = Segment(0, 1, 0, simulation.lattice.cells, 270.0)
+    assert simulation.model.paths(simulation.bed, wind, Stream(1, "paths"), 1) == []
+
+
+def test_a_wind_in_metres_per_second_overrides_the_models_own():
+    wang_hu = model("wang_hu")
+    flight = wang_hu(wang_hu.Parameters(), barchan.load(SMALL).lattice)
+    assert flight.moves()
+    assert not flight.moves(Segment(0, 1, 0, 512, 270.0, speed=5.0))

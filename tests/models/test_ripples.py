@@ -1,0 +1,71 @@
+"""The ripple model: splash, the balance of grains in the air, and a wind that they slow."""
+
+import numpy as np
+import pytest
+
+import barchan
+from barchan.models import model
+from barchan.simulation import Simulation
+
+SMALL = {
+    "barchan": 1,
+    "lattice": {"rows": 16, "columns": 64, "cell_size": 0.005, "slab_height": 0.15e-3},
+    "sand": {"kind": "flat", "mean": 50},
+    "model": {"name": "ripples", "iterations_per_step": 20},
+    "run": {"steps": 1000, "seed": 3},
+}
+
+
+def run(steps, **changes):
+    simulation = Simulation(barchan.load(SMALL, **changes))
+    simulation.advance(steps)
+    return simulation
+
+
+def test_grains_in_the_air_balance_what_they_take_from_the_wind():
+    simulation = run(150, model__wind_speed=12.0)
+    early = simulation.ledger.airborne
+    simulation.advance(100)
+    assert simulation.ledger.airborne == pytest.approx(early, rel=0.35)
+    assert simulation.ledger.airborne < 3.9 * simulation.lattice.cells
+    near = simulation.model.near_bed_friction(simulation.model.parameters.friction_velocity(12.0))
+    assert near < 0.8 * simulation.model.parameters.friction_velocity(12.0)
+
+
+def test_lighter_parcels_put_more_sand_into_the_air():
+    heavy, light = run(150, model__weight=0.4), run(150, model__weight=0.1)
+    assert light.ledger.airborne > 1.5 * heavy.ledger.airborne
+
+
+def test_nothing_moves_below_the_threshold_and_the_user_is_told():
+    simulation = run(5, model__wind_speed=8.0)
+    assert simulation.tally.moved == 0
+    assert any("nothing moves" in remark for remark in simulation.scenario.remarks())
+
+
+def test_impacts_lift_most_of_the_sand():
+    splashed, alone = run(100), run(100, model__ejecta=0.0)
+    assert splashed.tally.moved > 2 * alone.tally.moved
+
+
+@pytest.mark.parametrize("near_bed", ["threshold", "log"])
+def test_other_winds_near_the_bed_run_too(near_bed):
+    simulation = run(5, model__near_bed=near_bed)
+    assert np.isfinite(simulation.model.motion).all()
+
+
+def test_all_winds_are_alike_near_the_bed_at_the_impact_threshold():
+    ripples = model("ripples")
+    flight = ripples(ripples.Parameters(near_bed="threshold"), barchan.load(SMALL).lattice)
+    height = np.array([1e-4, 1e-3, 9e-3])
+    np.testing.assert_allclose(flight.wind_profile(height, 0.3), flight.wind_profile(height, 0.5))
+    assert (flight.wind_profile(height + 0.02, 0.3) < flight.wind_profile(height + 0.02, 0.5)).all()
+
+
+def test_the_stress_that_grains_take_survives_a_checkpoint():
+    simulation = run(20)
+    again = Simulation.from_state(simulation.state())
+    assert again.model.stress == simulation.model.stress > 0
+    for one in (simulation, again):
+        one.advance(20)
+    np.testing.assert_array_equal(simulation.bed.sand, again.bed.sand)
