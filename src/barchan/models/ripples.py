@@ -167,7 +167,7 @@ class RipplesParameters(GrainFlight):
 
 
 class Ripples(GrainModel):
-    """Sand ripples that travel downwind.
+    """Sand ripples by splash: impacts throw grains out, which hop a little downwind.
 
     Grains fly as in ``wang_hu``, with drag that depends on the Reynolds number. Four closures are added:
 

@@ -1,0 +1,61 @@
+"""Horns of a barchan at several angles to the lattice, under each neighbourhood.
+
+The preset `single-barchan` (300 steps) under a wind from 270° and from 11.25, 22.5, 33.75 and 45°
+clockwise of it, 3 seeds. *Crescent* is how far the sides of the downwind edge reach beyond its middle
+and *slant* how much farther its left side reaches than its right, both over the width
+([measures](measures.md#dunes-one-by-one)): a barchan has a positive crescent, and without the lattice no
+slant.
+"""
+
+from itertools import product
+
+import numpy as np
+
+import barchan
+from barchan.analysis.dunes import find_dunes
+from barchan.analysis.horns import horns
+from validation.direction_quality import ANGLES, SEEDS, VARIANTS
+from validation.mixed_axes import LEAST
+from validation.study import Row, over_seeds
+
+TITLE = "The lattice and the horns of a barchan"
+
+
+def shape(name, angle, seed):
+    """Crescent and slant of the highest dune; NaN where there is none."""
+    changes = {f"model__{key}": value for key, value in VARIANTS[name].items()}
+    direction = 270.0 + angle
+    scenario = barchan.load(
+        "single-barchan",
+        run__seed=seed,
+        run__steps=300,
+        run__save_every=300,
+        wind__direction=direction,
+        **{"model__neighbourhood": "von_neumann", "model__corner_limit": "face", **changes},
+    )
+    last = barchan.simulate(scenario).isel(step=-1)
+    dunes = find_dunes(last["elevation"].values, LEAST, scenario.lattice.periodic)
+    if not dunes:
+        return {"crescent": np.nan, "slant": np.nan}
+    seen = horns(max(dunes, key=lambda dune: dune.cells), direction, scenario.lattice.cell_size)
+    return {"crescent": seen.crescent, "slant": seen.slant}
+
+
+def rows():
+    cases = list(product(VARIANTS, ANGLES))
+    results = dict(zip(cases, over_seeds(shape, cases, SEEDS), strict=True))
+    for name in VARIANTS:
+        for angle in ANGLES:
+            found = results[name, angle]
+            slants = ", ".join(f"{slant:+.2f}" for slant in found["slant"])
+            yield Row(f"{name}, {angle:g}°", "no slant", f"slant {slants}", _crescents(found["crescent"]))
+        slants = [slant for angle in ANGLES for slant in results[name, angle]["slant"]]
+        text = f"mean size of slants {np.nanmean(np.abs(slants)):.2f}, mean {np.nanmean(slants):+.2f}"
+        yield Row(f"**{name}**", "no slant", text)
+
+
+def _crescents(values):
+    return "crescent " + ", ".join(f"{value:+.2f}" for value in values)
+
+
+READING = ""
