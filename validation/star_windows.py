@@ -1,0 +1,61 @@
+"""Star dunes under uneven winds: do they keep their form longer?
+
+Star dunes are said to need winds that vary in direction, speed and time, with one dominant direction; seed
+000 (§4.2) leaves open what that would do, and finds that stars under four equal winds merge and lose their
+form (§6.1). Presets `star` (80 steps a wind), `star-unequal` (120, 80, 40 and 80 steps), `star-speeds`
+(hops grow from 2 to 8 cells under each), `star-dominant` (half of the time from the west), `star-five`
+(five even directions, 64 steps each), 192² cells with 10 slabs each. Arms are ridges that lead away from a
+summit, top and foot the upper and the lowest third of its relief ([measures](measures.md#star-dunes)); a
+star has 3 arms or more. In nature arms are 3 or 4, slopes 15 to 30° along the crest and 5 to 10° at the
+foot (seed 000, §2.1.3).
+"""
+
+import numpy as np
+
+import barchan
+from barchan.analysis.orientation import crest_orientation
+from barchan.analysis.stars import summits
+from validation.study import Row, over_seeds, spread
+
+TITLE = "Star dunes under uneven winds"
+SEEDS = (1, 2, 3)
+STEPS = (640, 1280, 2560)
+PRESETS = ("star", "star-unequal", "star-speeds", "star-dominant", "star-five")
+
+
+def forms(preset, seed):
+    """Arms, slopes and straightness after each number of steps."""
+    size = {"lattice__rows": 192, "lattice__columns": 192}
+    scenario = barchan.load(preset, **size, run__steps=STEPS[-1], run__save_every=640, run__seed=seed)
+    run = barchan.simulate(scenario)
+    found = {}
+    for step in STEPS:
+        surface = run["elevation"].sel(step=step).values
+        peaks = summits(surface, scenario.lattice.cell_size)
+        arms = [peak.arms for peak in peaks]
+        found |= {
+            f"summits {step}": len(peaks),
+            f"arms {step}": np.mean(arms),
+            f"stars {step}": np.mean(np.array(arms) >= 3),
+            f"top {step}": np.mean([peak.top_slope for peak in peaks]),
+            f"foot {step}": np.mean([peak.foot_slope for peak in peaks]),
+            f"straightness {step}": crest_orientation(surface, scenario.lattice.cell_size).coherence,
+        }
+    return found
+
+
+def rows():
+    for preset, found in zip(PRESETS, over_seeds(forms, [(p,) for p in PRESETS], SEEDS), strict=True):
+        for step in STEPS:
+            told = {name: spread(values, 2) for name, values in found.items() if name.endswith(f" {step}")}
+            yield Row(
+                f"`{preset}`, {step} steps",
+                "3 to 4 arms, top 15–30°, foot 5–10°" if step == STEPS[0] else "-",
+                f"{told[f'summits {step}']} summits, {told[f'arms {step}']} arms, "
+                f"stars {told[f'stars {step}']}, "
+                f"top {told[f'top {step}']}°, foot {told[f'foot {step}']}°, "
+                f"straightness {told[f'straightness {step}']}",
+            )
+
+
+READING = ""
