@@ -23,25 +23,25 @@ class Problem:
         return f"{self.key}: {self.message}{where}" if self.key else f"{self.message}{where}"
 
 
-class ScenarioError(BarchanError):
-    """A scenario that cannot be used, with every problem found in it."""
+class _ListedError(BarchanError):
+    """Several problems, told at once."""
 
     def __init__(self, problems: list[Problem], title: str = "scenario") -> None:
         self.problems = problems
-        super().__init__(_listed(problems, title))
+        super().__init__(problems, title)
+
+    def __str__(self) -> str:
+        problems, title = self.args
+        count = "1 problem" if len(problems) == 1 else f"{len(problems)} problems"
+        return "\n".join([f"{title}: {count}", *(f"  {problem}" for problem in problems)])
 
 
-class RecordError(BarchanError):
+class ScenarioError(_ListedError):
+    """A scenario that cannot be used, with every problem found in it."""
+
+
+class RecordError(_ListedError):
     """A wind record that cannot be used, with the first problem of each kind found in it."""
-
-    def __init__(self, problems: list[Problem], title: str) -> None:
-        self.problems = problems
-        super().__init__(_listed(problems, title))
-
-
-def _listed(problems: list[Problem], title: str) -> str:
-    count = "1 problem" if len(problems) == 1 else f"{len(problems)} problems"
-    return "\n".join([f"{title}: {count}", *(f"  {problem}" for problem in problems)])
 
 
 class ConservationError(BarchanError):
