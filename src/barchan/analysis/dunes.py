@@ -67,13 +67,10 @@ def _bodies(raised: NDArray[np.bool_], periodic: Periodic) -> NDArray[np.int64]:
         margin = [(int(axis == other),) * 2 for other in (0, 1)]
         wide = np.pad(wide, margin, mode="wrap") if joined else np.pad(wide, margin)
     numbers, count = ndimage.label(wide, np.ones((3, 3)))
-    pairs = [
-        (numbers.take(copy, axis), numbers.take(own, axis))
-        for axis, joined in enumerate(periodic)
-        for copy, own in ((0, -2), (-1, 1))
-        if joined
-    ]
-    first, last = (np.concatenate([pair[k] for pair in pairs] or [np.zeros(1, np.int64)]) for k in (0, 1))
+    joins = [(axis, copy, own) for axis in (0, 1) if periodic[axis] for copy, own in ((0, -2), (-1, 1))]
+    empty = np.zeros((2, 0), np.int64)
+    pairs = [np.stack([numbers.take(copy, axis), numbers.take(own, axis)]) for axis, copy, own in joins]
+    first, last = np.concatenate([empty, *pairs], axis=1)
     links = coo_array((np.ones(len(first)), (first, last)), (count + 1, count + 1))
     return connected_components(links, directed=False)[1][numbers][1:-1, 1:-1].astype(np.int64)
 
