@@ -88,7 +88,7 @@ class Orders:
         target = order.get("until")
         if "steps" in order:
             target = self.going.live.steps_done + max(1, int(order["steps"]))
-        self.going.run(target)
+        self.going.run(target, bool(order.get("brief")))
         if target is not None and not self.going.busy:
             self.worker.tell("arrived", step=self.going.live.steps_done)
 

@@ -56,4 +56,4 @@ class Pair:
         self._away = set(self.links)
         self._began = time.perf_counter()
         for link in self.links.values():
-            link.send(do="run", steps=steps)
+            link.send(do="run", steps=steps, brief=True)

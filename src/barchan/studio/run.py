@@ -19,7 +19,7 @@ from barchan.studio.planes import STEPS_OF_CHANGE
 LOOK_ONLY = "look_only"
 """The key of a state's data that says that no run can go on from it."""
 
-BREATH = 0.015
+BREATH = 0.008
 """Seconds of work between two looks at what the browser wants."""
 
 
@@ -40,7 +40,7 @@ class StudioRun:
         self.painting = Painting()
         self.looking: Simulation | None = None
         self.can_branch = True
-        self.running = False
+        self.running = self.brief = False
         self.target: int | None = None
         self._surfaces: list[tuple[int, NDArray[np.float64]]] = []
         self.remember()
@@ -55,9 +55,10 @@ class StudioRun:
         """Whether there are steps to do."""
         return self.running and self.live.finished is None
 
-    def run(self, target: int | None = None) -> None:
-        """Run, on and on or up to a step."""
+    def run(self, target: int | None = None, brief: bool = False) -> None:
+        """Run, on and on or up to a step; ``brief`` where it will go on at once from there."""
         self.looking = None
+        self.brief = brief
         self.target = target
         self.running = target is None or target > self.live.steps_done
         self.pace.restart()
@@ -65,6 +66,7 @@ class StudioRun:
     def pause(self) -> None:
         """Stop."""
         self.running = False
+        self.gauges.look(self.live, at_once=True)
 
     def breathe(self) -> bool:
         """Do some steps, as many as fit between two looks at the clock; whether a set goal is reached."""
@@ -82,6 +84,8 @@ class StudioRun:
         arrived = self.target is not None and self.live.steps_done >= self.target
         if self.live.finished or arrived:
             self.running = False
+        if not self.running and not self.brief:
+            self.gauges.look(self.live, at_once=True)
         return not self.running and self.target is not None
 
     def remember(self) -> None:

@@ -38,8 +38,8 @@ def serve(studio: Studio, ready: Callable[[str], None], open_browser: bool = Tru
 
     if not (CLIENT / "index.html").is_file():
         raise BarchanError(f"the client is not built in {CLIENT}; install the package again")
-    listener = _listener(studio.host, studio.port)
-    port = listener.getsockname()[1]
+    sock = listener(studio.host, studio.port)
+    port = sock.getsockname()[1]
     guard = Guard(port, tuple({*LOOPBACK, studio.host, *_names(studio.host)}))
     session = Session(Store(studio.folder), studio.scenario, studio.archive)
     config = uvicorn.Config(
@@ -56,25 +56,26 @@ def serve(studio: Studio, ready: Callable[[str], None], open_browser: bool = Tru
     if open_browser:
         webbrowser.open(address)
     try:
-        asyncio.run(uvicorn.Server(config).serve([listener]))
+        asyncio.run(uvicorn.Server(config).serve([sock]))
     except KeyboardInterrupt:
         pass
     finally:
         session.close()
-        listener.close()
+        sock.close()
 
 
-def _listener(host: str, port: int) -> socket.socket:
+def listener(host: str, port: int) -> socket.socket:
+    """A socket that listens; raises BarchanError where it cannot."""
     family = socket.AF_INET6 if ":" in host else socket.AF_INET
-    listener = socket.socket(family, socket.SOCK_STREAM)
+    sock = socket.socket(family, socket.SOCK_STREAM)
     try:
-        listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
-        listener.bind((host, port))
-        listener.listen()
+        sock.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        sock.bind((host, port))
+        sock.listen()
     except OSError as error:
-        listener.close()
+        sock.close()
         raise BarchanError(f"cannot serve at {host}:{port}: {error.strerror or error}") from None
-    return listener
+    return sock
 
 
 def _names(host: str) -> list[str]:

@@ -71,7 +71,7 @@ class Worker:
             result = self.orders.obey(order)
         except ScenarioError as error:
             self._refuse(order, "; ".join(map(str, error.problems)), [vars(p) for p in error.problems])
-        except (BarchanError, OSError) as error:
+        except (BarchanError, OSError, LookupError, TypeError, ValueError) as error:
             self._refuse(order, str(error), [])
         else:
             if "re" in order:

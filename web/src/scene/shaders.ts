@@ -2,7 +2,7 @@
 
 export const VERTEX = /* glsl */ `
 precision highp float;
-uniform sampler2D heights; // metres: surface, depth of sand
+uniform sampler2D heights; // metres: surface, ground
 uniform vec2 cells;        // columns, rows
 uniform vec2 extent;       // metres
 uniform float scale;       // metres to units of the scene
@@ -71,7 +71,7 @@ float sunlit(vec2 p, float h) {
   float rise = sun.y / flat_ / exaggeration;
   float cell = extent.x / cells.x;
   float light = 1.0;
-  float reach = cell * 0.75;
+  float reach = cell * 1.2;
   for (int i = 0; i < 28; i++) {
     vec2 q = p + along * reach / extent;
     if (q.x < 0.0 || q.x > 1.0 || q.y < 0.0 || q.y > 1.0) break;
@@ -100,9 +100,7 @@ void main() {
   vec4 here = texture2D(heights, texel);
   vec3 ground = groundColour;
   if (isWall > 0.5) {
-    float sandBottom = here.r - here.g;
-    vec3 colour = height > sandBottom && here.g > 0.25 * thickness ? sandColour * 0.72 : ground * 0.62;
-    colour *= 0.86 + 0.14 * (1.0 - wallness);
+    vec3 colour = height > here.g ? sandColour * 0.66 : ground * 0.55;
     gl_FragColor = vec4(colour, 1.0);
     #include <colorspace_fragment>
     return;
@@ -112,7 +110,7 @@ void main() {
   vec3 mapped = texture2D(map, vec2(clamp(value, 0.0, 1.0) * 63.0 / 64.0 + 0.5 / 64.0, 0.5)).rgb;
   mapped = pow(mapped, vec3(2.2));
   vec3 colour = mix(mapped, sandColour, natural);
-  float covered = smoothstep(0.15, 0.85, here.g / thickness);
+  float covered = smoothstep(0.05, 0.6, (here.r - here.g) / thickness);
   if (bare > 0.5) colour = mix(ground, colour, covered);
   vec4 shares = texture2D(overlay, texel);
   for (int i = 0; i < 4; i++) {
@@ -141,10 +139,10 @@ void main() {
   }
   if (section.x > -1.0) {
     float d = segmentDistance(place * extent, section.xy * extent, section.zw * extent);
-    colour = mix(colour, vec3(0.035, 0.09, 0.20), 0.9 * line(d, 1.6));
+    float wide = length(fwidth(place * extent)) * 0.8;
     float ends = min(length((place - section.xy) * extent), length((place - section.zw) * extent));
-    float dot_ = 1.0 - smoothstep(4.0, 5.5, ends / max(fwidth(d), 1e-6));
-    colour = mix(colour, vec3(0.035, 0.09, 0.20), dot_);
+    float ink = max(1.0 - smoothstep(wide, 1.8 * wide, d), 1.0 - smoothstep(3.2 * wide, 4.2 * wide, ends));
+    colour = mix(colour, vec3(0.03, 0.10, 0.22), 0.92 * ink);
   }
   if (brush.z > 0.0) {
     vec2 off = (place - brush.xy) * extent;

@@ -55,8 +55,8 @@ export class Stage {
 
   /** Let the camera look from one of the usual places. */
   look(from: "oblique" | "top" | "side"): void {
-    const [x, y, z] = { oblique: [-7.2, 7.6, 12.6], top: [0, 19.8, 0.001], side: [0, 1.6, 19] }[from] as number[];
-    this.controls.target.set(0, from === "oblique" ? -0.15 : 0, 0);
+    const [x, y, z] = { oblique: [-6.4, 9.6, 17.2], top: [0, 21, 0.001], side: [0, 2.2, 21] }[from] as number[];
+    this.controls.target.set(0, from === "oblique" ? 0.1 : 0, 0);
     this.camera.position.set(x!, y!, z!);
     this.controls.update();
     this.redraw();

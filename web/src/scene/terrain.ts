@@ -11,7 +11,7 @@ import { smoothed } from "./smooth";
 export const SIZE = 10;
 const FINEST = 512;
 const TINTS = ["#4c8a3a", "#8aa83c", "#2f6b4f", "#7d7a2c"];
-const SAND = new THREE.Color("#d8b47c");
+const SAND = new THREE.Color("#dcb981");
 const GROUND = new THREE.Color("#8f8a84");
 
 export class Terrain {
@@ -28,6 +28,9 @@ export class Terrain {
   private values: THREE.DataTexture | null = null;
   private overlay: THREE.DataTexture | null = null;
   private shape = "";
+  private ground: Float32Array = new Float32Array(0);
+  private groundOf: Float32Array | null = null;
+  private groundWidth = 0;
   private map = "";
 
   constructor(
@@ -118,13 +121,19 @@ export class Terrain {
 
   private fillHeights(run: Run): void {
     const data = this.heights!.image.data as Float32Array;
+    const width = this.app.view.look.smoothing;
+    if (this.groundOf !== run.ground || this.groundWidth !== width) {
+      const joined = run.description!.lattice.periodic;
+      this.ground = smoothed(run.ground, run.rows, run.columns, width, joined);
+      [this.groundOf, this.groundWidth] = [run.ground, width];
+    }
     let low = Number.POSITIVE_INFINITY;
     for (let i = 0; i < this.drawn.length; i++) {
       data[2 * i] = this.drawn[i]!;
-      data[2 * i + 1] = run.depth[i]!;
+      data[2 * i + 1] = this.ground[i]!;
       if (run.ground[i]! < low) low = run.ground[i]!;
     }
-    this.base = low - 0.012 * Math.max(...this.extent);
+    this.base = low - 0.02 * Math.max(...this.extent);
     this.heights!.needsUpdate = true;
   }
 

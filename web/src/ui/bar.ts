@@ -4,7 +4,7 @@ import type { App } from "../core/app";
 import { button, h, short } from "./dom";
 
 const LIMITS: [string, number | null][] = [
-  ["as fast as it can", null],
+  ["no limit", null],
   ["100 steps/s", 100],
   ["30 steps/s", 30],
   ["10 steps/s", 10],

@@ -20,20 +20,17 @@ const HIDDEN = new Set(["note", "barchan"]);
 
 /** The rows of a group of parameters, gathered under the headings that they declare. */
 export function group(context: FormContext, schema: Schema, value: JsonObject, path: Path, skip: string[] = []): HTMLElement[] {
-  const rows: HTMLElement[] = [];
-  let heading = "";
+  const gathered = new Map<string, HTMLElement[]>();
   for (const [name, property] of Object.entries(schema.properties ?? {})) {
     const entry = entryOf(property, context.root);
     if (HIDDEN.has(name) || skip.includes(name) || entry.schema.const !== undefined) continue;
     if (entry.kind === "choice" && entry.choices.length === 1) continue;
     const under = property.group || entry.schema.group || "";
-    if (under && under !== heading) {
-      heading = under;
-      rows.push(h("h4", {}, under));
-    }
+    const rows = gathered.get(under) ?? [];
     rows.push(field(context, name, property, value[name] ?? null, [...path, name]));
+    gathered.set(under, rows);
   }
-  return rows;
+  return [...gathered].flatMap(([heading, rows]) => (heading ? [h("h4", {}, heading), ...rows] : rows));
 }
 
 /** One parameter, whatever it is. */
@@ -258,7 +255,7 @@ function explained(schema: Schema, live: boolean): string {
 }
 
 export function words(name: string): string {
-  return name.replaceAll("_", " ");
+  return name.replaceAll(/_(?=[a-z0-9]{3})/g, " ");
 }
 
 function shown(value: Json): string {

@@ -213,6 +213,10 @@ export class SectionView {
     if (shadow) items.push(["shadow", "shadow zone"]);
     if (repose !== null) items.push(["steep", `near repose (${repose.toFixed(1)}°)`]);
     let right = width - MARGIN.right - 4;
+    c.globalAlpha = 0.85;
+    c.fillStyle = themeColour("card");
+    c.fillRect(right - 280, MARGIN.top - 10, 284, 20);
+    c.globalAlpha = 1;
     c.textAlign = "right";
     for (const [colour, text] of items) {
       c.fillStyle = themeColour("ink");
