@@ -10,6 +10,12 @@ from barchan.simulation import State
 BUDGET = 400_000_000
 """Bytes that the states of a run may take; beyond, every second one is forgotten."""
 
+MOST_STATES = 400
+"""States of a run that are kept; beyond, every second one is forgotten."""
+
+FINEST = 20
+"""Steps from one state to the next at first, at most."""
+
 
 class History:
     """States of one run by their steps, evenly spaced, the first one always kept."""
@@ -37,7 +43,7 @@ class History:
             shared = {name: _same(before.get(name), array) for name, array in state.arrays.items()}
             state = replace(state, arrays=shared)
         self.states = [known for known in self.states if known.step < state.step] + [state]
-        while len(self.states) > 2 and self.bytes > BUDGET:
+        while len(self.states) > 2 and (self.bytes > BUDGET or len(self.states) > MOST_STATES):
             self.every *= 2
             self.states = self.states[::2]
 

@@ -11,7 +11,7 @@ from barchan.errors import BarchanError
 from barchan.scenario import Scenario
 from barchan.simulation import Simulation, State
 from barchan.studio.gauges import Gauges
-from barchan.studio.history import History
+from barchan.studio.history import FINEST, History
 from barchan.studio.pace import Pace
 from barchan.studio.painting import Painting
 from barchan.studio.planes import STEPS_OF_CHANGE
@@ -29,7 +29,7 @@ class StudioRun:
     def __init__(self, simulation: Simulation) -> None:
         """Take a simulation over, paused."""
         self.pace = Pace()
-        self.begin(simulation, History(simulation.scenario.run.save_every), Gauges())
+        self.begin(simulation, History(min(simulation.scenario.run.save_every, FINEST)), Gauges())
         self.gauges.look(simulation, at_once=True)
 
     def begin(self, simulation: Simulation, history: History, gauges: Gauges) -> None:

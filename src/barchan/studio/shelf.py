@@ -9,7 +9,7 @@ from barchan.archive.folder import CHECKPOINT, scenario_of
 from barchan.archive.frames import COUNTERS
 from barchan.errors import ArchiveError
 from barchan.simulation import Simulation, State
-from barchan.studio.history import History
+from barchan.studio.history import FINEST, History
 from barchan.studio.run import LOOK_ONLY, StudioRun, resumed
 
 if TYPE_CHECKING:
@@ -43,9 +43,9 @@ def reopened(folder: Path) -> StudioRun:
 
     Raises ArchiveError where there is no run to go on with.
     """
-    scenario_of(folder)
+    scenario = scenario_of(folder)
     last = read_checkpoint(folder / CHECKPOINT)
-    history = History(int(last.data["scenario"]["run"]["save_every"]))
+    history = History(min(scenario.run.save_every, FINEST))
     try:
         dataset = open_run(folder)
     except ArchiveError:

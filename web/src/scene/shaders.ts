@@ -76,12 +76,12 @@ float sunlit(vec2 p, float h) {
     vec2 q = p + along * reach / extent;
     if (q.x < 0.0 || q.x > 1.0 || q.y < 0.0 || q.y > 1.0) break;
     float above = h + rise * reach - surface(q);
-    light = min(light, 0.5 + 0.5 * above / (0.035 * reach + 0.25 * thickness));
-    if (light <= 0.0) return 0.0;
+    light = min(light, 0.5 + 0.5 * above / (0.07 * reach + 0.5 * thickness));
+    if (light <= 0.0) return 0.12;
     reach *= 1.16;
     reach += cell * 0.35;
   }
-  return smoothstep(0.0, 1.0, clamp(light, 0.0, 1.0));
+  return mix(0.12, 1.0, smoothstep(0.0, 1.0, clamp(light, 0.0, 1.0)));
 }
 
 float line(float distance_, float width) {
@@ -123,8 +123,8 @@ void main() {
   float direct = max(facing, 0.0) / max(sun.y, 0.3);
   float sky = 0.5 + 0.5 * normal.y;
   float bounce = 0.5 - 0.5 * dot(normal, vec3(sun.x, 0.0, sun.z));
-  vec3 shade = vec3(1.0, 0.965, 0.90) * 0.70 * min(direct, 1.7) * light
-    + vec3(0.80, 0.88, 1.0) * 0.30 * sky + vec3(1.0, 0.86, 0.70) * 0.06 * bounce;
+  vec3 shade = vec3(1.0, 0.965, 0.90) * 0.66 * min(direct, 1.7) * light
+    + vec3(0.84, 0.89, 1.0) * 0.34 * sky + vec3(1.0, 0.86, 0.70) * 0.10 * bounce;
   colour *= shade;
   if (contour > 0.0) {
     float at = here.r / contour;

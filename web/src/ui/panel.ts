@@ -5,6 +5,7 @@ import type { Json, JsonObject, Problem } from "../core/protocol";
 import { type Schema, entryOf, replaced } from "../core/schema";
 import { h, id, later } from "./dom";
 import { type FormContext, type Path, group, variantField } from "./form";
+import { Quiet } from "./quiet";
 
 const GROUPS = ["ground", "sand", "lattice", "run"];
 
@@ -14,15 +15,18 @@ export class Panel {
   private scenario: JsonObject = {};
   private readonly create = later(350, (scenario: JsonObject) => this.app.create(scenario, true));
 
+  private readonly quiet: Quiet;
+
   constructor(private readonly app: App) {
+    this.quiet = new Quiet(this.element, () => this.show());
     app.described.watch(() => this.show());
     app.changed.watch(() => this.show());
   }
 
   private show(): void {
     const description = this.app.current?.description;
-    if (!description || !this.app.schema.properties) return;
-    const text = JSON.stringify([description.scenario, description.facts, this.app.selected, this.app.runs.length]);
+    if (!description || !this.app.schema.properties || this.quiet.busy) return;
+    const text = JSON.stringify([description.scenario, description.facts, this.app.selected, this.app.runs.map((run) => run.description?.model.title)]);
     if (text === this.shown) return;
     this.shown = text;
     this.scenario = description.scenario;
@@ -112,7 +116,7 @@ export class Panel {
   private change(path: Path, value: Json, live: boolean): void {
     this.scenario = replaced(this.scenario, path, value) as JsonObject;
     this.trouble([]);
-    if (live) void this.set(path.join("."), value);
+    if (live) void this.quiet.during(this.set(path.join("."), value));
     else this.create(this.scenario);
   }
 

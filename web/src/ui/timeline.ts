@@ -88,7 +88,7 @@ export class Timeline {
       this.slider.value = String(status.looking ? at : history.length - 1);
     }
     this.slider.setAttribute("aria-valuetext", `step ${status.step}`);
-    this.label.textContent = status.looking ? `step ${short(status.step, 9)} of ${short(status.live, 9)}` : `${history.length} states kept`;
+    this.label.textContent = status.looking ? `step ${short(status.step, 9)} of ${short(status.live, 9)}` : history.length === 1 ? "1 state kept" : `${history.length} states kept`;
     this.element.classList.toggle("looking", status.looking);
     this.now.hidden = !status.looking;
     this.branch.hidden = !status.looking;

@@ -7,32 +7,32 @@ import { type Course, CurveEditor, STRAIGHT } from "./curve";
 import { Dial } from "./dial";
 import { h, later } from "./dom";
 import { type FormContext, field, group, words } from "./form";
+import { Quiet } from "./quiet";
 
 export class WindPanel {
   readonly element = h("div", { className: "forms" });
   private wind: JsonObject = {};
   private shown = "";
   private chosen = 0;
-  private sent = "";
-  private readonly send = later(120, () => {
-    this.sent = JSON.stringify(this.wind);
-    this.app.order({ do: "wind", wind: this.wind });
-  });
+  private readonly quiet: Quiet;
+  private readonly send = later(60, () => void this.quiet.during(this.app.ask({ do: "wind", wind: this.wind })));
 
   constructor(private readonly app: App) {
+    this.quiet = new Quiet(this.element, () => this.follow());
     app.described.watch(() => this.follow());
     app.changed.watch(() => this.follow());
   }
 
-  /** Show the run's wind, unless it is the one that was just sent from here. */
+  /** Show the run's wind, unless it is being changed here. */
   private follow(): void {
     const wind = this.app.current?.description?.scenario.wind as JsonObject | undefined;
-    if (!wind || !this.app.schema.properties) return;
+    if (!wind || !this.app.schema.properties || this.quiet.busy) return;
     const text = JSON.stringify(wind);
-    if (text === this.shown || (text === this.sent && this.shown !== "")) return;
+    if (text === this.shown) return;
     this.shown = text;
+    const known = text === JSON.stringify(this.wind);
     this.wind = wind;
-    this.draw();
+    if (!known) this.draw();
   }
 
   private get kind(): string {
@@ -77,7 +77,6 @@ export class WindPanel {
       variant: (path, key, name) => {
         this.put(path, { [key]: name });
         this.shown = "";
-        this.sent = "";
       },
       live: () => true,
     };
@@ -89,18 +88,19 @@ export class WindPanel {
     const rows = list.map((regime, number) => this.summary(regime, number, list));
     return [
       h("ol", { className: "regimes", "aria-label": "Regimes" }, ...rows),
-      h("button", { type: "button", className: "quiet", onclick: () => this.add(list) }, "+ add a regime"),
+      h("button", { type: "button", className: "quiet", onclick: () => this.add() }, "+ add a regime"),
       ...this.form(this.kind, ["regimes"]),
       this.detail(list[this.chosen]!, this.chosen),
     ];
   }
 
   private summary(regime: JsonObject, number: number, list: JsonObject[]): HTMLElement {
-    const tool = (label: string, sign: string, change: () => JsonObject[], enabled: boolean) =>
-      h("button", { type: "button", title: label, "aria-label": `${label}: regime ${number + 1}`, disabled: !enabled, onclick: () => this.reorder(change()) }, sign);
-    const moved = (by: number) => {
-      const order = list.toSpliced(number, 1);
-      order.splice(number + by, 0, regime);
+    // Buttons take the list as it is when they are pressed: curves change it without drawing it anew.
+    const tool = (label: string, sign: string, change: (now: JsonObject[]) => JsonObject[], enabled: boolean) =>
+      h("button", { type: "button", title: label, "aria-label": `${label}: regime ${number + 1}`, disabled: !enabled, onclick: () => this.reorder(change(this.wind.regimes as JsonObject[])) }, sign);
+    const moved = (by: number) => (now: JsonObject[]) => {
+      const order = now.toSpliced(number, 1);
+      order.splice(number + by, 0, now[number]!);
       if (this.chosen === number) this.chosen += by;
       return order;
     };
@@ -122,9 +122,9 @@ export class WindPanel {
         h("span", { className: "way", style: `transform: rotate(${Number(regime.direction)}deg)` }, "↓"),
         ` ${regime.direction}°, ${regime.steps} steps${speed}`,
       ),
-      tool("Up", "↑", () => moved(-1), number > 0),
-      tool("Down", "↓", () => moved(1), number < list.length - 1),
-      tool("Remove", "×", () => list.toSpliced(number, 1), list.length > 1),
+      tool("Up", "↑", moved(-1), number > 0),
+      tool("Down", "↓", moved(1), number < list.length - 1),
+      tool("Remove", "×", (now) => now.toSpliced(number, 1), list.length > 1),
     );
   }
 
@@ -162,7 +162,8 @@ export class WindPanel {
     return [editor.element];
   }
 
-  private add(list: JsonObject[]): void {
+  private add(): void {
+    const list = this.wind.regimes as JsonObject[];
     this.chosen = list.length;
     this.reorder([...list, { ...list.at(-1)! }]);
   }
@@ -187,7 +188,6 @@ export class WindPanel {
     }
     this.wind = answer.value as JsonObject;
     if ("direction" in this.wind) this.wind = { ...this.wind, direction };
-    this.sent = "";
     this.send();
     this.draw();
   }

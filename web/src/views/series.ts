@@ -120,8 +120,8 @@ export class SeriesView {
       cursor: { drag: { x: false, y: false }, points: { size: 6 } },
       scales: { x: { time: false }, ...(measure.name === "crest_azimuth" ? { y: { range: [0, 180] } } : {}) },
       axes: [
-        { ...axis, size: 26, font: "10px system-ui", values: (_, marks) => marks.map((mark) => short(mark)) },
-        { ...axis, size: 48, font: "10px system-ui", values: (_, marks) => marks.map((mark) => short(mark, 3)) },
+        { ...axis, size: 26, space: 50, font: "10px system-ui", values: (_, marks) => marks.map((mark) => short(mark)) },
+        { ...axis, size: 48, space: 22, font: "10px system-ui", values: (_, marks) => marks.map((mark) => short(mark, 3)) },
       ],
       series: [
         {},
@@ -139,7 +139,7 @@ export class SeriesView {
     const count = Math.max(this.charts.length, 1);
     const { clientWidth, clientHeight } = this.plots;
     if (!clientWidth) return;
-    const across = Math.max(1, Math.min(count, Math.floor(clientWidth / 230)));
+    const across = Math.max(1, Math.min(count, Math.floor(clientWidth / 205)));
     const down = Math.ceil(count / across);
     for (const { chart, box } of this.charts) {
       box.style.width = `${Math.floor(clientWidth / across) - 10}px`;
