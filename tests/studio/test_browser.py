@@ -34,6 +34,8 @@ def chromium():
         try:
             browser = engine.chromium.launch(executable_path=path, args=FLAGS)
         except playwright.Error as error:
+            if os.environ.get("BARCHAN_BROWSER") == "required":
+                raise
             pytest.skip(f"no browser: {error.message.splitlines()[0]}")
         yield browser
         browser.close()

@@ -21,7 +21,7 @@ FOLDER = Path(__file__).parents[1] / "presets" / "pictures"
 WIDTH, HEIGHT = 320, 200
 SMOOTHING = 0.8
 SEED = 1
-PATIENCE = 12.0
+PATIENCE = 120.0
 """Seconds that a preset may run."""
 
 

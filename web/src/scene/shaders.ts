@@ -111,6 +111,12 @@ void main() {
   mapped = pow(mapped, vec3(2.2));
   vec3 colour = mix(mapped, sandColour, natural);
   float covered = smoothstep(0.05, 0.6, (here.r - here.g) / thickness);
+  vec2 beside = 1.0 / cells;
+  vec2 rise = vec2(
+    texture2D(heights, texel + vec2(beside.x, 0.0)).g - texture2D(heights, texel - vec2(beside.x, 0.0)).g,
+    texture2D(heights, texel + vec2(0.0, beside.y)).g - texture2D(heights, texel - vec2(0.0, beside.y)).g
+  ) * cells / extent / 2.0;
+  covered *= 1.0 - smoothstep(0.9, 1.6, length(rise)); // sand does not lie on walls of rock
   if (bare > 0.5) colour = mix(ground, colour, covered);
   vec4 shares = texture2D(overlay, texel);
   for (int i = 0; i < 4; i++) {

@@ -17,6 +17,7 @@ export class ViewPanel {
   ) {
     app.described.watch(() => this.draw());
     app.changed.watch(() => this.draw());
+    app.view.changed.watch(() => this.follow());
     this.draw();
   }
 
@@ -26,6 +27,16 @@ export class ViewPanel {
     if (text === this.shown) return;
     this.shown = text;
     this.redraw();
+  }
+
+  /** Let the controls show what keys have changed. */
+  private follow(): void {
+    for (const control of this.element.querySelectorAll<HTMLInputElement>("[data-look]")) {
+      const value = this.app.view.look[control.dataset.look as keyof Look];
+      if (control === document.activeElement) continue;
+      if (control.type === "checkbox") control.checked = value === true;
+      else control.value = String(value);
+    }
   }
 
   private redraw(): void {
