@@ -16,7 +16,7 @@ from barchan.wind.segment import downwind
 LEAST_PAUSE = 0.25
 """Seconds from one look to the next, at least."""
 
-SHARE = 0.03
+SHARE = 0.02
 """Share of the time that may go into measuring."""
 
 MOST_ROWS = 4000

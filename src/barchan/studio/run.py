@@ -19,8 +19,9 @@ from barchan.studio.planes import STEPS_OF_CHANGE
 LOOK_ONLY = "look_only"
 """The key of a state's data that says that no run can go on from it."""
 
-BREATH = 0.008
-"""Seconds of work between two looks at what the browser wants."""
+BREATH = 0.016
+"""Seconds of work between two looks at what the browser wants: a call of the model costs some tenths of a
+millisecond beside its steps, so shorter ones would cost speed."""
 
 
 class StudioRun:
