@@ -5,7 +5,7 @@ import { LOOK, type Look } from "../core/view";
 import { PLAIN } from "../scene/colouring";
 import type { Stage } from "../scene/stage";
 import { h, id } from "./dom";
-import { words } from "./form";
+import { words } from "./words";
 
 export class ViewPanel {
   readonly element = h("div", { className: "forms" });

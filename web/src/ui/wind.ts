@@ -6,8 +6,9 @@ import { entryOf, replaced } from "../core/schema";
 import { type Course, CurveEditor, STRAIGHT } from "./curve";
 import { Dial } from "./dial";
 import { h, later } from "./dom";
-import { type FormContext, field, group, words } from "./form";
+import { type FormContext, field, group } from "./form";
 import { Quiet } from "./quiet";
+import { words } from "./words";
 
 export class WindPanel {
   readonly element = h("div", { className: "forms" });

@@ -2,22 +2,12 @@
 
 import type { App } from "../core/app";
 import type { Run } from "../core/run";
-import { type Line2, along, alongWind, samples } from "../core/section";
+import { type Profile, ends, profile } from "../core/profile";
+import { type Line2, alongWind } from "../core/section";
 import type { Stage } from "../scene/stage";
 import { button, download, fitCanvas, h, short, themeColour, ticks } from "../ui/dom";
 
 const MARGIN = { left: 54, right: 14, top: 12, bottom: 30 };
-/** Cells over which the marked slope is averaged: single slabs are steps. */
-const SLOPE_CELLS = 2;
-
-interface Profile {
-  distance: Float32Array;
-  surface: Float32Array;
-  ground: Float32Array;
-  shadow: Float32Array | null;
-  slope: Float32Array;
-}
-
 export class SectionView {
   readonly title = "Section";
   readonly element: HTMLElement;
@@ -86,24 +76,10 @@ export class SectionView {
     this.stage.showSection([x0 / w, y0 / d, x1 / w, y1 / d]);
   }
 
-  profile(run: Run): Profile {
-    const lattice = run.description!.lattice;
-    const places = samples(this.current(run), lattice);
-    const surface = along(run.surface, places, lattice);
-    const shadow = run.fields.get("shadow");
-    return {
-      distance: places.distance,
-      surface,
-      ground: along(run.ground, places, lattice),
-      shadow: shadow ? along(shadow, places, lattice) : null,
-      slope: slopeAlong(places.distance, surface, SLOPE_CELLS * lattice.cell_size),
-    };
-  }
-
   private save(): void {
     const run = this.app.current;
     if (!run?.ready) return;
-    const p = this.profile(run);
+    const p = profile(run, this.current(run));
     const rows = ["distance_m,elevation_m,ground_m,slope_degrees,shadow"];
     p.distance.forEach((d, i) => {
       const numbers = [d, p.surface[i]!, p.ground[i]!, p.slope[i]!].map((x) => x.toFixed(4));
@@ -117,7 +93,7 @@ export class SectionView {
     if (!this.visible || !run?.ready || !this.canvas.clientWidth) return;
     this.mark();
     const { context: c, width, height } = fitCanvas(this.canvas);
-    const p = this.profile(run);
+    const p = profile(run, this.current(run));
     const length = p.distance.at(-1)!;
     let low = Math.min(...ends(p.ground));
     let high = ends(p.surface)[1];
@@ -253,24 +229,4 @@ export class SectionView {
       `${short(p.distance[i])} m: elevation ${short(p.surface[i])} m, ` +
       `sand ${short(p.surface[i]! - p.ground[i]!)} m, slope ${p.slope[i]!.toFixed(1)}°${lee}`;
   }
-}
-
-function ends(values: Float32Array): [number, number] {
-  let low = Number.POSITIVE_INFINITY;
-  let high = Number.NEGATIVE_INFINITY;
-  for (const value of values) {
-    low = Math.min(low, value);
-    high = Math.max(high, value);
-  }
-  return [low, high];
-}
-
-/** Slope along a profile (degrees, rising positive), over a length. */
-function slopeAlong(distance: Float32Array, surface: Float32Array, over: number): Float32Array {
-  const step = distance[1]! - distance[0]! || 1;
-  const reach = Math.max(1, Math.round(over / 2 / step));
-  return surface.map((_, i) => {
-    const [a, b] = [Math.max(i - reach, 0), Math.min(i + reach, surface.length - 1)];
-    return (Math.atan2(surface[b]! - surface[a]!, distance[b]! - distance[a]!) * 180) / Math.PI;
-  });
 }
