@@ -77,14 +77,22 @@ def _computed(frame: "xr.Dataset", scenario: Scenario, derived: Derived) -> "xr.
     import xarray as xr
 
     model, bed, wind = as_modelled(frame, scenario)
-    lattice = bed.lattice
-    centre = None
-    if derived.centred:
-        level = Bed(lattice, np.zeros(lattice.shape), np.zeros(lattice.shape, np.int32))
-        centre = float(derived.of(model, level, wind).flat[0])
     values = xr.DataArray(derived.of(model, bed, wind), frame["elevation"].coords, ("y", "x"), derived.name)
-    values = values.assign_attrs(unit=derived.unit, long_name=derived.meaning)
-    return _described(values, centre=centre, least=derived.least, sheltered=int(derived.sheltered) or None)
+    return _described(
+        values.assign_attrs(unit=derived.unit, long_name=derived.meaning),
+        centre=centre_of(model, derived, wind),
+        least=derived.least,
+        sheltered=int(derived.sheltered) or None,
+    )
+
+
+def centre_of(model: Model, derived: Derived, wind: Segment) -> float | None:
+    """The value of a derived field on a flat bed, where pictures show it evenly about that."""
+    if not derived.centred:
+        return None
+    shape = model.lattice.shape
+    level = Bed(model.lattice, np.zeros(shape), np.zeros(shape, np.int32))
+    return float(derived.of(model, level, wind).flat[0])
 
 
 def as_modelled(frame: "xr.Dataset", scenario: Scenario) -> tuple[Model, Bed, Segment]:

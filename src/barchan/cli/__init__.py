@@ -8,6 +8,7 @@ from barchan.errors import BarchanError
 
 COMMANDS = {
     "run": "Run a preset or a scenario, save it, and draw the last frame.",
+    "studio": "Open the live laboratory in the browser.",
     "resume": "Go on with a run: after an interruption, beyond its last step, or into a branch.",
     "info": "Tell what a run holds, how far it is, and the measures of its last frame.",
     "show": "Draw a frame of a run, a section, or its course in time.",

@@ -4,7 +4,6 @@ import signal
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
-from importlib import import_module
 from pathlib import Path
 from types import FrameType
 from typing import TYPE_CHECKING, Self
@@ -130,19 +129,11 @@ class Reporter:
 @contextmanager
 def compilation_announced(quiet: bool) -> Iterator[None]:
     """Say so when a kernel is compiled instead of loaded, once."""
-    import_module("barchan.kernels")  # which tells numba where to keep its cache, before numba asks
-    from numba.core import event
+    from barchan.kernels.compiling import told_of_compilation
 
-    class Announcer(event.Listener):
-        said = quiet
+    def tell() -> None:
+        if not quiet:
+            console.print("compiling kernels (first run only) …")
 
-        def on_start(self, _: event.Event) -> None:
-            if not self.said:
-                self.said = True
-                console.print("compiling kernels (first run only) …")
-
-        def on_end(self, _: event.Event) -> None:
-            """Nothing to say."""
-
-    with event.install_listener("numba:compile", Announcer()):
+    with told_of_compilation(tell):
         yield

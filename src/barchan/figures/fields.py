@@ -94,14 +94,25 @@ def _ends(values: NDArray, low: float, high: float) -> str:
 
 def _colours(field: "xr.DataArray", scenario: Scenario, colours: Colours) -> "Colormap":
     """The colours that suit a field, unless other ones are asked for."""
-    from cmcrameri import cm
-    from matplotlib.colors import LinearSegmentedColormap
-
     if colours != "perceptual":
         return colour_map(colours)
     if field.values.dtype == bool:
-        return LinearSegmentedColormap.from_list("choice", [PALE, SHADOW])
+        return choice_map()
     layer = next((layer for layer in layers_of(scenario) if layer.field == field.name), None)
     if layer is not None:
         return layer_map(layer)
-    return cm.vik if "centre" in field.attrs else colour_map(colours)
+    return centred_map() if "centre" in field.attrs else colour_map(colours)
+
+
+def choice_map() -> "Colormap":
+    """The colours of no and yes."""
+    from matplotlib.colors import LinearSegmentedColormap
+
+    return LinearSegmentedColormap.from_list("choice", [PALE, SHADOW])
+
+
+def centred_map() -> "Colormap":
+    """The colours of what lies on both sides of a centre."""
+    from cmcrameri import cm
+
+    return cm.vik

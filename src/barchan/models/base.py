@@ -83,6 +83,8 @@ class Layer:
     title: str
     colours: str
     """Name of a colour map."""
+    parts: tuple[str, ...] = ()
+    """Fields that it is the sum of, where one may look at them one by one."""
 
 
 @dataclass(frozen=True)

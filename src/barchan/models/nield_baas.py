@@ -141,7 +141,7 @@ class NieldBaas(SlabModel):
         ),
     )
     measures = tuple(map(_mean_of, SPECIES))
-    layers = (Layer("effectiveness", "plants", "Greens"),)
+    layers = (Layer("effectiveness", "plants", "Greens", SPECIES),)
 
     def prepare(self, bed: Bed, seed: int) -> None:
         """Plant what stands there at first."""

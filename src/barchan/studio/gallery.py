@@ -1,0 +1,70 @@
+"""What the browser is told once: presets with their pictures, the schema, the colours."""
+
+from functools import cache
+from importlib.resources import files
+from typing import Any
+
+import numpy as np
+
+from barchan.models import models
+from barchan.scenario import Scenario, load_scenario, preset_names
+
+COLOURS = 64
+"""Colours of a map that are sent."""
+
+
+@cache
+def presets() -> list[dict[str, Any]]:
+    """Every preset: name, title, source, what to look for, model, size."""
+    found = []
+    for name in preset_names():
+        scenario = load_scenario(name)
+        found.append(
+            {
+                "name": name,
+                "title": scenario.title,
+                "citation": scenario.citation,
+                "look_for": scenario.look_for,
+                "model": models()[scenario.model.name].title,
+                "rows": scenario.lattice.rows,
+                "columns": scenario.lattice.columns,
+                "picture": thumbnail(name) is not None,
+            }
+        )
+    return found
+
+
+def thumbnail(name: str) -> bytes | None:
+    """The small picture of a preset, where there is one."""
+    if name not in preset_names():
+        return None
+    file = files("barchan.presets").joinpath("pictures", f"{name}.webp")
+    return file.read_bytes() if file.is_file() else None
+
+
+@cache
+def schema() -> dict[str, Any]:
+    """The JSON schema of scenarios, of which the panel is made."""
+    return Scenario.model_json_schema()
+
+
+@cache
+def colours() -> dict[str, list[list[int]]]:
+    """Colour maps by name: red, green and blue from lowest to highest."""
+    from barchan.figures.fields import centred_map, choice_map
+    from barchan.figures.layers import layer_map
+    from barchan.figures.style import colour_map
+
+    maps = {
+        "perceptual": colour_map("perceptual"),
+        "grey": colour_map("grey"),
+        "red-green": colour_map("red-green"),
+        "centred": centred_map(),
+        "choice": choice_map(),
+        **{layer.colours: layer_map(layer) for model in models().values() for layer in model.layers},
+    }
+    places = np.linspace(0.0, 1.0, COLOURS)
+    return {
+        name: np.rint(np.asarray(colours(places))[:, :3] * 255).astype(int).tolist()
+        for name, colours in maps.items()
+    }

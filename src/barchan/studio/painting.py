@@ -1,0 +1,95 @@
+"""Strokes of a brush on a running simulation, with undo and redo.
+
+While no step has been done since, undoing puts back exactly what was there, the journal of events included.
+Later it is an event of its own: the strokes are made again the other way round.
+"""
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from barchan.ground.brush import brushed
+from barchan.simulation import Simulation, State, Stroke
+
+MOST_GESTURES = 100
+"""Gestures that can be undone."""
+
+
+@dataclass
+class Gesture:
+    """All strokes from pressing the button to letting it go."""
+
+    before: State | None
+    after: State | None = None
+    strokes: list[Stroke] = field(default_factory=list)
+    inverse: list[Stroke] = field(default_factory=list)
+
+
+class Painting:
+    """The gestures made on one simulation."""
+
+    def __init__(self) -> None:
+        """Nothing painted."""
+        self.done: list[Gesture] = []
+        self.undone: list[Gesture] = []
+
+    def begin(self, simulation: Simulation) -> None:
+        """A gesture begins."""
+        self.done = [*self.done, Gesture(simulation.state())][-MOST_GESTURES:]
+        self.undone = []
+
+    def stroke(self, simulation: Simulation, stroke: Stroke) -> None:
+        """Paint, as part of the gesture that was begun last."""
+        gesture = self.done[-1]
+        gesture.inverse.insert(0, _inverse(simulation, stroke))
+        simulation.apply(stroke)
+        gesture.strokes.append(stroke)
+
+    def end(self, simulation: Simulation) -> None:
+        """The gesture ends."""
+        self.done[-1].after = simulation.state()
+
+    def undo(self, simulation: Simulation) -> Simulation:
+        """Undo the last gesture; the simulation to go on with."""
+        if not self.done:
+            return simulation
+        gesture = self.done.pop()
+        self.undone.append(gesture)
+        return _led(simulation, gesture.after, gesture.before, gesture.inverse)
+
+    def redo(self, simulation: Simulation) -> Simulation:
+        """Do again what was undone last; the simulation to go on with."""
+        if not self.undone:
+            return simulation
+        gesture = self.undone.pop()
+        self.done.append(gesture)
+        return _led(simulation, gesture.before, gesture.after, gesture.strokes)
+
+    def stepped(self) -> None:
+        """Steps were done: what was there before the gestures cannot be put back exactly any more."""
+        for gesture in (*self.done, *self.undone):
+            gesture.before = gesture.after = None
+
+
+def _led(
+    simulation: Simulation, here: State | None, there: State | None, strokes: list[Stroke]
+) -> Simulation:
+    """The simulation led from one state to another, exactly where it is still in the first one."""
+    if here is not None and there is not None and here.data["events"] == _journal(simulation):
+        return Simulation.from_state(there)
+    for stroke in strokes:
+        simulation.apply(stroke)
+    return simulation
+
+
+def _journal(simulation: Simulation) -> list[dict[str, object]]:
+    return [record.data() for record in simulation.events]
+
+
+def _inverse(simulation: Simulation, stroke: Stroke) -> Stroke:
+    """The stroke that brings back as much sand as this one will add or take."""
+    place = (stroke.x, stroke.y, stroke.radius)
+    asked = brushed(simulation.bed, *place, abs(stroke.amount), stroke.falloff).sum()
+    given = brushed(simulation.bed, *place, stroke.amount, stroke.falloff).sum()
+    share = float(np.abs(given) / asked) if asked else 0.0
+    return stroke.model_copy(update={"amount": -round(stroke.amount * share)})

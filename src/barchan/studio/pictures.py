@@ -1,0 +1,55 @@
+"""The small pictures of presets in the gallery: ``python -m barchan.studio.pictures [NAME …]`` draws them.
+
+Each preset runs to its end, or for so long as PATIENCE lets it; the maps are those of ``barchan show``.
+"""
+
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+from matplotlib.colors import Normalize
+from PIL import Image
+
+from barchan.archive import dataset_of
+from barchan.figures.maps import shaded
+from barchan.figures.style import smooth
+from barchan.scenario import Scenario, load_scenario, preset_names
+from barchan.simulation import Simulation
+
+FOLDER = Path(__file__).parents[1] / "presets" / "pictures"
+WIDTH, HEIGHT = 320, 200
+SMOOTHING = 0.8
+SEED = 1
+PATIENCE = 120.0
+"""Seconds that a preset may run."""
+
+
+def picture(scenario: Scenario) -> Image.Image:
+    """The map of a scenario's last frame, cut to the gallery's format."""
+    simulation = Simulation(scenario)
+    began = time.monotonic()
+    while not simulation.done and time.monotonic() - began < PATIENCE:
+        simulation.advance(min(20, scenario.run.steps - simulation.steps_done))
+    frame = dataset_of(simulation, [simulation.frame()]).isel(step=0)
+    surface = smooth(frame["elevation"].values, SMOOTHING, scenario)
+    norm = Normalize(float(surface.min()), float(surface.max()))
+    colours = shaded(frame, scenario, norm=norm, smoothing=SMOOTHING)[::-1]
+    image = Image.fromarray((colours * 255).round().astype(np.uint8))
+    scale = max(WIDTH / image.width, HEIGHT / image.height)
+    size = (max(WIDTH, round(image.width * scale)), max(HEIGHT, round(image.height * scale)))
+    left, top = (size[0] - WIDTH) // 2, (size[1] - HEIGHT) // 2
+    resized = image.resize(size, Image.Resampling.LANCZOS)
+    return resized.crop((left, top, left + WIDTH, top + HEIGHT))
+
+
+def draw(names: list[str]) -> None:
+    """Draw the pictures of these presets, or of all."""
+    FOLDER.mkdir(exist_ok=True)
+    for name in names or preset_names():
+        drawn = picture(load_scenario(name, [("run.seed", str(SEED))]))
+        drawn.save(FOLDER / f"{name}.webp", quality=72, method=6)
+
+
+if __name__ == "__main__":
+    draw(sys.argv[1:])

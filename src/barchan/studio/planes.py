@@ -1,0 +1,101 @@
+"""The fields of a simulation as frames carry them to the browser."""
+
+from collections.abc import Iterator
+from dataclasses import asdict, dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from barchan.analysis.fields import PLAIN, centre_of
+from barchan.bed import GROUND, SAND
+from barchan.models import Derived
+from barchan.simulation import Simulation
+from barchan.studio.protocol import Plane
+from barchan.wind.segment import Segment
+
+STEPS_OF_CHANGE = 50
+"""Steps over which erosion and deposition are shown, at least."""
+
+CHANGE = "change"
+
+_LARGEST = np.iinfo(np.uint16).max
+
+
+@dataclass(frozen=True)
+class Shown:
+    """A field that the browser may ask for."""
+
+    name: str
+    unit: str
+    meaning: str
+    centre: float | None
+    """The value that its colours lie evenly about, where there is one."""
+    choice: bool = False
+    """Whether it only says yes or no."""
+
+
+_CHANGE = Shown(CHANGE, "m", f"erosion and deposition over the last {STEPS_OF_CHANGE} steps or more", 0.0)
+
+
+def fields_of(simulation: Simulation) -> list[dict[str, Any]]:
+    """All fields that ``plane_of`` can make, beside those that the browser derives from the surface."""
+    return [asdict(field) for field in (_CHANGE, *_kept(simulation), *_derived(simulation))]
+
+
+def _kept(simulation: Simulation) -> Iterator[Shown]:
+    for field in simulation.bed.declared.values():
+        if field.in_frames and field.name not in (GROUND.name, SAND.name):
+            yield Shown(field.name, field.unit, field.meaning, field.centre)
+
+
+def _derived(simulation: Simulation) -> Iterator[Shown]:
+    model, wind = simulation.model, wind_over(simulation)
+    for derived in model.derived:
+        choice = derived.of(model, simulation.bed, wind).dtype == np.bool_
+        centre = centre_of(model, derived, wind)
+        yield Shown(derived.name, derived.unit, derived.meaning, centre, choice)
+
+
+def surface_planes(simulation: Simulation, with_ground: bool) -> Iterator[Plane]:
+    """The depth of the sand as whole slabs, before it the ground where it is wanted."""
+    bed = simulation.bed
+    if with_ground:
+        yield Plane("ground", bed.ground.astype(np.float32))
+    small = bed.sand.max() <= _LARGEST
+    yield Plane("depth", bed.sand.astype(np.uint16 if small else np.int32), simulation.lattice.thickness)
+
+
+def plane_of(simulation: Simulation, name: str, earlier: NDArray[np.float64] | None) -> Plane | None:
+    """A field by its name, with some 16 bits; None where the model has no such field.
+
+    ``earlier`` is the elevation that erosion and deposition are counted from.
+    """
+    values = _values(simulation, name, earlier)
+    if values is None:
+        return None
+    if values.dtype == np.bool_:
+        return Plane(name, values.astype(np.uint8))
+    low, high = float(values.min()), float(values.max())
+    scale = (high - low) / _LARGEST or 1.0
+    return Plane(name, np.rint((values - low) / scale).astype(np.uint16), scale, low)
+
+
+def _values(simulation: Simulation, name: str, earlier: NDArray[np.float64] | None) -> NDArray | None:
+    if name == CHANGE:
+        now = simulation.elevation
+        return now - (now if earlier is None else earlier)
+    for derived in (*simulation.model.derived, *PLAIN):
+        if derived.name == name:
+            return _derive(simulation, derived)
+    return simulation.bed.arrays.get(name)
+
+
+def _derive(simulation: Simulation, derived: Derived) -> NDArray:
+    return np.asarray(derived.of(simulation.model, simulation.bed, wind_over(simulation)))
+
+
+def wind_over(simulation: Simulation) -> Segment:
+    """The wind of the last step, or before any step that of the first."""
+    step = max(simulation.steps_done - 1, 0)
+    return next(iter(simulation.wind.segments(step, 1, simulation.lattice.cells)))

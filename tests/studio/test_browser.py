@@ -1,0 +1,349 @@
+"""The studio as its users meet it: a server of its own, a real browser, small fields."""
+
+import io
+import json
+import os
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PIL import Image
+
+playwright = pytest.importorskip("playwright.sync_api")
+
+from barchan.scenario import load_scenario  # noqa: E402
+from barchan.studio.server import CLIENT  # noqa: E402
+
+FLAGS = ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
+PATIENCE = 60.0
+SMALL = {"lattice.rows": "48", "lattice.columns": "64", "run.seed": "3", "run.save_every": "10"}
+
+pytestmark = pytest.mark.skipif(not (CLIENT / "index.html").is_file(), reason="the client is not built")
+
+
+@pytest.fixture(scope="module")
+def chromium():
+    with playwright.sync_playwright() as engine:
+        path = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
+        try:
+            browser = engine.chromium.launch(executable_path=path, args=FLAGS)
+        except playwright.Error as error:
+            if os.environ.get("BARCHAN_BROWSER") == "required":
+                raise
+            pytest.skip(f"no browser: {error.message.splitlines()[0]}")
+        yield browser
+        browser.close()
+
+
+class Studio:
+    """A page, and what a test asks of it."""
+
+    def __init__(self, page, process, folder: Path) -> None:
+        self.page, self.process, self.folder = page, process, folder
+        self.errors = []
+        page.on("pageerror", lambda error: self.errors.append(str(error)))
+        page.on("console", lambda said: said.type == "error" and self.errors.append(said.text))
+
+    def ask(self, expression: str):
+        return self.page.evaluate(expression)
+
+    def until(self, expression: str) -> None:
+        end = time.monotonic() + PATIENCE
+        while not self.ask(expression):
+            assert time.monotonic() < end, f"never: {expression}; {self.log()}"
+            time.sleep(0.05)
+
+    def log(self) -> str:
+        return self.ask("JSON.stringify(window.barchan?.app.log.map((entry) => entry.text))")
+
+    def status(self, run: int = 0) -> dict:
+        return self.ask(f"window.barchan.app.runs[{run}]?.status ?? {{}}")
+
+    def step_beyond(self, step: int) -> None:
+        self.until(f"window.barchan?.app.runs[0]?.status?.step > {step}")
+
+    def pause(self) -> None:
+        self.until("window.barchan.app.running")
+        self.page.keyboard.press("Space")
+        self.until("!window.barchan.app.running")
+
+    def picture(self) -> np.ndarray:
+        drawn = self.ask("window.barchan.stage.drawn")
+        self.ask("window.barchan.stage.redraw()")
+        self.until(f"window.barchan.stage.drawn > {drawn}")
+        shot = self.page.locator(".scene canvas").first.screenshot()
+        return np.asarray(Image.open(io.BytesIO(shot)).convert("RGB")).astype(float)
+
+    def drag(self, *places: tuple[float, float]) -> None:
+        """Drag over the scene, places as shares of it."""
+        box = self.page.locator(".scene canvas").first.bounding_box()
+        points = [(box["x"] + x * box["width"], box["y"] + y * box["height"]) for x, y in places]
+        self.page.mouse.move(*points[0])
+        self.page.mouse.down()
+        for point in points[1:]:
+            self.page.mouse.move(*point, steps=4)
+            time.sleep(0.06)
+        self.page.mouse.up()
+
+
+@pytest.fixture(scope="module")
+def server(tmp_path_factory):
+    """The studio as the command line starts it; it must leave nothing behind."""
+    folder = tmp_path_factory.mktemp("runs")
+    command = [sys.executable, "-c", "from barchan.cli import main; main()", "studio", "barchans"]
+    values = [text for key, value in SMALL.items() for text in (f"--{key}", value)]
+    options = [*values, "--no-browser", "--folder", str(folder)]
+    process = subprocess.Popen([*command, *options], stdout=subprocess.PIPE, text=True)
+    address = next(found[0] for line in process.stdout if (found := re.search(r"http://\S+", line)))
+    yield process, address, folder
+    children = children_of(process.pid)
+    process.send_signal(signal.SIGINT)
+    process.wait(20)
+    process.stdout.close()
+    end = time.monotonic() + 10
+    while any(map(is_alive, children)):
+        assert time.monotonic() < end
+        time.sleep(0.1)
+
+
+@pytest.fixture
+def studio(chromium, server):
+    """A fresh page that begins the same small field anew."""
+    process, address, folder = server
+    page = chromium.new_page(viewport={"width": 1000, "height": 640})
+    studio = Studio(page, process, folder)
+    page.goto(address)
+    studio.step_beyond(-1)
+    scenario = json.dumps(load_scenario("barchans", list(SMALL.items())).data())
+    studio.ask(f"window.barchan.app.create({scenario}, true)")
+    studio.until("window.barchan.app.runs[0].description.scenario.title === 'Barchans'")
+    studio.until("window.barchan.app.running && window.barchan.app.runs[0].rows === 48")
+    yield studio
+    page.close()
+    assert studio.errors == []
+
+
+def children_of(pid: int) -> list[int]:
+    path = Path(f"/proc/{pid}/task/{pid}/children")
+    return [int(child) for child in path.read_text().split()] if path.is_file() else []
+
+
+def is_alive(pid: int) -> bool:
+    try:
+        return Path(f"/proc/{pid}/stat").read_text().split()[2] != "Z"
+    except FileNotFoundError:
+        return False
+
+
+def test_the_surface_is_drawn_and_changes(studio):
+    studio.step_beyond(50)
+    first = studio.picture()
+    assert first.std() > 5
+    assert len(np.unique(first.reshape(-1, 3), axis=0)) > 200
+    studio.step_beyond(300)
+    assert np.abs(studio.picture() - first).max() > 40
+
+
+def test_run_pause_and_step(studio):
+    studio.pause()
+    step = studio.status()["step"]
+    studio.page.keyboard.press(".")
+    studio.until(f"window.barchan.app.runs[0].status.step === {step + 1}")
+    studio.page.get_by_label("Number of steps").fill("25")
+    studio.page.get_by_role("button", name="Run so many steps").click()
+    studio.until(f"window.barchan.app.runs[0].status.step === {step + 26}")
+    assert studio.page.locator("[data-status=step]").inner_text().replace("\u202f", "") == str(step + 26)
+    studio.page.get_by_role("button", name="Restart").click()
+    studio.until("window.barchan.app.runs[0].status.step === 0")
+
+
+def test_a_live_parameter_changes_at_once_and_another_restarts(studio):
+    studio.step_beyond(30)
+    hop = studio.page.locator("[data-path='model.hop_length']")
+    hop.fill("3")
+    hop.press("Enter")
+    studio.until("window.barchan.app.runs[0].description.scenario.model.hop_length === 3")
+    assert studio.status()["step"] >= 30
+    studio.page.locator("summary", has_text="Sand at the start").click()
+    studio.page.locator("[data-path='sand.mean']").fill("6")
+    studio.page.locator("[data-path='sand.mean']").press("Enter")
+    studio.until("window.barchan.app.runs[0].description.scenario.sand.mean === 6")
+    studio.until("window.barchan.app.runs[0].status.volume === 48 * 64 * 6 / 3")
+    assert studio.ask("window.barchan.app.runs[0].description.scenario.model.hop_length") == 3
+
+
+def test_a_wrong_value_is_told_beside_its_row(studio):
+    box = studio.page.locator("[data-path='model.p_s']")
+    box.fill("5")
+    box.press("Enter")
+    studio.until("document.querySelector('[data-trouble=\"model.p_s\"]')?.textContent.includes('allowed')")
+
+
+def test_winds_in_turn_with_a_curve(studio):
+    page = studio.page
+    page.get_by_role("tab", name="Wind").click()
+    page.locator("[data-path='wind.kind']").select_option("regimes")
+    page.get_by_text("+ add a regime").click()
+    page.locator("[data-path='regimes.1.speed']").fill("2")
+    page.locator("[data-path='regimes.1.speed']").press("Enter")
+    studio.until("window.barchan.app.runs[0].description.scenario.wind.regimes?.[1]?.speed === 2")
+    page.locator("[data-path='regimes.1.final_speed']").fill("8")
+    page.locator("[data-path='regimes.1.final_speed']").press("Enter")
+    wind = "window.barchan.app.runs[0].description.scenario.wind"
+    grip = page.get_by_label("Control point 1")
+    box = grip.bounding_box()
+    page.mouse.move(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
+    page.mouse.down()
+    page.mouse.move(box["x"] + 40, box["y"] - 20, steps=4)
+    page.mouse.up()
+    studio.until(f"{wind}.regimes?.[1]?.course.kind === 'bezier'")
+    moved = float(re.search(r"time ([0-9.]+)", grip.get_attribute("aria-valuetext"))[1])
+    assert moved > 0.4
+    studio.until(f"Math.abs({wind}.regimes[1].course.time_1 - {moved}) < 0.006")
+    grip.focus()
+    page.keyboard.press("ArrowLeft")
+    studio.until(f"{wind}.regimes[1].course.time_1 < {moved - 0.01}")
+    page.get_by_label("Up: regime 2").click()
+    studio.until(f"{wind}.regimes[0].course.kind === 'bezier'")
+    page.get_by_label("Remove: regime 2").click()
+    studio.until(f"{wind}.regimes.length === 1")
+
+
+def test_painting_and_undoing(studio):
+    studio.pause()
+    before = studio.status()["volume"]
+    studio.page.get_by_role("tab", name="Paint").click()
+    studio.page.keyboard.press("b")
+    studio.drag((0.45, 0.55), (0.5, 0.55), (0.55, 0.6))
+    studio.until(f"window.barchan.app.runs[0].status.volume > {before}")
+    studio.until("window.barchan.app.runs[0].status.undo === 1")
+    after = studio.status()["volume"]
+    studio.page.keyboard.press("Control+z")
+    studio.until(f"window.barchan.app.runs[0].status.volume === {before}")
+    studio.page.keyboard.press("Control+Shift+z")
+    studio.until(f"window.barchan.app.runs[0].status.volume === {after}")
+
+
+def test_a_broken_file_names_each_bad_key_and_the_rest_is_loaded_when_asked(studio):
+    text = json.dumps({"barchan": 1, "title": "Half good", "model": {"name": "werner", "p_s": 7, "hop": 2}})
+    studio.ask(f"window.barchan.files.load('mine.json', {json.dumps(text)})")
+    dialog = studio.page.get_by_role("dialog")
+    problems = dialog.locator("li").all_inner_texts()
+    assert [problem.split(":")[0] for problem in problems] == ["model.p_s", "model.hop"]
+    assert studio.ask("window.barchan.app.runs[0].description.scenario.title") == "Barchans"
+    dialog.get_by_text("load the rest").click()
+    studio.until("window.barchan.app.runs[0].description.scenario.title === 'Half good'")
+    assert "model.p_s" in studio.log()
+
+
+def test_two_models_side_by_side(studio):
+    studio.page.get_by_label("Compare with another model").select_option("momiji")
+    studio.until("window.barchan.app.runs[1]?.status?.step > 60")
+    studio.pause()
+    time.sleep(0.5)
+    assert studio.status(0)["step"] == studio.status(1)["step"]
+    each = studio.picture()
+    studio.ask("window.barchan.app.view.set({ side: 'difference' })")
+    time.sleep(0.3)
+    assert np.abs(studio.picture() - each).mean() > 2
+    studio.page.get_by_label("Compare with another model").select_option("")
+    studio.until("window.barchan.app.runs.length === 1")
+
+
+def test_a_reload_in_mid_run_goes_on_with_the_same_run(studio):
+    studio.step_beyond(100)
+    step = studio.status()["step"]
+    workers = children_of(studio.process.pid)
+    studio.page.reload()
+    studio.step_beyond(step)
+    assert children_of(studio.process.pid) == workers
+
+
+def test_a_killed_worker_is_told_of_and_restarted(studio):
+    studio.page.reload()
+    studio.step_beyond(5)
+    worker = next(
+        child
+        for child in children_of(studio.process.pid)
+        if b"spawn_main" in Path(f"/proc/{child}/cmdline").read_bytes()
+    )
+    os.kill(worker, signal.SIGKILL)
+    studio.until("window.barchan.app.runs[0].lost")
+    studio.page.get_by_role("button", name="restart the run").click()
+    studio.until("!window.barchan.app.runs[0].lost && window.barchan.app.running")
+
+
+def test_saving_and_opening_a_run(studio):
+    studio.step_beyond(40)
+    studio.pause()
+    step = studio.status()["step"]
+    page = studio.page
+    page.locator("summary", has_text="File").click()
+    page.get_by_role("menuitem", name="Save the run").click()
+    page.get_by_label("Name of the run").fill("mine")
+    page.get_by_role("dialog").get_by_role("button", name="save", exact=True).click()
+    studio.until("window.barchan.app.log.some((entry) => entry.text.startsWith('Saved'))")
+    assert (studio.folder / "mine" / "scenario.json").is_file()
+    page.keyboard.press("r")
+    studio.until(f"window.barchan.app.runs[0].status.step < {step}")
+    page.locator("summary", has_text="File").click()
+    page.get_by_role("menuitem", name="Open a saved run").click()
+    page.get_by_role("dialog").get_by_role("button", name="mine").click()
+    studio.until(f"window.barchan.app.runs[0].status.step === {step}")
+
+
+def test_looking_back_and_going_on_from_there(studio):
+    studio.step_beyond(60)
+    studio.pause()
+    live = studio.status()["live"]
+    studio.ask("window.barchan.app.order({ do: 'look', step: 20 })")
+    studio.until("window.barchan.app.runs[0].status.looking")
+    assert studio.status()["step"] == 20
+    studio.page.get_by_role("button", name="Return to now").click()
+    studio.until(f"window.barchan.app.runs[0].status.step === {live}")
+    studio.page.get_by_label("Look back through the run").press("Home")
+    studio.until("window.barchan.app.runs[0].status.step === 0")
+    studio.page.get_by_role("button", name="Go on from here").click()
+    studio.until("window.barchan.app.runs[0].status.live === 0")
+
+
+def test_views_and_keys(studio):
+    page = studio.page
+    studio.step_beyond(50)
+    for key, name in (("1", "Section"), ("2", "Measures"), ("3", "Space–time"), ("4", "Log")):
+        page.keyboard.press(key)
+        assert page.get_by_role("tab", name=name).get_attribute("aria-selected") == "true"
+    page.keyboard.press("1")
+    studio.until("window.barchan.app.runs[0].fields.has('shadow')")
+    with page.expect_download() as download:
+        page.get_by_role("button", name="Save the section as CSV").click()
+    rows = Path(download.value.path()).read_text().splitlines()
+    assert rows[0] == "distance_m,elevation_m,ground_m,slope_degrees,shadow"
+    assert len(rows) > 64
+    page.keyboard.press("?")
+    assert page.get_by_role("dialog").get_by_text("restart with the same seed").is_visible()
+
+
+def test_a_preset_from_the_gallery(studio):
+    studio.page.keyboard.press("g")
+    studio.page.get_by_label("Search the presets").fill("three rocks")
+    studio.page.locator("[data-preset='three-rocks']").click()
+    studio.until("window.barchan.app.runs[0].description.scenario.ground.kind === 'three_rocks'")
+
+
+def test_every_control_has_a_name(studio):
+    studio.step_beyond(0)
+    for tab in ("Scenario", "Wind", "Paint", "View"):
+        studio.page.get_by_role("tab", name=tab, exact=True).click()
+        nameless = studio.ask(
+            """[...document.querySelectorAll('button, select, input')].filter((one) => one.offsetParent &&
+            !one.textContent.trim() && !one.getAttribute('aria-label') && !one.labels?.length)
+            .map((one) => one.outerHTML)"""
+        )
+        assert nameless == []

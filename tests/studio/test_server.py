@@ -1,0 +1,218 @@
+import os
+import signal
+import time
+
+import httpx
+import numpy as np
+import pytest
+from websockets.exceptions import ConnectionClosed, InvalidStatus
+
+from barchan.simulation import Simulation
+from barchan.studio.guard import LARGEST_UPLOAD
+from barchan.studio.protocol import FRAMES_IN_FLIGHT
+from tests.studio.conftest import serving, small
+
+
+def test_frames_show_the_bits_that_the_simulation_gives(served, scenario):
+    with served.browser() as browser:
+        browser.until_frame(lambda status: status["step"] > 0)
+        browser.say("pause")
+        header, fields = browser.until_frame(lambda status: not status["running"])
+        alone = Simulation(scenario)
+        alone.advance(header["status"]["step"])
+    assert np.allclose(fields["depth"].reshape(32, 48), alone.bed.sand * alone.lattice.thickness)
+
+
+def test_a_browser_that_confirms_nothing_gets_two_frames_while_the_run_goes_on(served):
+    with served.browser(confirms=False) as browser:
+        first = browser.until_frame()[0]["status"]["live"]
+        browser.until_frame()
+        with pytest.raises(TimeoutError):
+            browser.drain(0.5)
+        assert len(browser.frames) == FRAMES_IN_FLIGHT
+        browser.say("confirm", run="a")
+        later = browser.until_frame()[0]["status"]["live"]
+    assert later > first + 20
+
+
+def test_a_live_parameter_changes_during_the_run(served):
+    with served.browser() as browser:
+        browser.until_frame()
+        browser.say("set", key="model.hop_length", value=3.0, re=1, run="a")
+        told = browser.until(lambda told, _: told.get("tell") == "scenario" and told["events"] == 1)[0]
+        assert told["scenario"]["model"]["hop_length"] == 3.0
+        browser.until_told("done", re=1)
+
+
+def test_what_cannot_change_is_refused_and_the_run_goes_on(served):
+    with served.browser() as browser:
+        step = browser.until_frame()[0]["status"]["step"]
+        browser.say("set", key="model.p_s", value=7, re=2, run="a")
+        refused = browser.until_told("refused", re=2)
+        assert refused["problems"][0]["key"] == "model.p_s"
+        browser.say("set", key="lattice.rows", value=64, re=3, run="a")
+        assert "cannot change" in browser.until_told("refused", re=3)["text"]
+        browser.until_frame(lambda status: status["step"] > step)
+
+
+def test_nonsense_is_answered_and_harms_nothing(served):
+    with served.browser() as browser:
+        browser.until_frame()
+        for text in ("{", "[]", "3", '{"do": 5}', '{"do": "dance"}', '{"do": "stroke"}', '{"do": "look"}'):
+            browser.line.send(text)
+        browser.say("stroke", stroke={"x": "north"})
+        browser.say("set", re=9)
+        browser.until_told("refused", re=9)
+        browser.until_frame()
+
+
+def test_a_flood_of_messages_closes_the_line(served):
+    with served.browser() as browser, pytest.raises(ConnectionClosed):
+        browser.flood(20_000)
+
+
+def test_a_killed_worker_is_told_of_and_replaced(served):
+    with served.browser() as browser:
+        browser.until_frame(lambda status: status["step"] > 5)
+        os.kill(served.session.links["a"].process.pid, signal.SIGKILL)
+        assert browser.until_told("lost")["run"] == "a"
+        browser.say("revive")
+        browser.until_frame(lambda status: status["step"] > 0)
+    with served.browser() as browser:
+        browser.until_frame()
+
+
+def test_ten_reloads_leave_one_session_and_one_worker(served):
+    before = None
+    for _ in range(10):
+        with served.browser() as browser:
+            browser.until_told("scenario")
+            status = browser.until_frame()[0]["status"]
+        pid = served.session.links["a"].process.pid
+        assert before is None or (pid == before[0] and status["step"] >= before[1])
+        before = pid, status["step"]
+    assert list(served.session.links) == ["a"]
+
+
+def test_a_second_window_takes_over(served):
+    with served.browser() as first:
+        first.until_frame()
+        with served.browser() as second:
+            second.until_frame()
+            with pytest.raises(ConnectionClosed) as closed:
+                first.drain(5.0)
+            assert closed.value.rcvd.code == 4001
+
+
+def test_two_models_run_step_by_step_on_the_same_ground(served):
+    with served.browser() as browser:
+        browser.until_frame()
+        browser.say("compare", model="momiji")
+        browser.until(lambda told, _: told.get("run") == "b" and told.get("tell") == "scenario")
+        browser.until(lambda told, _: told.get("run") == "b" and told.get("status", {}).get("step", 0) > 40)
+        browser.say("pause")
+        browser.until_told("pair", running=False)
+        time.sleep(0.5)
+        browser.say("view", fields=[])
+        steps, seeds = {}, {}
+        while len(steps) < 2:
+            header, fields = browser.hear()
+            if fields is not None:
+                steps[header["run"]] = header["status"]["step"]
+        for told in browser.told:
+            if told["tell"] == "scenario":
+                seeds[told["run"]] = told["scenario"]["run"]["seed"]
+        browser.say("alone")
+        browser.until_told("runs", runs=["a"])
+    assert steps["a"] == steps["b"] > 40
+    assert seeds["a"] == seeds["b"]
+
+
+def test_the_line_needs_token_host_and_origin(served):
+    for options in (
+        {"token": "guess"},
+        {"additional_headers": {"Host": "evil.example"}},
+        {"origin": "http://evil.example"},
+        {"origin": f"http://127.0.0.1:{served.port + 1}"},
+    ):
+        with pytest.raises(InvalidStatus), served.line(**options):
+            pass
+    with served.line(origin=served.address):
+        pass
+
+
+def test_the_http_interface_needs_the_token_and_this_servers_name(served):
+    token = {"x-barchan-token": served.guard.token}
+    for path in ("presets", "schema", "colours", "pictures/barchans"):
+        assert httpx.get(f"{served.address}/api/{path}", trust_env=False).status_code == 403
+    assert (
+        httpx.get(f"{served.address}/api/schema", headers={**token, "host": "evil.example"}).status_code
+        == 421
+    )
+    answer = httpx.get(f"{served.address}/api/schema", headers=token, trust_env=False)
+    assert "hop_length" in answer.text
+    assert "default-src 'self'" in answer.headers["content-security-policy"]
+
+
+def test_uploads_are_data_of_limited_size_with_plain_names(served):
+    def upload(name: str, content: bytes) -> httpx.Response:
+        headers = {"x-barchan-token": served.guard.token}
+        url = f"{served.address}/api/upload"
+        return httpx.post(url, params={"name": name}, content=content, headers=headers, trust_env=False)
+
+    good = upload("hill.npy", b"0123")
+    assert good.status_code == 200
+    assert good.json()["path"] == str(served.folder / "studio-uploads" / "hill.npy")
+    assert upload("../hill.npy", b"0").status_code == 400
+    assert upload("hill.py", b"0").status_code == 400
+    assert upload("hill.npy", bytes(LARGEST_UPLOAD + 1)).status_code == 413
+    assert [path.name for path in (served.folder / "studio-uploads").iterdir()] == ["hill.npy"]
+
+
+def test_a_scenario_from_the_browser_opens_no_file_beyond_the_folder(served, scenario, tmp_path):
+    data = {**scenario.data(), "ground": {"kind": "file", "path": "/etc/passwd.npy"}}
+    with served.browser() as browser:
+        browser.until_frame()
+        browser.say("create", scenario=data, re=4)
+        assert browser.until_told("refused", re=4)["problems"][0]["key"] == "ground.path"
+        for name in ("../x", "/tmp/x", "a/b", ""):
+            browser.say("save", name=name, re=5)
+            assert "cannot be a run's name" in browser.until_told("refused", re=5)["text"]
+
+
+def test_a_broken_scenario_names_every_bad_key_and_what_is_left(served):
+    text = (
+        '{\n"barchan": 1,\n"model": {"name": "werner", "hop_lenght": 3, "p_s": 0.5},\n"sand": {"mean": -1}\n}'
+    )
+    with served.browser() as browser:
+        browser.say("check", name="mine.json", text=text, re=6)
+        answer = browser.until_told("done", re=6)
+    assert [problem["key"] for problem in answer["problems"]] == ["sand.mean", "model.hop_lenght"]
+    assert "mine.json:3" in [problem["place"] for problem in answer["problems"]]
+    assert answer["scenario"]["model"]["p_s"] == 0.5
+
+
+def test_a_run_is_saved_and_opened_again(served):
+    with served.browser() as browser:
+        browser.until_frame(lambda status: status["step"] > 35)
+        browser.say("pause")
+        status = browser.until_frame(lambda status: not status["running"])[0]["status"]
+        browser.say("save", name="mine", re=1)
+        assert browser.until_told("done", re=1)["step"] == status["step"]
+    with serving(served.folder, archive=served.folder / "mine") as again, again.browser() as browser:
+        header = browser.until_frame()[0]
+        assert header["status"]["step"] == status["step"]
+        assert header["history"][:3] == [0, 10, 20]
+        browser.say("look", step=20)
+        assert not browser.until_frame(lambda status: status["looking"])[0]["status"]["can_branch"]
+
+
+def test_a_scenario_can_start_with_a_ground_of_its_own_file(tmp_path):
+    path = tmp_path / "elsewhere" / "ground.npy"
+    path.parent.mkdir()
+    np.save(path, np.zeros((32, 48)))
+    mine = small(ground={"kind": "file", "path": str(path)})
+    with serving(tmp_path / "folder", mine) as server, server.browser() as browser:
+        told = browser.until_told("scenario")
+        browser.say("create", scenario=told["scenario"], re=1)
+        browser.until_told("scenario")

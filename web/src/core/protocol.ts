@@ -1,0 +1,119 @@
+/** What the server says, and how frames are read. */
+
+export const PROTOCOL = 1;
+
+const MAGIC = 0x48435242; // "BRCH"
+
+export type Json = null | boolean | number | string | Json[] | { [key: string]: Json };
+export type JsonObject = { [key: string]: Json };
+export type RunName = "a" | "b";
+
+export interface Status {
+  step: number;
+  live: number;
+  running: boolean;
+  finished: string | null;
+  looking: boolean;
+  can_branch: boolean;
+  rate: number;
+  highest: number;
+  volume: number;
+  wind: number;
+  time: number | null;
+  undo: number;
+  redo: number;
+}
+
+export interface Field {
+  name: string;
+  unit: string;
+  meaning: string;
+  centre: number | null;
+  choice: boolean;
+}
+
+export interface Lattice {
+  rows: number;
+  columns: number;
+  cell_size: number;
+  thickness: number;
+  periodic: [boolean, boolean];
+}
+
+export interface Measure {
+  name: string;
+  title: string;
+  unit: string;
+}
+
+export interface Description {
+  scenario: JsonObject;
+  lattice: Lattice;
+  model: { name: string; title: string; citation: string };
+  models: Record<string, string>;
+  fields: Field[];
+  layers: { field: string; title: string; colours: string }[];
+  measures: Measure[];
+  repose: number | null;
+  facts: Record<string, string>;
+  remarks: string[];
+  events: number;
+}
+
+export type Row = { step: number } & Record<string, number | null>;
+
+export interface Problem {
+  key: string;
+  message: string;
+  place: string;
+}
+
+export interface Told extends JsonObject {
+  tell: string;
+}
+
+interface Plane {
+  name: string;
+  dtype: "uint8" | "uint16" | "int32" | "float32";
+  scale: number;
+  offset: number;
+}
+
+export interface Frame {
+  run: RunName;
+  rows: number;
+  columns: number;
+  status: Status;
+  history?: number[];
+  measures?: Row[];
+  fields: Map<string, Float32Array>;
+}
+
+const ARRAYS = { uint8: Uint8Array, uint16: Uint16Array, int32: Int32Array, float32: Float32Array };
+
+/** The fields of a binary frame as numbers in their units. */
+export function readFrame(data: ArrayBuffer): Frame {
+  const view = new DataView(data);
+  if (view.getUint32(0, true) !== MAGIC) throw new Error("not a frame");
+  const length = view.getUint32(4, true);
+  const header = JSON.parse(new TextDecoder().decode(new Uint8Array(data, 8, length)));
+  const count = header.rows * header.columns;
+  const fields = new Map<string, Float32Array>();
+  let at = 8 + padded(length);
+  for (const plane of header.planes as Plane[]) {
+    const numbers = new ARRAYS[plane.dtype](data, at, count);
+    at += padded(numbers.byteLength);
+    fields.set(plane.name, scaled(numbers, plane.scale, plane.offset));
+  }
+  return { ...header, fields };
+}
+
+function scaled(numbers: ArrayLike<number>, scale: number, offset: number): Float32Array {
+  const values = new Float32Array(numbers.length);
+  for (let i = 0; i < values.length; i++) values[i] = offset + scale * numbers[i]!;
+  return values;
+}
+
+function padded(length: number): number {
+  return (length + 3) & ~3;
+}

@@ -1,0 +1,49 @@
+/** One simulation as the browser knows it. */
+
+import type { Description, Frame, Row, RunName, Status } from "./protocol";
+
+export class Run {
+  description: Description | null = null;
+  status: Status | null = null;
+  history: number[] = [];
+  measures: Row[] = [];
+  ground: Float32Array = new Float32Array(0);
+  depth: Float32Array = new Float32Array(0);
+  surface: Float32Array = new Float32Array(0);
+  fields = new Map<string, Float32Array>();
+  rows = 0;
+  columns = 0;
+  lost = false;
+
+  constructor(readonly name: RunName) {}
+
+  get ready(): boolean {
+    return this.description !== null && this.surface.length > 0 && this.fits;
+  }
+
+  /** Whether the fields belong to the lattice that was described last. */
+  get fits(): boolean {
+    const lattice = this.description?.lattice;
+    return lattice !== undefined && lattice.rows === this.rows && lattice.columns === this.columns;
+  }
+
+  take(frame: Frame): void {
+    this.rows = frame.rows;
+    this.columns = frame.columns;
+    this.status = frame.status;
+    this.lost = false;
+    if (frame.history) this.history = frame.history;
+    if (frame.measures) this.measure(frame.measures);
+    this.ground = frame.fields.get("ground") ?? this.ground;
+    this.depth = frame.fields.get("depth") ?? this.depth;
+    const count = frame.rows * frame.columns;
+    if (this.surface.length !== count) this.surface = new Float32Array(count);
+    for (let i = 0; i < count; i++) this.surface[i] = this.ground[i]! + this.depth[i]!;
+    this.fields = frame.fields;
+  }
+
+  private measure(rows: Row[]): void {
+    const first = rows[0]?.step ?? Number.POSITIVE_INFINITY;
+    this.measures = [...this.measures.filter((row) => row.step < first), ...rows];
+  }
+}

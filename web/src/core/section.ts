@@ -1,0 +1,62 @@
+/** A straight section through a field: places along a line, and values there. */
+
+import type { Lattice } from "./protocol";
+
+/** From and to, in metres from the south-west corner. */
+export type Line2 = [number, number, number, number];
+
+export interface Samples {
+  /** Metres from the line's beginning. */
+  distance: Float32Array;
+  x: Float32Array;
+  y: Float32Array;
+}
+
+/** Places along a line, about two to a cell. */
+export function samples(line: Line2, lattice: Lattice): Samples {
+  const [x0, y0, x1, y1] = line;
+  const length = Math.hypot(x1 - x0, y1 - y0);
+  const count = Math.min(Math.max(Math.round((2 * length) / lattice.cell_size), 2), 8192);
+  const distance = new Float32Array(count);
+  const x = new Float32Array(count);
+  const y = new Float32Array(count);
+  for (let i = 0; i < count; i++) {
+    const t = i / (count - 1);
+    distance[i] = t * length;
+    x[i] = x0 + t * (x1 - x0);
+    y[i] = y0 + t * (y1 - y0);
+  }
+  return { distance, x, y };
+}
+
+/** Values of a field at places, between cells in proportion. */
+export function along(field: Float32Array, at: Samples, lattice: Lattice): Float32Array {
+  const { rows, columns, cell_size: cell } = lattice;
+  const values = new Float32Array(at.x.length);
+  for (let i = 0; i < values.length; i++) {
+    const c = Math.min(Math.max(at.x[i]! / cell - 0.5, 0), columns - 1);
+    const r = Math.min(Math.max(at.y[i]! / cell - 0.5, 0), rows - 1);
+    const c0 = Math.min(Math.floor(c), Math.max(columns - 2, 0));
+    const r0 = Math.min(Math.floor(r), Math.max(rows - 2, 0));
+    const [u, v] = [c - c0, r - r0];
+    const c1 = Math.min(c0 + 1, columns - 1);
+    const r1 = Math.min(r0 + 1, rows - 1);
+    const south = field[r0 * columns + c0]! * (1 - u) + field[r0 * columns + c1]! * u;
+    const north = field[r1 * columns + c0]! * (1 - u) + field[r1 * columns + c1]! * u;
+    values[i] = south * (1 - v) + north * v;
+  }
+  return values;
+}
+
+/** The line along the wind through the field's middle, from edge to edge. */
+export function alongWind(direction: number, lattice: Lattice): Line2 {
+  const width = lattice.columns * lattice.cell_size;
+  const depth = lattice.rows * lattice.cell_size;
+  const angle = (direction * Math.PI) / 180;
+  const [dx, dy] = [-Math.sin(angle), -Math.cos(angle)];
+  const reach = Math.min(
+    Math.abs(dx) > 1e-9 ? width / 2 / Math.abs(dx) : Number.POSITIVE_INFINITY,
+    Math.abs(dy) > 1e-9 ? depth / 2 / Math.abs(dy) : Number.POSITIVE_INFINITY,
+  );
+  return [width / 2 - dx * reach, depth / 2 - dy * reach, width / 2 + dx * reach, depth / 2 + dy * reach];
+}

@@ -1,0 +1,88 @@
+/** What is shown and how; kept in the browser from one visit to the next. */
+
+import { Signal } from "./signal";
+
+export type Theme = "system" | "light" | "dark";
+
+export interface Look {
+  /** Which field colours the surface: sand (natural), elevation, depth, slope, or one that the model has. */
+  field: string;
+  map: "perceptual" | "grey" | "red-green";
+  /** Fixed ends of the colour scale; null: those of the field as it is. */
+  limits: [number, number] | null;
+  contours: "off" | "interval" | "count";
+  interval: number;
+  count: number;
+  wireframe: boolean;
+  smoothing: number;
+  exaggeration: number;
+  bare: boolean;
+  shadows: boolean;
+  sunAzimuth: number;
+  sunHeight: number;
+  overlays: string[];
+  side: "surface" | "difference";
+  theme: Theme;
+}
+
+const KEY = "barchan-look";
+
+export const LOOK: Look = {
+  field: "sand",
+  map: "perceptual",
+  limits: null,
+  contours: "off",
+  interval: 1,
+  count: 8,
+  wireframe: false,
+  smoothing: 0.8,
+  exaggeration: 1.5,
+  bare: true,
+  shadows: true,
+  sunAzimuth: 315,
+  sunHeight: 32,
+  overlays: ["effectiveness"],
+  side: "surface",
+  theme: "system",
+};
+
+export class View {
+  readonly look: Look;
+  readonly changed = new Signal<void>();
+  /** Fields that other parts of the page need beside the coloured one. */
+  readonly needed = new Set<string>();
+
+  constructor() {
+    this.look = { ...LOOK, ...stored() };
+  }
+
+  set(change: Partial<Look>): void {
+    Object.assign(this.look, change);
+    try {
+      localStorage.setItem(KEY, JSON.stringify(this.look));
+    } catch {
+      // private windows keep nothing
+    }
+    this.changed.send();
+  }
+
+  /** Let a field be sent, or not any more. */
+  need(name: string, wanted: boolean): void {
+    if (this.needed.has(name) === wanted) return;
+    if (wanted) this.needed.add(name);
+    else this.needed.delete(name);
+    this.changed.send();
+  }
+
+  fields(): string[] {
+    return [...new Set([this.look.field, ...this.look.overlays, ...this.needed])].sort();
+  }
+}
+
+function stored(): Partial<Look> {
+  try {
+    return JSON.parse(localStorage.getItem(KEY) ?? "{}") as Partial<Look>;
+  } catch {
+    return {};
+  }
+}

@@ -1,0 +1,118 @@
+/** Puts the page together. */
+
+import "./style.css";
+import { App } from "./core/app";
+import { Stage } from "./scene/stage";
+import { Bar } from "./ui/bar";
+import { Compare } from "./ui/compare";
+import { Dock } from "./ui/dock";
+import { button, h } from "./ui/dom";
+import { Files } from "./ui/files";
+import { gallery } from "./ui/gallery";
+import { Hand } from "./ui/hand";
+import { type Shortcut, control, help, key, listen } from "./ui/help";
+import { Hud } from "./ui/hud";
+import { Paint } from "./ui/paint";
+import { Panel } from "./ui/panel";
+import { Tabs } from "./ui/tabs";
+import { Timeline } from "./ui/timeline";
+import { ViewPanel } from "./ui/viewpanel";
+import { WindPanel } from "./ui/wind";
+import { LogView } from "./views/log";
+import { SectionView } from "./views/section";
+import { SeriesView } from "./views/series";
+import { SpaceTimeView } from "./views/spacetime";
+
+const app = new App(new URLSearchParams(location.search).get("token") ?? "");
+
+function themed(): void {
+  const { theme } = app.view.look;
+  const dark = theme === "dark" || (theme === "system" && matchMedia("(prefers-color-scheme: dark)").matches);
+  document.documentElement.dataset.theme = dark ? "dark" : "light";
+}
+themed();
+app.view.changed.watch(themed);
+matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
+  themed();
+  app.changed.send();
+});
+
+const scene = h("div", { className: "scene" });
+const stage = new Stage(app, scene);
+const hud = new Hud(app, stage);
+scene.append(hud.element);
+
+const files = new Files(app, stage);
+files.accept(scene);
+const paint = new Paint(app);
+const section = new SectionView(app, stage, () => hand.drawLine());
+const hand = new Hand(stage, hud, paint, section);
+const log = new LogView(app);
+const dock = new Dock([section, new SeriesView(app), new SpaceTimeView(app, section), log]);
+const timeline = new Timeline(app);
+const bar = new Bar(app, [
+  button("Presets (G)", "Presets", () => void gallery(app)),
+  files.menu,
+  new Compare(app).element,
+  button("Keys and mouse (?)", "?", () => help(shortcuts)),
+]);
+const tabs = new Tabs([
+  ["Scenario", new Panel(app).element],
+  ["Wind", new WindPanel(app).element],
+  ["Paint", paint.element],
+  ["View", new ViewPanel(app, stage).element],
+]);
+
+app.logged.watch((entry) => dock.mark(3, entry.level !== "info"));
+
+const turn = Math.PI / 36;
+const shortcuts: Shortcut[] = [
+  key(" ", "run or pause", () => bar.toggle(), "Space"),
+  key(".", "one step", () => bar.step(1)),
+  key("r", "restart with the same seed", () => bar.restart(), "R"),
+  key("g", "presets", () => void gallery(app), "G"),
+  key("b", "brush on or off", () => paint.activate(!paint.active), "B"),
+  key("[", "smaller brush", () => paint.grow(1 / 1.25)),
+  key("]", "larger brush", () => paint.grow(1.25)),
+  control("z", false, "undo painting", () => app.order({ do: "undo" })),
+  control("z", true, "redo painting", () => app.order({ do: "redo" })),
+  key("l", "draw the line of the section", () => hand.drawLine(), "L"),
+  key("1", "section", () => dock.toggle(0)),
+  key("2", "measures", () => dock.toggle(1)),
+  key("3", "space–time", () => dock.toggle(2)),
+  key("4", "log", () => dock.toggle(3)),
+  key("o", "oblique view", () => stage.look("oblique"), "O"),
+  key("t", "view from above", () => stage.look("top"), "T"),
+  key("s", "view from the side", () => stage.look("side"), "S"),
+  key("ArrowLeft", "turn the view", () => stage.turn(turn, 0), "← → ↑ ↓"),
+  key("+", "come nearer", () => stage.turn(0, 0, 0.9)),
+  key("-", "go back", () => stage.turn(0, 0, 1.1)),
+  key("PageUp", "look back", () => timeline.nudge(-1), "Page up"),
+  key("PageDown", "look on", () => timeline.nudge(1), "Page down"),
+  key("End", "return to now", () => timeline.live()),
+  key("p", "save a picture", () => void files.savePicture(), "P"),
+  key("w", "wireframe", () => app.view.set({ wireframe: !app.view.look.wireframe }), "W"),
+  key("?", "this list", () => help(shortcuts)),
+];
+const quiet: Shortcut[] = [
+  key("ArrowRight", "", () => stage.turn(-turn, 0)),
+  key("ArrowUp", "", () => stage.turn(0, -turn)),
+  key("ArrowDown", "", () => stage.turn(0, turn)),
+  key("=", "", () => stage.turn(0, 0, 0.9)),
+];
+listen([...shortcuts, ...quiet]);
+
+document.getElementById("app")!.append(
+  bar.element,
+  h("main", {}, h("div", { className: "stage-column" }, scene, timeline.element, dock.element), tabs.element),
+);
+
+app.start().catch((error) => app.refused(error));
+
+/** What those who test or measure look at. */
+declare global {
+  interface Window {
+    barchan: { app: App; stage: Stage; files: Files };
+  }
+}
+window.barchan = { app, stage, files };

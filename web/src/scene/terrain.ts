@@ -1,0 +1,234 @@
+/** One run's surface in the scene. */
+
+import * as THREE from "three";
+import type { App } from "../core/app";
+import type { Run } from "../core/run";
+import { type Colouring, colouring } from "./colouring";
+import { FRAGMENT, VERTEX } from "./shaders";
+import { smoothed } from "./smooth";
+
+/** Longest side of a field in the scene. */
+export const SIZE = 10;
+const FINEST = 512;
+const TINTS = ["#4c8a3a", "#8aa83c", "#2f6b4f", "#7d7a2c"];
+const SAND = new THREE.Color("#dcb981");
+const GROUND = new THREE.Color("#8f8a84");
+
+export class Terrain {
+  readonly group = new THREE.Group();
+  colouring: Colouring | null = null;
+  /** The surface as it is drawn (m), smoothed where the look says so. */
+  drawn: Float32Array = new Float32Array(0);
+  base = 0;
+  scale = 1;
+  extent: [number, number] = [1, 1];
+  private readonly top: THREE.ShaderMaterial;
+  private readonly side: THREE.ShaderMaterial;
+  private heights: THREE.DataTexture | null = null;
+  private values: THREE.DataTexture | null = null;
+  private overlay: THREE.DataTexture | null = null;
+  private shape = "";
+  private ground: Float32Array = new Float32Array(0);
+  private groundOf: Float32Array | null = null;
+  private groundWidth = 0;
+  private map = "";
+
+  constructor(
+    private readonly app: App,
+    private readonly linear: boolean,
+  ) {
+    const uniforms = {
+      heights: { value: null },
+      values: { value: null },
+      map: { value: null },
+      overlay: { value: null },
+      cells: { value: new THREE.Vector2(1, 1) },
+      extent: { value: new THREE.Vector2(1, 1) },
+      scale: { value: 1 },
+      exaggeration: { value: 1 },
+      base: { value: 0 },
+      limits: { value: new THREE.Vector2(0, 1) },
+      natural: { value: 1 },
+      sun: { value: new THREE.Vector3(0, 1, 0) },
+      shadows: { value: 1 },
+      bare: { value: 1 },
+      thickness: { value: 1 },
+      contour: { value: 0 },
+      wire: { value: 0 },
+      tints: { value: TINTS.map((tint) => new THREE.Color(tint)) },
+      section: { value: new THREE.Vector4(-2, 0, 0, 0) },
+      brush: { value: new THREE.Vector3(0, 0, 0) },
+      sandColour: { value: SAND },
+      groundColour: { value: GROUND },
+    };
+    const material = (isWall: number) =>
+      new THREE.ShaderMaterial({
+        vertexShader: VERTEX,
+        fragmentShader: FRAGMENT,
+        uniforms: { ...uniforms, isWall: { value: isWall } },
+        side: isWall ? THREE.DoubleSide : THREE.FrontSide,
+      });
+    this.top = material(0);
+    this.side = material(1);
+  }
+
+  get uniforms(): Record<string, THREE.IUniform> {
+    return this.top.uniforms;
+  }
+
+  /** Show a run as it is now. */
+  update(run: Run): void {
+    const { lattice } = run.description!;
+    const look = this.app.view.look;
+    this.reshape(run);
+    this.drawn = smoothed(run.surface, run.rows, run.columns, look.smoothing, lattice.periodic);
+    this.fillHeights(run);
+    this.colouring = colouring(this.app, run, this.drawn);
+    (this.values!.image.data as Float32Array).set(this.colouring.values);
+    this.values!.needsUpdate = true;
+    this.fillOverlay(run);
+    this.fillMap(this.colouring.map);
+    const { uniforms } = this;
+    uniforms.limits!.value.set(...this.colouring.limits);
+    uniforms.natural!.value = this.colouring.natural ? 1 : 0;
+    uniforms.bare!.value = look.bare && look.side === "surface" ? 1 : 0;
+    uniforms.thickness!.value = lattice.thickness;
+    uniforms.contour!.value = this.contour();
+    uniforms.wire!.value = look.wireframe ? 1 : 0;
+    uniforms.shadows!.value = look.shadows ? 1 : 0;
+    uniforms.exaggeration!.value = look.exaggeration;
+    uniforms.base!.value = this.base;
+    uniforms.sun!.value.copy(sunAt(look.sunAzimuth, look.sunHeight));
+  }
+
+  /** Height in the scene of a height of the run. */
+  inScene(height: number): number {
+    return (height - this.base) * this.app.view.look.exaggeration * this.scale;
+  }
+
+  private contour(): number {
+    const { contours, interval, count } = this.app.view.look;
+    if (contours === "off") return 0;
+    if (contours === "interval") return Math.max(interval, 1e-6);
+    let low = Number.POSITIVE_INFINITY;
+    let high = Number.NEGATIVE_INFINITY;
+    for (const value of this.drawn) {
+      if (value < low) low = value;
+      if (value > high) high = value;
+    }
+    return Math.max((high - low) / Math.max(count, 1), 1e-6);
+  }
+
+  private fillHeights(run: Run): void {
+    const data = this.heights!.image.data as Float32Array;
+    const width = this.app.view.look.smoothing;
+    if (this.groundOf !== run.ground || this.groundWidth !== width) {
+      const joined = run.description!.lattice.periodic;
+      this.ground = smoothed(run.ground, run.rows, run.columns, width, joined);
+      [this.groundOf, this.groundWidth] = [run.ground, width];
+    }
+    let low = Number.POSITIVE_INFINITY;
+    for (let i = 0; i < this.drawn.length; i++) {
+      data[2 * i] = this.drawn[i]!;
+      data[2 * i + 1] = this.ground[i]!;
+      if (run.ground[i]! < low) low = run.ground[i]!;
+    }
+    this.base = low - 0.02 * Math.max(...this.extent);
+    this.heights!.needsUpdate = true;
+  }
+
+  private fillOverlay(run: Run): void {
+    const shown = this.app.view.look.overlays.filter((name) => run.fields.has(name)).slice(0, 4);
+    const data = this.overlay!.image.data as Uint8Array;
+    data.fill(0);
+    shown.forEach((name, layer) => {
+      const field = run.fields.get(name)!;
+      for (let i = 0; i < field.length; i++) data[4 * i + layer] = 255 * Math.min(Math.max(field[i]!, 0), 1);
+    });
+    this.overlay!.needsUpdate = true;
+  }
+
+  private fillMap(name: string): void {
+    const colours = this.app.colours[name];
+    if (!colours || (this.map === name && this.uniforms.map!.value)) return;
+    this.map = name;
+    const data = new Uint8Array(colours.flatMap((colour) => [...colour, 255]));
+    const texture = new THREE.DataTexture(data, colours.length, 1);
+    texture.minFilter = texture.magFilter = THREE.LinearFilter;
+    texture.needsUpdate = true;
+    this.uniforms.map!.value = texture;
+  }
+
+  private reshape(run: Run): void {
+    const { lattice } = run.description!;
+    const shape = `${run.rows}x${run.columns}x${lattice.cell_size}`;
+    if (shape === this.shape) return;
+    this.shape = shape;
+    this.extent = [run.columns * lattice.cell_size, run.rows * lattice.cell_size];
+    this.scale = SIZE / Math.max(...this.extent);
+    const filter = this.linear ? THREE.LinearFilter : THREE.NearestFilter;
+    for (const old of [this.heights, this.values, this.overlay]) old?.dispose();
+    const count = run.rows * run.columns;
+    const make = (data: Float32Array | Uint8Array, format: THREE.PixelFormat, type: THREE.TextureDataType) => {
+      const texture = new THREE.DataTexture(data as never, run.columns, run.rows, format, type);
+      texture.minFilter = texture.magFilter = type === THREE.UnsignedByteType ? THREE.LinearFilter : filter;
+      return texture;
+    };
+    this.heights = make(new Float32Array(2 * count), THREE.RGFormat, THREE.FloatType);
+    this.values = make(new Float32Array(count), THREE.RedFormat, THREE.FloatType);
+    this.overlay = make(new Uint8Array(4 * count), THREE.RGBAFormat, THREE.UnsignedByteType);
+    const { uniforms } = this;
+    uniforms.heights!.value = this.heights;
+    uniforms.values!.value = this.values;
+    uniforms.overlay!.value = this.overlay;
+    uniforms.cells!.value.set(run.columns, run.rows);
+    uniforms.extent!.value.set(...this.extent);
+    uniforms.scale!.value = this.scale;
+    this.group.clear();
+    const across = Math.min(run.columns - 1, FINEST);
+    const along = Math.min(run.rows - 1, FINEST);
+    const surface = new THREE.Mesh(grid(across, along), this.top);
+    const walls = new THREE.Mesh(skirt(across, along), this.side);
+    surface.frustumCulled = walls.frustumCulled = false;
+    this.group.add(surface, walls);
+  }
+}
+
+export function sunAt(azimuth: number, height: number): THREE.Vector3 {
+  const a = (azimuth * Math.PI) / 180;
+  const h = (height * Math.PI) / 180;
+  return new THREE.Vector3(Math.sin(a) * Math.cos(h), Math.sin(h), -Math.cos(a) * Math.cos(h));
+}
+
+function grid(across: number, along: number): THREE.BufferGeometry {
+  const geometry = new THREE.PlaneGeometry(1, 1, Math.max(across, 1), Math.max(along, 1));
+  geometry.setAttribute("wall", new THREE.BufferAttribute(new Float32Array(geometry.attributes.uv!.count), 1));
+  return geometry;
+}
+
+/** The four side walls of the block that the field is cut from. */
+function skirt(across: number, along: number): THREE.BufferGeometry {
+  const uv: number[] = [];
+  const wall: number[] = [];
+  const index: number[] = [];
+  const side = (from: [number, number], to: [number, number], parts: number) => {
+    for (let i = 0; i <= parts; i++) {
+      const t = i / parts;
+      const at = [from[0] + (to[0] - from[0]) * t, from[1] + (to[1] - from[1]) * t];
+      const first = wall.length;
+      uv.push(...at, ...at);
+      wall.push(0, 1);
+      if (i < parts) index.push(first, first + 1, first + 2, first + 2, first + 1, first + 3);
+    }
+  };
+  side([0, 0], [1, 0], across);
+  side([1, 0], [1, 1], along);
+  side([1, 1], [0, 1], across);
+  side([0, 1], [0, 0], along);
+  const geometry = new THREE.BufferGeometry();
+  geometry.setAttribute("uv", new THREE.Float32BufferAttribute(uv, 2));
+  geometry.setAttribute("wall", new THREE.Float32BufferAttribute(wall, 1));
+  geometry.setAttribute("position", new THREE.Float32BufferAttribute(new Float32Array(wall.length * 3), 3));
+  geometry.setIndex(index);
+  return geometry;
+}

@@ -1,0 +1,134 @@
+/** The bar at the top: what runs, how it is run, what it has come to. */
+
+import type { App } from "../core/app";
+import { button, h, short } from "./dom";
+
+const LIMITS: [string, number | null][] = [
+  ["no limit", null],
+  ["100 steps/s", 100],
+  ["30 steps/s", 30],
+  ["10 steps/s", 10],
+  ["3 steps/s", 3],
+  ["1 step/s", 1],
+];
+
+export class Bar {
+  readonly element: HTMLElement;
+  private readonly title = h("strong", { className: "title" });
+  private readonly model = h("span", { className: "model" });
+  private readonly play: HTMLButtonElement;
+  private readonly count = h("input", {
+    type: "number",
+    value: "100",
+    min: "1",
+    max: "1000000",
+    className: "count",
+    "aria-label": "Number of steps",
+  });
+  private readonly numbers: Record<string, HTMLElement> = {};
+
+  constructor(
+    private readonly app: App,
+    extras: HTMLElement[],
+  ) {
+    this.play = button("Run (space)", "▶", () => this.toggle(), { className: "primary" });
+    const limit = h(
+      "select",
+      {
+        "aria-label": "Speed limit",
+        title: "Speed limit",
+        onchange: (event: Event) => {
+          const chosen = LIMITS[(event.target as HTMLSelectElement).selectedIndex]!;
+          app.order({ do: "limit", rate: chosen[1] });
+        },
+      },
+      ...LIMITS.map(([text]) => h("option", {}, text)),
+    );
+    this.element = h(
+      "header",
+      { className: "bar" },
+      h("div", { className: "name" }, this.title, this.model),
+      h(
+        "div",
+        { className: "controls", role: "group", "aria-label": "Run" },
+        this.play,
+        button("One step (.)", "▸❘", () => this.step(1)),
+        this.count,
+        button("Run so many steps", "go", () => this.step(Number(this.count.value) || 1)),
+        limit,
+        button("Restart with the same seed (R)", "↺", () => this.restart()),
+      ),
+      h("dl", { className: "status", "aria-label": "Status" }, ...this.status()),
+      h("div", { className: "extras" }, ...extras),
+    );
+    app.framed.watch(() => this.show());
+    app.changed.watch(() => this.show());
+  }
+
+  toggle(): void {
+    this.app.order({ do: this.app.running ? "pause" : "run" });
+  }
+
+  step(count: number): void {
+    this.app.order({ do: "run", steps: Math.max(1, Math.round(count)) });
+  }
+
+  restart(): void {
+    const scenario = this.app.current?.description?.scenario;
+    if (scenario && this.app.runs.length > 1) this.app.create(scenario, this.app.running);
+    else this.app.order({ do: "restart" });
+  }
+
+  private status(): HTMLElement[] {
+    const names = [
+      ["step", "step"],
+      ["rate", "steps/s"],
+      ["clock", "time"],
+      ["highest", "highest stack"],
+      ["volume", "sand"],
+    ];
+    return names.map(([name, text]) => {
+      const value = h("dd", { "data-status": name });
+      this.numbers[name!] = value;
+      return h("div", {}, h("dt", {}, text!), value);
+    });
+  }
+
+  private show(): void {
+    const run = this.app.current;
+    const { description, status } = run ?? {};
+    const titles = this.app.runs.map((one) => one.description?.model.title).filter(Boolean);
+    const title = String(description?.scenario.title || "Untitled scenario");
+    this.title.textContent = title;
+    this.model.textContent = titles.join("  ·  ");
+    document.title = `${title} – Barchan studio`;
+    const running = this.app.running;
+    this.play.textContent = running ? "❚❚" : "▶";
+    this.play.title = running ? "Pause (space)" : "Run (space)";
+    this.play.setAttribute("aria-label", this.play.title);
+    this.play.setAttribute("aria-pressed", String(running));
+    if (!status || !description) return;
+    const { thickness } = description.lattice;
+    const texts: Record<string, string> = {
+      step: short(status.step, 9),
+      rate: running ? short(status.rate, 3) : "paused",
+      clock: status.time === null || status.time === undefined ? "" : clock(status.time),
+      highest: `${short(status.highest)} · ${short(status.highest * thickness, 3)} m`,
+      volume: `${short(status.volume)} m³`,
+    };
+    for (const [name, text] of Object.entries(texts)) {
+      const value = this.numbers[name]!;
+      if (value.textContent !== text) value.textContent = text;
+      value.parentElement!.hidden = text === "";
+    }
+  }
+}
+
+/** Seconds as days and hours. */
+function clock(seconds: number): string {
+  const days = Math.floor(seconds / 86_400);
+  const rest = seconds - days * 86_400;
+  const two = (value: number) => String(Math.floor(value)).padStart(2, "0");
+  const time = `${two(rest / 3600)}:${two((rest % 3600) / 60)}`;
+  return days ? `${short(days)} d ${time}` : time;
+}

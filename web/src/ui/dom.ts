@@ -1,0 +1,107 @@
+/** Small helpers to build the page. */
+
+type Child = Node | string | null | undefined | false;
+type Props = Record<string, unknown>;
+
+/** An element with properties, attributes (what has a dash or is called role), listeners (on…) and children. */
+export function h<K extends keyof HTMLElementTagNameMap>(
+  tag: K,
+  props: Props = {},
+  ...children: Child[]
+): HTMLElementTagNameMap[K] {
+  const element = document.createElement(tag);
+  apply(element, props);
+  element.append(...(children.filter((child) => child !== null && child !== undefined && child !== false) as Node[]));
+  return element;
+}
+
+/** An element of a drawing. */
+export function svg(tag: string, props: Props = {}, ...children: Child[]): SVGElement {
+  const element = document.createElementNS("http://www.w3.org/2000/svg", tag);
+  for (const [name, value] of Object.entries(props)) {
+    if (name.startsWith("on")) element.addEventListener(name.slice(2), value as EventListener);
+    else element.setAttribute(name, String(value));
+  }
+  element.append(...(children.filter(Boolean) as Node[]));
+  return element;
+}
+
+function apply(element: HTMLElement, props: Props): void {
+  for (const [name, value] of Object.entries(props)) {
+    if (value === undefined || value === null) continue;
+    if (name.startsWith("on")) element.addEventListener(name.slice(2), value as EventListener);
+    else if (name.includes("-") || name === "role" || name === "for") element.setAttribute(name, String(value));
+    else (element as unknown as Props)[name] = value;
+  }
+}
+
+let numbered = 0;
+
+/** A new id for an element. */
+export function id(prefix: string): string {
+  return `${prefix}-${++numbered}`;
+}
+
+/** A button that shows a sign and is called by its label. */
+export function button(label: string, text: string, action: () => void, props: Props = {}): HTMLButtonElement {
+  return h("button", { type: "button", title: label, "aria-label": label, onclick: action, ...props }, text);
+}
+
+/** A number in few digits. */
+export function short(value: number | null | undefined, digits = 4): string {
+  if (value === null || value === undefined || !Number.isFinite(value)) return "–";
+  const size = Math.abs(value);
+  if (size >= 1e7) return value.toExponential(2);
+  if (size >= 1000) return Math.round(value).toLocaleString("en-GB").replaceAll(",", "\u202f");
+  return String(Number(value.toPrecision(digits)));
+}
+
+/** Give a text to the user as a file. */
+export function download(name: string, content: Blob | string): void {
+  const blob = typeof content === "string" ? new Blob([content], { type: "text/plain" }) : content;
+  const link = h("a", { href: URL.createObjectURL(blob), download: name });
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
+}
+
+/** Call a function a while after the last call. */
+export function later<A extends unknown[]>(milliseconds: number, action: (...args: A) => void): (...args: A) => void {
+  let timer: ReturnType<typeof setTimeout> | undefined;
+  return (...args) => {
+    clearTimeout(timer);
+    timer = setTimeout(() => action(...args), milliseconds);
+  };
+}
+
+/** A canvas as sharp as the screen, its size in pixels of the page. */
+export function fitCanvas(canvas: HTMLCanvasElement): { context: CanvasRenderingContext2D; width: number; height: number } {
+  const { clientWidth: width, clientHeight: height } = canvas;
+  const ratio = window.devicePixelRatio || 1;
+  const [w, hh] = [Math.round(width * ratio), Math.round(height * ratio)];
+  if (canvas.width !== w || canvas.height !== hh) {
+    canvas.width = w;
+    canvas.height = hh;
+  }
+  const context = canvas.getContext("2d")!;
+  context.setTransform(ratio, 0, 0, ratio, 0, 0);
+  context.clearRect(0, 0, width, height);
+  return { context, width, height };
+}
+
+/** A colour of the page's theme. */
+export function themeColour(name: string): string {
+  return getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
+}
+
+/** Round marks on an axis from `low` to `high`, about so many. */
+export function ticks(low: number, high: number, count: number): number[] {
+  if (!(high > low)) return [low];
+  const rough = (high - low) / Math.max(count, 1);
+  const power = 10 ** Math.floor(Math.log10(rough));
+  const step = power * ([1, 2, 5, 10].find((factor) => factor * power >= rough) ?? 10);
+  const found: number[] = [];
+  for (let tick = Math.ceil(low / step) * step; tick <= high + step * 1e-6; tick += step) {
+    found.push(Number(tick.toPrecision(12)));
+  }
+  return found;
+}

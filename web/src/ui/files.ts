@@ -1,0 +1,167 @@
+/** Scenarios, runs and pictures in and out; files dropped onto the page. */
+
+import { type App, problemText } from "../core/app";
+import type { JsonObject, Problem } from "../core/protocol";
+import type { Stage } from "../scene/stage";
+import { dialog } from "./dialog";
+import { download, h, themeColour } from "./dom";
+
+const HEIGHTS = /\.(png|npy|tiff?)$/i;
+
+export class Files {
+  readonly menu: HTMLElement;
+
+  constructor(
+    private readonly app: App,
+    private readonly stage: Stage,
+  ) {
+    const item = (text: string, action: () => void) => h("button", { type: "button", role: "menuitem", onclick: () => this.done(action) }, text);
+    const list = h(
+      "div",
+      { className: "menu-list", role: "menu" },
+      item("Load a scenario …", () => this.choose()),
+      item("Save the scenario", () => this.saveScenario()),
+      h("hr"),
+      item("Open a saved run …", () => void this.open()),
+      item("Save the run …", () => this.saveRun()),
+      h("hr"),
+      item("Save a picture (P)", () => void this.savePicture()),
+    );
+    this.menu = h("details", { className: "menu" }, h("summary", { title: "Files" }, "File"), list);
+    document.addEventListener("click", (event) => {
+      if (!this.menu.contains(event.target as Node)) this.menu.removeAttribute("open");
+    });
+  }
+
+  /** Take what is dropped onto the page. */
+  accept(host: HTMLElement): void {
+    host.addEventListener("dragover", (event) => {
+      event.preventDefault();
+      host.classList.add("dropping");
+    });
+    host.addEventListener("dragleave", () => host.classList.remove("dropping"));
+    host.addEventListener("drop", (event) => {
+      event.preventDefault();
+      host.classList.remove("dropping");
+      const file = event.dataTransfer?.files[0];
+      if (file) void this.take(file);
+    });
+  }
+
+  async take(file: File): Promise<void> {
+    if (HEIGHTS.test(file.name)) await this.ground(file);
+    else if (/\.json$/i.test(file.name)) await this.load(file.name, await file.text());
+    else this.app.note("error", `${file.name}: not a scenario (.json) and no ground (.png, .npy, .tif)`);
+  }
+
+  async savePicture(): Promise<void> {
+    const step = this.app.current?.status?.step ?? 0;
+    download(`barchan-${step}.png`, await this.stage.picture(themeColour("paper")));
+  }
+
+  saveScenario(): void {
+    const scenario = this.app.current?.description?.scenario;
+    if (!scenario) return;
+    const name = String(scenario.title || "scenario").toLowerCase().replaceAll(/[^a-z0-9]+/g, "-");
+    download(`${name}.json`, `${JSON.stringify(scenario, null, 2)}\n`);
+  }
+
+  /** Load a scenario; a broken one tells every bad key, and is only used in part when asked. */
+  async load(name: string, text: string): Promise<void> {
+    const answer = await this.app.ask({ do: "check", name, text });
+    if (!answer) return;
+    const problems = answer.problems as unknown as Problem[];
+    const scenario = answer.scenario as JsonObject | null;
+    for (const problem of problems) this.app.note("error", problemText(problem));
+    if (scenario && !problems.length) {
+      this.app.note("info", `Loaded ${name}.`);
+      this.app.create(scenario, true);
+    } else this.offer(name, problems, scenario);
+  }
+
+  private offer(name: string, problems: Problem[], scenario: JsonObject | null): void {
+    const rest = () => {
+      sheet.close();
+      this.app.note("warning", `Loaded ${name} without what was wrong.`);
+      this.app.create(scenario!, true);
+    };
+    const sheet: HTMLDialogElement = dialog(
+      `${name}: ${problems.length === 1 ? "1 problem" : `${problems.length} problems`}`,
+      "small",
+      h("ul", { className: "problems" }, ...problems.map((problem) => h("li", {}, problemText(problem)))),
+      h(
+        "div",
+        { className: "buttons" },
+        scenario !== null && h("button", { type: "button", onclick: rest }, "load the rest"),
+        h("button", { type: "button", onclick: () => sheet.close() }, "leave it"),
+      ),
+    );
+  }
+
+  private done(action: () => void): void {
+    this.menu.removeAttribute("open");
+    action();
+  }
+
+  private choose(): void {
+    const input = h("input", {
+      type: "file",
+      accept: ".json,.png,.npy,.tif,.tiff",
+      onchange: () => {
+        const file = input.files?.[0];
+        if (file) void this.take(file);
+      },
+    });
+    input.click();
+  }
+
+  private async ground(file: File): Promise<void> {
+    const scenario = this.app.current?.description?.scenario;
+    if (!scenario) return;
+    try {
+      const kept = await this.app.line.fetch<{ path: string }>(`upload?name=${encodeURIComponent(file.name)}`, { method: "POST", body: file });
+      const image = /\.png$/i.test(file.name);
+      const { columns, cell_size } = this.app.current!.description!.lattice;
+      const heights = image ? { lowest: 0, highest: Number((columns * cell_size * 0.08).toPrecision(2)) } : {};
+      const ground = { kind: "file", path: kept.path, resample: true, fill: "interpolate", ...heights };
+      this.app.note("info", `${file.name} is the ground now${image ? `, white ${heights.highest} m above black` : ""}; see Ground in the panel.`);
+      this.app.create({ ...scenario, ground }, true);
+    } catch (error) {
+      this.app.refused(error);
+    }
+  }
+
+  private saveRun(): void {
+    const name = h("input", { type: "text", value: `run-${new Date().toISOString().slice(0, 16).replaceAll(/[T:]/g, "-")}`, "aria-label": "Name of the run" });
+    const save = async () => {
+      sheet.close();
+      const answer = await this.app.ask({ do: "save", name: name.value, run: this.app.selected });
+      if (answer) this.app.note("info", `Saved ${answer.frames} frames up to step ${answer.step} as ${name.value}.`);
+    };
+    const sheet: HTMLDialogElement = dialog(
+      "Save the run",
+      "small",
+      h("p", {}, "A folder with the scenario, the states that are kept, and all it takes to go on; the command line reads it too."),
+      h("div", { className: "row" }, h("label", {}, "name ", name)),
+      h("div", { className: "buttons" }, h("button", { type: "button", className: "primary", onclick: () => void save() }, "save")),
+    );
+    name.select();
+  }
+
+  private async open(): Promise<void> {
+    const answer = await this.app.ask({ do: "saved" });
+    if (!answer) return;
+    const names = answer.saved as string[];
+    const begin = async (name: string) => {
+      sheet.close();
+      if (await this.app.ask({ do: "open", name })) this.app.note("info", `Opened ${name}; it goes on from its newest state.`);
+    };
+    const list = names.map((name) => h("li", {}, h("button", { type: "button", onclick: () => void begin(name) }, name)));
+    const sheet: HTMLDialogElement = dialog(
+      "Open a saved run",
+      "small",
+      h("p", {}, `In ${answer.folder}:`),
+      names.length ? h("ul", { className: "runs" }, ...list) : h("p", {}, "There is none yet."),
+    );
+  }
+}

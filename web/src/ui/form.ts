@@ -1,0 +1,203 @@
+/** Forms made from the schema of scenarios: no parameter is written down twice. */
+
+import type { Json, JsonObject } from "../core/protocol";
+import { type Schema, bounds, entryOf, initial } from "../core/schema";
+import { h, id, short } from "./dom";
+import { numberControl } from "./number";
+import { words } from "./words";
+
+
+export type Path = (string | number)[];
+
+export interface FormContext {
+  root: Schema;
+  /** Take a new value at a path. */
+  change: (path: Path, value: Json, live: boolean) => void;
+  /** Ask for a variant with all its defaults. */
+  variant: (path: Path, key: string, name: string) => void;
+  /** Whether a path can change while the run goes on. */
+  live: (path: Path, schema: Schema) => boolean;
+}
+
+const HIDDEN = new Set(["note", "barchan"]);
+
+/** The rows of a group of parameters, gathered under the headings that they declare. */
+export function group(context: FormContext, schema: Schema, value: JsonObject, path: Path, skip: string[] = []): HTMLElement[] {
+  const gathered = new Map<string, HTMLElement[]>();
+  for (const [name, property] of Object.entries(schema.properties ?? {})) {
+    const entry = entryOf(property, context.root);
+    if (HIDDEN.has(name) || skip.includes(name) || entry.schema.const !== undefined) continue;
+    if (entry.kind === "choice" && entry.choices.length === 1) continue;
+    const under = property.group || entry.schema.group || "";
+    const rows = gathered.get(under) ?? [];
+    rows.push(field(context, name, property, value[name] ?? null, [...path, name]));
+    gathered.set(under, rows);
+  }
+  return [...gathered].flatMap(([heading, rows]) => (heading ? [h("h4", {}, heading), ...rows] : rows));
+}
+
+/** One parameter, whatever it is. */
+export function field(context: FormContext, name: string, given: Schema, value: Json, path: Path): HTMLElement {
+  const entry = entryOf(given, context.root);
+  if (entry.kind === "variant") return variantField(context, name, given, value as JsonObject, path);
+  if (entry.kind === "group" && !entry.nullable) {
+    return h("fieldset", {}, h("legend", {}, words(name)), ...group(context, entry.schema, (value ?? {}) as JsonObject, path));
+  }
+  if (entry.kind === "list") return listField(context, name, entry.schema, (value ?? []) as Json[], path);
+  if (entry.kind === "group") return optionalGroup(context, name, entry.schema, value as JsonObject | null, path);
+  return row(context, name, given, value, path);
+}
+
+/** A group of which there are several kinds, with a choice between them. */
+export function variantField(context: FormContext, name: string, given: Schema, value: JsonObject, path: Path): HTMLElement {
+  const entry = entryOf(given, context.root);
+  const kind = String(value?.[entry.key] ?? "");
+  const label = id("kind");
+  const choice = h(
+    "select",
+    {
+      id: label,
+      onchange: (event: Event) => context.variant(path, entry.key, (event.target as HTMLSelectElement).value),
+    },
+    ...Object.keys(entry.variants).map((one) => h("option", { value: one, selected: one === kind }, words(one))),
+  );
+  choice.dataset.path = path.join(".");
+  const variant = entry.variants[kind] ?? {};
+  return h(
+    "fieldset",
+    {},
+    h("legend", {}, words(name)),
+    h("div", { className: "row" }, h("label", { for: label }, "kind"), h("div", { className: "control" }, choice)),
+    ...group(context, variant, value ?? {}, path),
+  );
+}
+
+function optionalGroup(context: FormContext, name: string, schema: Schema, value: JsonObject | null, path: Path): HTMLElement {
+  const box = h("input", {
+    type: "checkbox",
+    checked: value !== null,
+    id: id("group"),
+    onchange: () => context.change(path, box.checked ? initial(schema, context.root) : null, false),
+  });
+  const rows = value === null ? [] : group(context, schema, value, path);
+  const head = h("div", { className: "row" }, h("label", { for: box.id, title: schema.description ?? "" }, words(name)), box);
+  return h("div", {}, head, ...rows);
+}
+
+function listField(context: FormContext, name: string, schema: Schema, value: Json[], path: Path): HTMLElement {
+  const put = (items: Json[]) => context.change(path, items, false);
+  const items = value.map((item, number) => {
+    const move = (by: number) => {
+      const moved = [...value];
+      moved.splice(number, 1);
+      moved.splice(number + by, 0, item);
+      put(moved);
+    };
+    const tools = [
+      number > 0 && h("button", { type: "button", title: "Up", "aria-label": "Up", onclick: () => move(-1) }, "↑"),
+      number < value.length - 1 &&
+        h("button", { type: "button", title: "Down", "aria-label": "Down", onclick: () => move(1) }, "↓"),
+      h("button", { type: "button", title: "Remove", "aria-label": "Remove", onclick: () => put(value.toSpliced(number, 1)) }, "×"),
+    ];
+    const inner = field(context, `${name} ${number + 1}`, schema.items ?? {}, item, [...path, number]);
+    return h("div", { className: "item" }, inner, h("div", { className: "tools" }, ...tools));
+  });
+  const add = () => put([...value, initial(schema.items ?? {}, context.root)]);
+  const most = (schema as { maxItems?: number }).maxItems ?? Number.POSITIVE_INFINITY;
+  return h(
+    "fieldset",
+    { title: schema.description ?? "" },
+    h("legend", {}, words(name)),
+    ...items,
+    value.length < most && h("button", { type: "button", onclick: add, className: "quiet" }, `+ add to ${words(name)}`),
+  );
+}
+
+function row(context: FormContext, name: string, given: Schema, value: Json, path: Path): HTMLElement {
+  const entry = entryOf(given, context.root);
+  const { schema } = entry;
+  const live = context.live(path, schema);
+  const known = schema.default !== undefined;
+  const label = id("row");
+  const take = (next: Json) => context.change(path, next, live);
+  const unit = schema.unit && schema.unit !== "-" ? schema.unit : "";
+  const controls = control(entry, value, take, label, path);
+  const changed = known && JSON.stringify(value) !== JSON.stringify(schema.default);
+  const reset = h(
+    "button",
+    {
+      type: "button",
+      className: "reset",
+      hidden: !changed,
+      title: `Reset to ${shown(schema.default ?? null)}`,
+      "aria-label": `Reset ${words(name)} to ${shown(schema.default ?? null)}`,
+      onclick: () => take(schema.default ?? null),
+    },
+    "↶",
+  );
+  const restarts = live ? "" : "↺";
+  return h(
+    "div",
+    { className: "row", title: explained(schema, live) },
+    h("label", { for: label }, words(name), restarts && h("span", { className: "restarts", "aria-label": "restarts the run" }, restarts)),
+    h("div", { className: "control" }, ...controls, unit && h("span", { className: "unit" }, unit), reset),
+    h("output", { className: "trouble", "data-trouble": path.join(".") }),
+  );
+}
+
+function control(
+  entry: ReturnType<typeof entryOf>,
+  value: Json,
+  take: (value: Json) => void,
+  label: string,
+  path: Path,
+): HTMLElement[] {
+  const mark = <T extends HTMLElement>(element: T): T => {
+    element.id = label;
+    element.dataset.path = path.join(".");
+    return element;
+  };
+  if (entry.kind === "boolean") {
+    const box = h("input", { type: "checkbox", checked: value === true, onchange: () => take(box.checked) });
+    return [mark(box)];
+  }
+  if (entry.kind === "choice") {
+    const none = entry.nullable ? [null] : [];
+    const options = [...none, ...entry.choices];
+    const select = h(
+      "select",
+      { onchange: () => take(options[select.selectedIndex] ?? null) },
+      ...options.map((one) => h("option", { selected: one === value }, shown(one))),
+    );
+    return [mark(select)];
+  }
+  if (entry.kind === "number" || entry.kind === "integer") return numberControl(entry, value, take, mark, path);
+  const text = h("input", {
+    type: "text",
+    value: value === null ? "" : String(value),
+    onchange: () => take(readText(text.value, entry.nullable, entry.choices.length > 0)),
+  });
+  if (!entry.choices.length) return [mark(text)];
+  const choices = h("datalist", { id: id("choices") }, ...entry.choices.map((one) => h("option", { value: String(one) })));
+  text.setAttribute("list", choices.id);
+  return [mark(text), choices];
+}
+
+function readText(text: string, nullable: boolean, mixed: boolean): Json {
+  if (text === "" && nullable) return null;
+  if (mixed && text.trim() !== "" && !Number.isNaN(Number(text))) return Number(text);
+  return text;
+}
+
+function explained(schema: Schema, live: boolean): string {
+  const [low, high] = bounds(schema);
+  const allowed = low === null && high === null ? "" : `Allowed: ${short(low)} to ${short(high)}. `;
+  const source = schema.source ? `Source: ${schema.source}. ` : "";
+  const when = live ? "Changes at once." : "Changing it restarts the run.";
+  return `${schema.description ?? ""}\n${allowed}${source}${when}`;
+}
+
+function shown(value: Json): string {
+  if (value === null) return "none";
+  return typeof value === "string" ? words(value) : JSON.stringify(value);
+}

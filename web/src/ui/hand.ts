@@ -1,0 +1,83 @@
+/** What the mouse does over the scene: it turns the view, paints, or draws the line of a section. */
+
+import type { Line2 } from "../core/section";
+import type { Stage } from "../scene/stage";
+import type { Hud } from "./hud";
+import type { Paint } from "./paint";
+
+const PAUSE = 40;
+
+export class Hand {
+  private drawing = false;
+  private from: [number, number] | null = null;
+  private last = 0;
+
+  constructor(
+    private readonly stage: Stage,
+    private readonly hud: Hud,
+    private readonly paint: Paint,
+    private readonly section: { put: (line: Line2 | null) => void },
+  ) {
+    const { canvas } = stage;
+    canvas.addEventListener("pointerdown", (event) => this.press(event), { capture: true });
+    canvas.addEventListener("pointermove", (event) => this.move(event), { capture: true });
+    canvas.addEventListener("pointerup", (event) => this.release(event), { capture: true });
+    canvas.addEventListener("pointercancel", (event) => this.release(event), { capture: true });
+    canvas.addEventListener("pointerleave", () => {
+      hud.pointAt(null);
+      stage.showBrush(0, 0, 0);
+    });
+    paint.onActive = () => this.refresh();
+  }
+
+  /** The next drag draws the line of the section. */
+  drawLine(): void {
+    this.drawing = !this.drawing;
+    if (this.drawing) this.paint.activate(false);
+    this.refresh();
+  }
+
+  private refresh(): void {
+    if (this.paint.active) this.drawing = false;
+    this.stage.canvas.classList.toggle("painting", this.paint.active);
+    this.stage.canvas.classList.toggle("drawing", this.drawing);
+    if (!this.paint.active) this.stage.showBrush(0, 0, 0);
+  }
+
+  private press(event: PointerEvent): void {
+    if (event.button !== 0 || event.altKey || !(this.paint.active || this.drawing)) return;
+    const found = this.stage.pick(event);
+    if (!found) return;
+    this.stage.controls.enabled = false;
+    this.stage.canvas.setPointerCapture(event.pointerId);
+    if (this.paint.active) this.paint.press(found.run, found.place);
+    else this.from = [found.place.x, found.place.y];
+  }
+
+  private move(event: PointerEvent): void {
+    if (event.timeStamp - this.last < PAUSE) return;
+    this.last = event.timeStamp;
+    this.hud.pointAt(event);
+    const found = this.paint.active || this.from ? this.stage.pick(event) : null;
+    if (this.paint.active) {
+      const [width, depth] = found ? this.stage.terrain(found.run)!.extent : [1, 1];
+      if (found) this.stage.showBrush(found.place.x / width, found.place.y / depth, this.paint.size);
+      else this.stage.showBrush(0, 0, 0);
+      if (found && event.buttons & 1) this.paint.move(found.place);
+    } else if (found && this.from) {
+      const { x, y } = found.place;
+      if (Math.hypot(x - this.from[0], y - this.from[1]) > 0) this.section.put([...this.from, x, y]);
+    }
+  }
+
+  private release(event: PointerEvent): void {
+    this.stage.controls.enabled = true;
+    if (this.paint.active) this.paint.release();
+    if (this.from) {
+      this.from = null;
+      this.drawing = false;
+      this.refresh();
+    }
+    if (this.stage.canvas.hasPointerCapture(event.pointerId)) this.stage.canvas.releasePointerCapture(event.pointerId);
+  }
+}

@@ -1,0 +1,164 @@
+/** What lies over the scene: compass with the wind, scale bar, colour bar, what is under the mouse, notices. */
+
+import type { App } from "../core/app";
+import type { Stage } from "../scene/stage";
+import { slopes } from "../scene/smooth";
+import { fitCanvas, h, short, svg } from "./dom";
+
+const BAR = 110;
+
+export class Hud {
+  readonly element: HTMLElement;
+  private readonly rose = svg("g", {});
+  private readonly wind = svg("g", { class: "wind" }, svg("line", { x1: 0, y1: -30, x2: 0, y2: 24 }), svg("path", { d: "M0 30 L-6 17 L6 17 Z" }));
+  private readonly windText = h("span", { className: "wind-text" });
+  private readonly scale = h("div", { className: "scale" });
+  private readonly bar = h("canvas", { className: "colour-canvas" });
+  private readonly barTitle = h("div", { className: "bar-title" });
+  private readonly barEnds = h("div", { className: "bar-ends" });
+  private readonly colours: HTMLElement;
+  private readonly under = h("output", { className: "under" });
+  private readonly notice = h("div", { className: "notice", role: "alert", hidden: true });
+  private readonly names = h("div", { className: "names" });
+  private line = "Connecting …";
+  private compiling = false;
+
+  constructor(
+    private readonly app: App,
+    private readonly stage: Stage,
+  ) {
+    this.rose.append(
+      ...[0, 90, 180, 270].map((angle) => svg("line", { x1: 0, y1: -36, x2: 0, y2: -32, transform: `rotate(${angle})`, class: "mark" })),
+      svg("text", { x: 0, y: -38 }, "N"),
+      this.wind,
+    );
+    const compass = svg("svg", { viewBox: "-50 -52 100 104", width: 92, height: 96, role: "img", "aria-label": "Compass; the arrow shows where the wind blows" }, svg("circle", { r: 36, class: "face" }), this.rose);
+    this.colours = h("div", { className: "colours" }, this.barTitle, this.bar, this.barEnds);
+    this.element = h(
+      "div",
+      { className: "hud" },
+      this.names,
+      h("div", { className: "compass" }, compass as unknown as HTMLElement, this.windText),
+      h("div", { className: "corner" }, this.colours, this.scale),
+      this.under,
+      this.notice,
+    );
+    app.line.state.watch((text) => {
+      this.line = text;
+      this.tell();
+    });
+    app.compiling.watch(() => {
+      this.compiling = true;
+      this.tell();
+    });
+    app.framed.watch(() => {
+      this.compiling = false;
+      this.tell();
+    });
+    app.changed.watch(() => this.tell());
+    stage.onDrawn = () => this.draw();
+  }
+
+  /** Tell what is at a place of the page. */
+  pointAt(event: { clientX: number; clientY: number } | null): void {
+    const found = event && this.stage.pick(event);
+    if (!found) {
+      this.under.textContent = "";
+      return;
+    }
+    const { run, place } = found;
+    const { lattice } = run.description!;
+    const at = place.row * run.columns + place.column;
+    const slope = slopeAt(run.surface, run.rows, run.columns, place.row, place.column, lattice.cell_size, lattice.periodic);
+    const colouring = this.stage.terrain(run)?.colouring;
+    const named = run.description!.fields.find((field) => field.name === this.app.view.look.field);
+    const extra = named && colouring ? ` · ${named.meaning} ${colouring.choice ? (colouring.values[at]! > 0.5 ? "yes" : "no") : short(colouring.values[at])} ${colouring.unit}` : "";
+    this.under.textContent =
+      `x ${short(place.x)} m, y ${short(place.y)} m · elevation ${short(run.surface[at])} m · ` +
+      `slope ${slope.toFixed(1)}° · sand ${short(run.depth[at])} m${extra}`;
+  }
+
+  private tell(): void {
+    const lost = this.app.runs.some((run) => run.lost);
+    const started = this.app.runs.some((run) => run.ready);
+    const finished = this.app.current?.status?.finished;
+    let text = this.line;
+    if (!text && lost) text = "The simulation’s process ended.";
+    else if (!text && this.compiling) text = "Compiling the model; only its first run does …";
+    else if (!text && !started) text = "Starting …";
+    else if (!text && finished) text = `The run ended: ${finished}.`;
+    this.notice.hidden = text === "";
+    if (this.notice.dataset.text === text + lost) return;
+    this.notice.dataset.text = text + lost;
+    this.notice.classList.toggle("calm", !lost && this.line === "");
+    const again = h("button", { type: "button", onclick: () => this.app.order({ do: "revive" }) }, "restart the run");
+    this.notice.replaceChildren(text, ...(lost && !this.line ? [again] : []));
+  }
+
+  private draw(): void {
+    const run = this.app.current;
+    if (!run?.ready) return;
+    const heading = (this.stage.heading() * 180) / Math.PI;
+    this.rose.setAttribute("transform", `rotate(${-heading})`);
+    this.wind.setAttribute("transform", `rotate(${run.status!.wind})`);
+    this.windText.textContent = `wind from ${short(run.status!.wind, 3)}°`;
+    this.drawScale();
+    this.drawColours();
+    const two = this.app.runs.length > 1;
+    this.names.hidden = !two;
+    if (two) {
+      const names = this.app.runs.map((one) => `${one.description?.model.title ?? ""} · step ${short(one.status?.step, 9)}`);
+      if (this.names.dataset.text !== names.join("|")) {
+        this.names.dataset.text = names.join("|");
+        this.names.replaceChildren(...names.map((name) => h("span", {}, name)));
+      }
+    }
+  }
+
+  private drawScale(): void {
+    const metres = this.stage.metresPerPixel();
+    if (!Number.isFinite(metres)) return;
+    const rough = metres * BAR;
+    const power = 10 ** Math.floor(Math.log10(rough));
+    const length = ([5, 2, 1].find((factor) => factor * power <= rough) ?? 1) * power;
+    this.scale.style.width = `${length / metres}px`;
+    const text = `${short(length)} m`;
+    if (this.scale.textContent !== text) this.scale.textContent = text;
+  }
+
+  private drawn = "";
+
+  private drawColours(): void {
+    const colouring = this.stage.terrain(this.app.current!)?.colouring;
+    const hidden = !colouring || colouring.natural;
+    this.colours.hidden = hidden;
+    if (hidden) return;
+    const [low, high] = colouring.limits;
+    const key = `${colouring.map} ${low} ${high} ${colouring.title}`;
+    if (key === this.drawn) return;
+    this.drawn = key;
+    const { context, width, height } = fitCanvas(this.bar);
+    const colours = this.app.colours[colouring.map] ?? [];
+    colours.forEach((colour, i) => {
+      context.fillStyle = `rgb(${colour.join()})`;
+      context.fillRect((i / colours.length) * width, 0, width / colours.length + 1, height);
+    });
+    this.barTitle.textContent = colouring.title + (colouring.unit ? ` (${colouring.unit})` : "");
+    const texts = colouring.choice ? ["no", "yes"] : [short(low, 3), short((low + high) / 2, 3), short(high, 3)];
+    this.barEnds.replaceChildren(...texts.map((text) => h("span", {}, text)));
+  }
+}
+
+function slopeAt(surface: Float32Array, rows: number, columns: number, row: number, column: number, cell: number, joined: [boolean, boolean]): number {
+  const size = 3;
+  const patch = new Float32Array(size * size);
+  const step = (at: number, by: number, count: number, closed: boolean) =>
+    closed ? (at + by + count) % count : Math.min(Math.max(at + by, 0), count - 1);
+  for (let r = -1; r <= 1; r++) {
+    for (let c = -1; c <= 1; c++) {
+      const from = step(row, r, rows, joined[0]) * columns + step(column, c, columns, joined[1]);
+      patch[(r + 1) * size + c + 1] = surface[from]!;
+    }
+  }
+  return slopes(patch, size, size, cell, [false, false])[4]!;
+}

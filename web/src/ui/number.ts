@@ -1,0 +1,66 @@
+/** The control of a number: a field, and a slider where the bounds make one useful. */
+
+import type { Json } from "../core/protocol";
+import { type Entry, type Schema, bounds } from "../core/schema";
+import { h, later } from "./dom";
+import { words } from "./words";
+
+export function numberControl(
+  entry: Entry,
+  value: Json,
+  take: (value: Json) => void,
+  mark: <T extends HTMLElement>(element: T) => T,
+  path: (string | number)[],
+): HTMLElement[] {
+  const { schema } = entry;
+  const whole = entry.kind === "integer";
+  const input = h("input", {
+    type: "number",
+    step: whole ? "1" : "any",
+    value: value === null ? "" : String(value),
+    placeholder: entry.nullable ? "none" : "",
+    onchange: () => {
+      if (input.value === "") take(entry.nullable ? null : (schema.default ?? 0));
+      else take(whole ? Math.round(Number(input.value)) : Number(input.value));
+    },
+  });
+  const [low, high] = bounds(schema);
+  if (low !== null) input.min = String(low);
+  if (high !== null) input.max = String(high);
+  const range = sliderRange(schema, value);
+  if (!range) return [mark(input)];
+  const { from, to, log } = range;
+  const place = (x: number) => (log ? Math.log(x / from) / Math.log(to / from) : (x - from) / (to - from));
+  const number = (share: number) => {
+    const raw = log ? from * (to / from) ** share : from + (to - from) * share;
+    return whole ? Math.round(raw) : Number(raw.toPrecision(3));
+  };
+  const send = later(60, take);
+  const slider = h("input", {
+    type: "range",
+    min: "0",
+    max: "1",
+    step: "any",
+    value: String(place(Number(value))),
+    "aria-label": words(String(path.at(-1))),
+    oninput: () => {
+      input.value = String(number(Number(slider.value)));
+      send(number(Number(slider.value)));
+    },
+  });
+  slider.dataset.path = `${path.join(".")}~`;
+  return [slider, mark(input)];
+}
+
+/** What a slider covers: the bounds, or a factor of ten around the default of what may be anything. */
+function sliderRange(schema: Schema, value: Json): { from: number; to: number; log: boolean } | null {
+  const [low, high] = bounds(schema);
+  const usual = typeof schema.default === "number" ? schema.default : null;
+  if (typeof value !== "number" || low === null || high === null) return null;
+  if (schema.scale === "log" && usual !== null && usual > 0) {
+    const from = Math.max(low, usual / 10) || usual / 10;
+    const to = Math.min(high, usual * 10);
+    return value >= from && value <= to ? { from, to, log: true } : null;
+  }
+  return high - low <= 1000 ? { from: low, to: high, log: false } : null;
+}

@@ -1,0 +1,163 @@
+/** The panel of a scenario: made from the schema, every change taken at once. */
+
+import type { App } from "../core/app";
+import type { Json, JsonObject, Problem } from "../core/protocol";
+import { type Schema, entryOf, replaced } from "../core/schema";
+import { h, id, later } from "./dom";
+import { type FormContext, type Path, group, variantField } from "./form";
+import { Quiet } from "./quiet";
+
+const GROUPS = ["ground", "sand", "lattice", "run"];
+
+export class Panel {
+  readonly element = h("div", { className: "forms" });
+  private shown = "";
+  private scenario: JsonObject = {};
+  private readonly create = later(350, (scenario: JsonObject) => this.app.create(scenario, true));
+
+  private readonly quiet: Quiet;
+
+  constructor(private readonly app: App) {
+    this.quiet = new Quiet(this.element, () => this.show());
+    app.described.watch(() => this.show());
+    app.changed.watch(() => this.show());
+  }
+
+  private show(): void {
+    const description = this.app.current?.description;
+    if (!description || !this.app.schema.properties || this.quiet.busy) return;
+    const text = JSON.stringify([description.scenario, description.facts, this.app.selected, this.app.runs.map((run) => run.description?.model.title)]);
+    if (text === this.shown) return;
+    this.shown = text;
+    this.scenario = description.scenario;
+    const focused = (document.activeElement as HTMLElement | null)?.dataset?.path;
+    const open = new Set([...this.element.querySelectorAll("details[open]")].map((one) => one.id));
+    const scroll = this.element.parentElement?.scrollTop ?? 0;
+    const first = !this.element.children.length;
+    this.element.replaceChildren(...this.sections());
+    for (const details of this.element.querySelectorAll("details")) {
+      details.open = first ? details.id === "group-model" : open.has(details.id);
+    }
+    if (this.element.parentElement) this.element.parentElement.scrollTop = scroll;
+    if (focused) this.element.querySelector<HTMLElement>(`[data-path="${focused}"]`)?.focus();
+  }
+
+  private sections(): HTMLElement[] {
+    const root = this.app.schema;
+    const context: FormContext = {
+      root,
+      change: (path, value, live) => this.change(path, value, live),
+      variant: (path, key, name) => void this.variant(path, key, name),
+      live: (path, schema) => path[0] === "model" && path.length === 2 && schema.live === true,
+    };
+    const look = String(this.scenario.look_for ?? "");
+    const about = h(
+      "div",
+      { className: "about" },
+      look && h("p", {}, look),
+      h("p", { className: "source" }, String(this.scenario.citation ?? "")),
+    );
+    return [
+      ...this.whose(),
+      about,
+      this.model(context),
+      ...GROUPS.map((name) => this.group(context, name)),
+      h("p", { className: "hint" }, "↺ restarts the run; everything else changes at once. Point at a row to read what it means."),
+    ];
+  }
+
+  private whose(): HTMLElement[] {
+    if (this.app.runs.length < 2) return [];
+    const choose = (name: "a" | "b") => {
+      this.app.selected = name;
+      this.app.changed.send();
+    };
+    const tabs = this.app.runs.map((run, at) =>
+      h(
+        "button",
+        { type: "button", "aria-pressed": String(run.name === this.app.selected), onclick: () => choose(run.name) },
+        `${at ? "right" : "left"}: ${run.description?.model.title ?? ""}`,
+      ),
+    );
+    return [h("div", { className: "whose", role: "group", "aria-label": "Whose parameters" }, ...tabs)];
+  }
+
+  private model(context: FormContext): HTMLElement {
+    const root = this.app.schema;
+    const model = (this.scenario.model ?? {}) as JsonObject;
+    const entry = entryOf(root.properties!.model!, root);
+    const { models, model: own, facts } = this.app.current!.description!;
+    const label = id("model");
+    const choice = h(
+      "select",
+      { id: label, onchange: () => void this.variant(["model"], "name", choice.value) },
+      ...Object.entries(models).map(([name, title]) => h("option", { value: name, selected: name === model.name }, title)),
+    );
+    choice.dataset.path = "model.name";
+    const known = Object.entries(facts).map(([name, text]) => h("div", {}, h("dt", {}, name), h("dd", {}, text)));
+    return details(
+      "model",
+      h("div", { className: "row" }, h("label", { for: label }, "model", h("span", { className: "restarts" }, "↺")), h("div", { className: "control" }, choice)),
+      h("p", { className: "source" }, own.citation),
+      ...group(context, entry.variants[String(model.name)] ?? {}, model, ["model"]),
+      known.length > 0 && h("dl", { className: "facts" }, ...known),
+    );
+  }
+
+  private group(context: FormContext, name: string): HTMLElement {
+    const root = this.app.schema;
+    const schema: Schema = root.properties![name]!;
+    const entry = entryOf(schema, root);
+    const value = (this.scenario[name] ?? {}) as JsonObject;
+    if (entry.kind === "variant") return details(name, ...unwrapped(variantField(context, name, schema, value, [name])));
+    return details(name, ...group(context, entry.schema, value, [name]));
+  }
+
+  private change(path: Path, value: Json, live: boolean): void {
+    this.scenario = replaced(this.scenario, path, value) as JsonObject;
+    this.trouble([]);
+    if (live) void this.quiet.during(this.set(path.join("."), value));
+    else this.create(this.scenario);
+  }
+
+  private async set(key: string, value: Json): Promise<void> {
+    try {
+      await this.app.line.ask({ do: "set", key, value, run: this.app.selected });
+    } catch (error) {
+      this.app.refused(error);
+      this.trouble((error as { problems?: Problem[] }).problems ?? []);
+    }
+  }
+
+  private trouble(problems: Problem[]): void {
+    for (const place of this.element.querySelectorAll<HTMLElement>("[data-trouble]")) {
+      const found = problems.find((problem) => problem.key === place.dataset.trouble);
+      place.textContent = found?.message ?? "";
+    }
+  }
+
+  private async variant(path: Path, key: string, name: string): Promise<void> {
+    const whole = replaced(this.scenario, path, { [key]: name }) as JsonObject;
+    const group = String(path[0]);
+    const needsFile = name === "file";
+    if (needsFile) {
+      this.app.note("info", "Drop an image, an array or an elevation model onto the scene to use it as ground.");
+      this.shown = "";
+      this.show();
+      return;
+    }
+    const answer = await this.app.ask({ do: "variant", group, value: whole[group] ?? null });
+    if (!answer) return;
+    this.app.create({ ...this.scenario, [group]: answer.value as Json }, true);
+  }
+}
+
+function details(name: string, ...children: (Node | false | null)[]): HTMLElement {
+  const titles: Record<string, string> = { model: "Model", ground: "Ground", sand: "Sand at the start", lattice: "Lattice", run: "Run" };
+  const element = h("details", { id: `group-${name}` }, h("summary", {}, titles[name] ?? name), ...children);
+  return element;
+}
+
+function unwrapped(fieldset: HTMLElement): HTMLElement[] {
+  return ([...fieldset.children] as HTMLElement[]).filter((child) => child.tagName !== "LEGEND");
+}

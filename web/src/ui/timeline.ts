@@ -1,0 +1,98 @@
+/** The run's past: look back, play, return to now, go on from an earlier state. */
+
+import type { App } from "../core/app";
+import { button, h, short } from "./dom";
+
+const PLAY_PAUSE = 90;
+
+export class Timeline {
+  readonly element: HTMLElement;
+  private readonly slider = h("input", { type: "range", min: "0", max: "0", step: "1", value: "0", "aria-label": "Look back through the run" });
+  private readonly label = h("output", {});
+  private readonly play: HTMLButtonElement;
+  private readonly now: HTMLButtonElement;
+  private readonly branch: HTMLButtonElement;
+  private playing: ReturnType<typeof setInterval> | null = null;
+  private waiting = false;
+
+  constructor(private readonly app: App) {
+    this.play = button("Play from here", "play", () => this.togglePlay());
+    this.now = button("Return to now (End)", "now ⏵❘", () => this.live());
+    this.branch = button("Go on from here; what came later is let go", "go on from here", () => this.goOn());
+    this.slider.addEventListener("input", () => this.look(Number(this.slider.value)));
+    this.element = h("div", { className: "timeline" }, this.play, this.slider, this.label, this.branch, this.now);
+    app.framed.watch(() => this.show());
+    app.changed.watch(() => this.show());
+  }
+
+  live(): void {
+    this.stop();
+    this.app.order({ do: "look", step: null });
+  }
+
+  /** Look one remembered state back or on. */
+  nudge(by: number): void {
+    const { history, at } = this.place();
+    this.look(Math.min(Math.max(at + by, 0), history.length - 1));
+  }
+
+  private goOn(): void {
+    this.stop();
+    const step = this.app.current?.status?.step;
+    this.app.order({ do: "branch" });
+    this.app.note("info", `Going on from step ${step} as a new branch.`);
+  }
+
+  private place(): { history: number[]; at: number } {
+    const run = this.app.current;
+    const history = run?.history ?? [];
+    const step = run?.status?.step ?? 0;
+    let at = history.findLastIndex((one) => one <= step);
+    if (at < 0) at = 0;
+    return { history, at };
+  }
+
+  private look(at: number): void {
+    const step = this.app.current?.history[at];
+    if (step === undefined) return;
+    this.waiting = true;
+    this.app.order({ do: "look", step });
+  }
+
+  private togglePlay(): void {
+    if (this.playing !== null) return this.stop();
+    const { history, at } = this.place();
+    if (at >= history.length - 1) this.look(0);
+    this.play.textContent = "stop";
+    this.playing = setInterval(() => {
+      if (this.waiting) return; // the picture of the last order is still on its way
+      const { history: steps, at: here } = this.place();
+      if (here >= steps.length - 1) this.stop();
+      else this.look(here + 1);
+    }, PLAY_PAUSE);
+  }
+
+  private stop(): void {
+    if (this.playing !== null) clearInterval(this.playing);
+    this.playing = null;
+    this.play.textContent = "play";
+  }
+
+  private show(): void {
+    this.waiting = false;
+    const status = this.app.current?.status;
+    if (!status) return;
+    const { history, at } = this.place();
+    this.slider.max = String(Math.max(history.length - 1, 0));
+    if (document.activeElement !== this.slider || !status.looking || this.playing !== null) {
+      this.slider.value = String(status.looking ? at : history.length - 1);
+    }
+    this.slider.setAttribute("aria-valuetext", `step ${status.step}`);
+    this.label.textContent = status.looking ? `step ${short(status.step, 9)} of ${short(status.live, 9)}` : history.length === 1 ? "1 state kept" : `${history.length} states kept`;
+    this.element.classList.toggle("looking", status.looking);
+    this.now.hidden = !status.looking;
+    this.branch.hidden = !status.looking;
+    this.branch.disabled = !status.can_branch;
+    this.play.disabled = history.length < 2;
+  }
+}

@@ -1,0 +1,182 @@
+/** What is shown and how. */
+
+import type { App } from "../core/app";
+import { LOOK, type Look } from "../core/view";
+import { PLAIN } from "../scene/colouring";
+import type { Stage } from "../scene/stage";
+import { h, id } from "./dom";
+import { words } from "./words";
+
+export class ViewPanel {
+  readonly element = h("div", { className: "forms" });
+  private shown = "";
+
+  constructor(
+    private readonly app: App,
+    private readonly stage: Stage,
+  ) {
+    app.described.watch(() => this.draw());
+    app.changed.watch(() => this.draw());
+    app.view.changed.watch(() => this.follow());
+    this.draw();
+  }
+
+  private draw(): void {
+    const run = this.app.current;
+    const text = JSON.stringify([run?.description?.fields, run?.description?.layers, this.app.runs.length]);
+    if (text === this.shown) return;
+    this.shown = text;
+    this.redraw();
+  }
+
+  /** Let the controls show what keys have changed. */
+  private follow(): void {
+    for (const control of this.element.querySelectorAll<HTMLInputElement>("[data-look]")) {
+      const value = this.app.view.look[control.dataset.look as keyof Look];
+      if (control === document.activeElement) continue;
+      if (control.type === "checkbox") control.checked = value === true;
+      else control.value = String(value);
+    }
+  }
+
+  private redraw(): void {
+    const description = this.app.current?.description;
+    const fields = [...PLAIN, ...(description?.fields ?? [])];
+    const layers = description?.layers ?? [];
+    const two = this.app.runs.length > 1;
+    const named = fields.map((field) => [field.name, field.meaning] as [string, string]);
+    this.element.replaceChildren(
+      h("h4", {}, "Colour"),
+      this.choice("colour by", "field", named),
+      this.choice("colours", "map", [["perceptual", "perceptual"], ["grey", "grey"], ["red-green", "red (high) to green"]]),
+      this.limits(),
+      this.check("ground in grey where it is bare", "bare"),
+      ...(two ? [h("h4", {}, "Two at once"), this.choice("show", "side", [["surface", "each by itself"], ["difference", "right less left"]])] : []),
+      ...(layers.length ? [h("h4", {}, "Layers"), ...layers.map((layer) => this.layer(layer.field, layer.title))] : []),
+      h("h4", {}, "Lines"),
+      this.choice("contours", "contours", [["off", "none"], ["interval", "every so many metres"], ["count", "so many"]]),
+      this.number("interval", "interval", 0.05, 100, "m", 0.05),
+      this.number("count", "count", 1, 60, "", 1),
+      this.check("wireframe of the cells", "wireframe"),
+      h("h4", {}, "Shape and light"),
+      this.slider("vertical exaggeration", "exaggeration", 0.5, 10, "×"),
+      this.slider("smoothing (display only)", "smoothing", 0, 4, "cells"),
+      this.slider("sun from", "sunAzimuth", 0, 360, "°"),
+      this.slider("sun height", "sunHeight", 5, 89, "°"),
+      this.check("shadows of the sun", "shadows"),
+      h("h4", {}, "Camera"),
+      h(
+        "div",
+        { className: "buttons" },
+        ...(["oblique", "top", "side"] as const).map((from) =>
+          h("button", { type: "button", onclick: () => this.stage.look(from) }, from),
+        ),
+      ),
+      h("h4", {}, "Page"),
+      this.choice("theme", "theme", [["system", "as the system"], ["light", "light"], ["dark", "dark"]]),
+      h("button", { type: "button", className: "quiet", onclick: () => this.set({ ...LOOK }, true) }, "reset the view"),
+    );
+  }
+
+  private set(change: Partial<Look>, redraw = false): void {
+    this.app.view.set(change);
+    if (redraw) this.redraw();
+  }
+
+  private row(label: string, control: HTMLElement, ...more: (HTMLElement | string)[]): HTMLElement {
+    control.id ||= id("view");
+    return h("div", { className: "row" }, h("label", { for: control.id }, label), h("div", { className: "control" }, control, ...more));
+  }
+
+  private choice<K extends keyof Look>(label: string, key: K, options: [string, string][]): HTMLElement {
+    const select = h(
+      "select",
+      { "data-look": key, onchange: () => this.set({ [key]: select.value } as Partial<Look>) },
+      ...options.map(([value, text]) => h("option", { value, selected: value === this.app.view.look[key] }, words(text))),
+    );
+    return this.row(label, select);
+  }
+
+  private check(label: string, key: "bare" | "wireframe" | "shadows"): HTMLElement {
+    const box = h("input", {
+      type: "checkbox",
+      "data-look": key,
+      checked: this.app.view.look[key],
+      onchange: () => this.set({ [key]: box.checked }),
+    });
+    return this.row(label, box);
+  }
+
+  private number(label: string, key: "interval" | "count", min: number, max: number, unit: string, step: number): HTMLElement {
+    const input = h("input", {
+      type: "number",
+      "data-look": key,
+      min: String(min),
+      max: String(max),
+      step: String(step),
+      value: String(this.app.view.look[key]),
+      onchange: () => this.set({ [key]: Math.min(Math.max(Number(input.value) || min, min), max) }),
+    });
+    return this.row(label, input, h("span", { className: "unit" }, unit));
+  }
+
+  private slider(label: string, key: "exaggeration" | "smoothing" | "sunAzimuth" | "sunHeight", min: number, max: number, unit: string): HTMLElement {
+    const value = h("span", { className: "unit" });
+    const show = () => {
+      value.textContent = `${Number(this.app.view.look[key].toFixed(1))} ${unit}`;
+    };
+    const slider = h("input", {
+      type: "range",
+      "data-look": key,
+      min: String(min),
+      max: String(max),
+      step: "any",
+      value: String(this.app.view.look[key]),
+      oninput: () => {
+        this.set({ [key]: Number(slider.value) });
+        show();
+      },
+    });
+    show();
+    return this.row(label, slider, value);
+  }
+
+  private limits(): HTMLElement {
+    const { limits } = this.app.view.look;
+    const ends = [0, 1].map((end) =>
+      h("input", {
+        type: "number",
+        step: "any",
+        "aria-label": end ? "Highest value of the colours" : "Lowest value of the colours",
+        disabled: !limits,
+        value: limits ? String(limits[end]) : "",
+        onchange: () => {
+          const [low, high] = ends.map((input) => Number(input.value)) as [number, number];
+          if (low < high) this.set({ limits: [low, high] });
+        },
+      }),
+    );
+    const box = h("input", {
+      type: "checkbox",
+      checked: limits !== null,
+      onchange: () => {
+        const now = this.stage.terrain(this.app.current!)?.colouring?.limits ?? [0, 1];
+        this.set({ limits: box.checked ? (now.map((x) => Number(x.toPrecision(4))) as [number, number]) : null }, true);
+      },
+    });
+    return this.row("fixed scale", box, ...ends);
+  }
+
+  private layer(field: string, title: string): HTMLElement {
+    const box = h("input", {
+      type: "checkbox",
+      "data-layer": field,
+      checked: this.app.view.look.overlays.includes(field),
+      onchange: () => {
+        const others = this.app.view.look.overlays.filter((name) => name !== field);
+        this.set({ overlays: box.checked ? [...others, field] : others });
+      },
+    });
+    return this.row(title, box);
+  }
+}

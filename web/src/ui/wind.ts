@@ -1,0 +1,195 @@
+/** The wind: a dial, the list of regimes, and forms for every other kind. */
+
+import type { App } from "../core/app";
+import type { Json, JsonObject } from "../core/protocol";
+import { entryOf, replaced } from "../core/schema";
+import { type Course, CurveEditor, STRAIGHT } from "./curve";
+import { Dial } from "./dial";
+import { h, later } from "./dom";
+import { type FormContext, field, group } from "./form";
+import { Quiet } from "./quiet";
+import { words } from "./words";
+
+export class WindPanel {
+  readonly element = h("div", { className: "forms" });
+  private wind: JsonObject = {};
+  private shown = "";
+  private chosen = 0;
+  private readonly quiet: Quiet;
+  private readonly send = later(60, () => void this.quiet.during(this.app.ask({ do: "wind", wind: this.wind })));
+
+  constructor(private readonly app: App) {
+    this.quiet = new Quiet(this.element, () => this.follow());
+    app.described.watch(() => this.follow());
+    app.changed.watch(() => this.follow());
+  }
+
+  /** Show the run's wind, unless it is being changed here. */
+  private follow(): void {
+    const wind = this.app.current?.description?.scenario.wind as JsonObject | undefined;
+    if (!wind || !this.app.schema.properties || this.quiet.busy) return;
+    const text = JSON.stringify(wind);
+    if (text === this.shown) return;
+    this.shown = text;
+    const known = text === JSON.stringify(this.wind);
+    this.wind = wind;
+    if (!known) this.draw();
+  }
+
+  private get kind(): string {
+    return String(this.wind.kind);
+  }
+
+  private draw(): void {
+    const entry = entryOf(this.app.schema.properties!.wind!, this.app.schema);
+    const kinds = h(
+      "select",
+      { "aria-label": "Kind of wind", onchange: () => void this.become(kinds.value) },
+      ...Object.keys(entry.variants).map((kind) => h("option", { value: kind, selected: kind === this.kind }, words(kind))),
+    );
+    kinds.dataset.path = "wind.kind";
+    const body =
+      "regimes" in this.wind ? this.regimes() : "direction" in this.wind ? this.steady() : this.form(this.kind, []);
+    this.element.replaceChildren(
+      h("div", { className: "row" }, h("span", {}, "kind"), h("div", { className: "control" }, kinds)),
+      ...body,
+      h("p", { className: "hint" }, "Changes blow at once. Drag the dial’s head to where the wind comes from; shift turns it freely."),
+    );
+  }
+
+  private steady(): HTMLElement[] {
+    const dial = new Dial("Direction the wind comes from (degrees)", (direction) => this.put(["direction"], direction));
+    dial.show(Number(this.wind.direction));
+    return [dial.element, ...this.form(this.kind, ["direction"])];
+  }
+
+  private form(kind: string, skip: string[]): HTMLElement[] {
+    const entry = entryOf(this.app.schema.properties!.wind!, this.app.schema);
+    return group(this.context(), entry.variants[kind] ?? {}, this.wind, [], skip);
+  }
+
+  private context(): FormContext {
+    return {
+      root: this.app.schema,
+      change: (path, value) => {
+        this.put(path, value);
+        this.draw();
+      },
+      variant: (path, key, name) => {
+        this.put(path, { [key]: name });
+        this.shown = "";
+      },
+      live: () => true,
+    };
+  }
+
+  private regimes(): HTMLElement[] {
+    const list = this.wind.regimes as JsonObject[];
+    this.chosen = Math.min(this.chosen, list.length - 1);
+    const rows = list.map((regime, number) => this.summary(regime, number, list));
+    return [
+      h("ol", { className: "regimes", "aria-label": "Regimes" }, ...rows),
+      h("button", { type: "button", className: "quiet", onclick: () => this.add() }, "+ add a regime"),
+      ...this.form(this.kind, ["regimes"]),
+      this.detail(list[this.chosen]!, this.chosen),
+    ];
+  }
+
+  private summary(regime: JsonObject, number: number, list: JsonObject[]): HTMLElement {
+    // Buttons take the list as it is when they are pressed: curves change it without drawing it anew.
+    const tool = (label: string, sign: string, change: (now: JsonObject[]) => JsonObject[], enabled: boolean) =>
+      h("button", { type: "button", title: label, "aria-label": `${label}: regime ${number + 1}`, disabled: !enabled, onclick: () => this.reorder(change(this.wind.regimes as JsonObject[])) }, sign);
+    const moved = (by: number) => (now: JsonObject[]) => {
+      const order = now.toSpliced(number, 1);
+      order.splice(number + by, 0, now[number]!);
+      if (this.chosen === number) this.chosen += by;
+      return order;
+    };
+    const speed = regime.speed === null || regime.speed === undefined ? "" : `, ${regime.speed}${regime.final_speed ? ` → ${regime.final_speed}` : ""}`;
+    return h(
+      "li",
+      { className: number === this.chosen ? "chosen" : "" },
+      h(
+        "button",
+        {
+          type: "button",
+          className: "regime",
+          "aria-pressed": String(number === this.chosen),
+          onclick: () => {
+            this.chosen = number;
+            this.draw();
+          },
+        },
+        h("span", { className: "way", style: `transform: rotate(${Number(regime.direction)}deg)` }, "↓"),
+        ` ${regime.direction}°, ${regime.steps} steps${speed}`,
+      ),
+      tool("Up", "↑", moved(-1), number > 0),
+      tool("Down", "↓", moved(1), number < list.length - 1),
+      tool("Remove", "×", (now) => now.toSpliced(number, 1), list.length > 1),
+    );
+  }
+
+  private detail(regime: JsonObject, number: number): HTMLElement {
+    const entry = entryOf(this.app.schema.properties!.wind!, this.app.schema);
+    const schema = entryOf(entry.variants[this.kind]!.properties!.regimes!.items!, this.app.schema).schema;
+    const path = ["regimes", number];
+    const dial = new Dial(`Direction of regime ${number + 1} (degrees)`, (direction) => this.put([...path, "direction"], direction), 96);
+    dial.show(Number(regime.direction));
+    return h(
+      "fieldset",
+      {},
+      h("legend", {}, `regime ${number + 1}`),
+      dial.element,
+      ...group(this.context(), schema, regime, path, ["direction", "course"]),
+      ...this.course(regime, path),
+    );
+  }
+
+  private course(regime: JsonObject, path: (string | number)[]): HTMLElement[] {
+    if (regime.speed === null || regime.speed === undefined) {
+      return [h("p", { className: "hint" }, "Give a speed and a final speed to let the wind rise or fall along a curve.")];
+    }
+    if (regime.final_speed === null || regime.final_speed === undefined) return [];
+    const course = (regime.course ?? { kind: "linear" }) as JsonObject;
+    if (course.kind !== "linear" && course.kind !== "bezier") {
+      const root = this.app.schema;
+      const entry = entryOf(root.properties!.wind!, root);
+      const regimeSchema = entryOf(entry.variants[this.kind]!.properties!.regimes!.items!, root).schema;
+      return [field(this.context(), "course", regimeSchema.properties!.course!, course, [...path, "course"])];
+    }
+    const start = course.kind === "bezier" ? (course as unknown as Course) : STRAIGHT;
+    const labels = { from: String(regime.speed), to: String(regime.final_speed), duration: `${regime.steps} steps` };
+    const editor = new CurveEditor(start, labels, (next) => this.put([...path, "course"], { kind: "bezier", ...next }));
+    return [editor.element];
+  }
+
+  private add(): void {
+    const list = this.wind.regimes as JsonObject[];
+    this.chosen = list.length;
+    this.reorder([...list, { ...list.at(-1)! }]);
+  }
+
+  private reorder(list: JsonObject[]): void {
+    this.put(["regimes"], list as Json);
+    this.draw();
+  }
+
+  private put(path: (string | number)[], value: Json): void {
+    this.wind = replaced(this.wind, path, value) as JsonObject;
+    this.send();
+  }
+
+  private async become(kind: string): Promise<void> {
+    const direction = Number((this.wind.regimes as JsonObject[] | undefined)?.[0]?.direction ?? this.wind.direction ?? 270);
+    const first: JsonObject = kind === "regimes" ? { regimes: [{ direction, steps: 100 }] } : {};
+    const answer = await this.app.ask({ do: "variant", group: "wind", value: { kind, ...first } });
+    if (!answer) {
+      this.draw();
+      return;
+    }
+    this.wind = answer.value as JsonObject;
+    if ("direction" in this.wind) this.wind = { ...this.wind, direction };
+    this.send();
+    this.draw();
+  }
+}

@@ -1,0 +1,57 @@
+/** What happened, by level. */
+
+import type { App, Level } from "../core/app";
+import { h } from "../ui/dom";
+
+const LEVELS: Level[] = ["info", "warning", "error"];
+
+export class LogView {
+  readonly title = "Log";
+  readonly element: HTMLElement;
+  private readonly list = h("ol", { className: "log", role: "log", "aria-live": "polite" });
+  private least: Level = "info";
+
+  constructor(private readonly app: App) {
+    const level = h(
+      "select",
+      {
+        "aria-label": "Least level shown",
+        onchange: () => {
+          this.least = LEVELS[level.selectedIndex]!;
+          this.draw();
+        },
+      },
+      h("option", {}, "everything"),
+      h("option", {}, "warnings and errors"),
+      h("option", {}, "errors"),
+    );
+    const clear = h(
+      "button",
+      {
+        type: "button",
+        className: "quiet",
+        onclick: () => {
+          this.app.log.length = 0;
+          this.draw();
+        },
+      },
+      "clear",
+    );
+    this.element = h("div", { className: "view" }, h("div", { className: "tools" }, level, clear), this.list);
+    app.logged.watch(() => this.draw());
+  }
+
+  show(_visible: boolean): void {
+    this.list.scrollTop = this.list.scrollHeight;
+  }
+
+  private draw(): void {
+    const shown = this.app.log.filter((entry) => LEVELS.indexOf(entry.level) >= LEVELS.indexOf(this.least));
+    this.list.replaceChildren(
+      ...shown.map((entry) =>
+        h("li", { className: entry.level }, h("time", {}, entry.time.toTimeString().slice(0, 8)), h("b", {}, entry.level), h("span", {}, entry.text)),
+      ),
+    );
+    this.list.scrollTop = this.list.scrollHeight;
+  }
+}

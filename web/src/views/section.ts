@@ -1,0 +1,232 @@
+/** The cross-section along a line: profile, shadow zones, slopes; it follows the run. */
+
+import type { App } from "../core/app";
+import type { Run } from "../core/run";
+import { type Profile, ends, profile } from "../core/profile";
+import { type Line2, alongWind } from "../core/section";
+import type { Stage } from "../scene/stage";
+import { button, download, fitCanvas, h, short, themeColour, ticks } from "../ui/dom";
+
+const MARGIN = { left: 54, right: 14, top: 12, bottom: 30 };
+export class SectionView {
+  readonly title = "Section";
+  readonly element: HTMLElement;
+  /** The line that was dragged; null: along the wind through the middle. */
+  line: Line2 | null = null;
+  private readonly canvas = h("canvas", { className: "plot", role: "img", "aria-label": "Profile along the section" });
+  private readonly readout = h("output", { className: "readout" });
+  private hover: number | null = null;
+  private visible = false;
+
+  constructor(
+    private readonly app: App,
+    private readonly stage: Stage,
+    drawLine: () => void,
+  ) {
+    this.element = h(
+      "div",
+      { className: "view" },
+      h(
+        "div",
+        { className: "tools" },
+        button("Drag a line over the field (L)", "draw a line", drawLine),
+        button("Along the wind through the middle", "along the wind", () => this.put(null)),
+        button("Save the section as CSV", "save CSV", () => this.save()),
+        this.readout,
+      ),
+      this.canvas,
+    );
+    this.canvas.addEventListener("pointermove", (event) => {
+      this.hover = event.offsetX;
+      this.draw();
+    });
+    this.canvas.addEventListener("pointerleave", () => {
+      this.hover = null;
+      this.draw();
+    });
+    app.framed.watch(() => this.draw());
+    app.changed.watch(() => this.draw());
+    new ResizeObserver(() => this.draw()).observe(this.canvas);
+  }
+
+  show(visible: boolean): void {
+    this.visible = visible;
+    this.app.view.need("shadow", visible);
+    this.mark();
+    this.draw();
+  }
+
+  put(line: Line2 | null): void {
+    this.line = line;
+    this.mark();
+    this.draw();
+  }
+
+  /** The line as it is now. */
+  current(run: Run): Line2 {
+    return this.line ?? alongWind(run.status!.wind, run.description!.lattice);
+  }
+
+  private mark(): void {
+    const run = this.app.current;
+    if (!this.visible || !run?.ready) return this.stage.showSection(null);
+    const [x0, y0, x1, y1] = this.current(run);
+    const { columns, rows, cell_size } = run.description!.lattice;
+    const [w, d] = [columns * cell_size, rows * cell_size];
+    this.stage.showSection([x0 / w, y0 / d, x1 / w, y1 / d]);
+  }
+
+  private save(): void {
+    const run = this.app.current;
+    if (!run?.ready) return;
+    const p = profile(run, this.current(run));
+    const rows = ["distance_m,elevation_m,ground_m,slope_degrees,shadow"];
+    p.distance.forEach((d, i) => {
+      const numbers = [d, p.surface[i]!, p.ground[i]!, p.slope[i]!].map((x) => x.toFixed(4));
+      rows.push([...numbers, p.shadow ? String(Number(p.shadow[i]! > 0.5)) : ""].join());
+    });
+    download(`section-${run.status!.step}.csv`, `${rows.join("\n")}\n`);
+  }
+
+  private draw(): void {
+    const run = this.app.current;
+    if (!this.visible || !run?.ready || !this.canvas.clientWidth) return;
+    this.mark();
+    const { context: c, width, height } = fitCanvas(this.canvas);
+    const p = profile(run, this.current(run));
+    const length = p.distance.at(-1)!;
+    let low = Math.min(...ends(p.ground));
+    let high = ends(p.surface)[1];
+    const room = Math.max((high - low) * 0.12, run.description!.lattice.thickness);
+    [low, high] = [low - room * 0.6, high + room];
+    const x = (d: number) => MARGIN.left + (d / length) * (width - MARGIN.left - MARGIN.right);
+    const y = (z: number) => height - MARGIN.bottom - ((z - low) / (high - low)) * (height - MARGIN.top - MARGIN.bottom);
+    this.axes(c, x, y, length, [low, high], width, height);
+    const area = (values: Float32Array, colour: string) => {
+      c.beginPath();
+      c.moveTo(x(0), y(low));
+      values.forEach((z, i) => c.lineTo(x(p.distance[i]!), y(z)));
+      c.lineTo(x(length), y(low));
+      c.closePath();
+      c.fillStyle = colour;
+      c.fill();
+    };
+    if (p.shadow) this.shadows(c, p, x, y(high), y(low));
+    area(p.surface, themeColour("sand"));
+    area(p.ground, themeColour("rock"));
+    this.crest(c, p, x, y, run.description!.repose);
+    this.legend(c, width, p.shadow !== null, run.description!.repose);
+    this.point(c, p, x, y, length, width, run);
+  }
+
+  private axes(
+    c: CanvasRenderingContext2D,
+    x: (d: number) => number,
+    y: (z: number) => number,
+    length: number,
+    [low, high]: [number, number],
+    width: number,
+    height: number,
+  ): void {
+    c.font = "11px system-ui, sans-serif";
+    c.fillStyle = themeColour("faint");
+    c.strokeStyle = themeColour("line");
+    c.lineWidth = 1;
+    c.textAlign = "right";
+    for (const tick of ticks(low, high, height / 40)) {
+      c.beginPath();
+      c.moveTo(MARGIN.left, y(tick));
+      c.lineTo(width - MARGIN.right, y(tick));
+      c.stroke();
+      c.fillText(short(tick), MARGIN.left - 6, y(tick) + 4);
+    }
+    c.textAlign = "center";
+    for (const tick of ticks(0, length, width / 110)) c.fillText(short(tick), x(tick), height - MARGIN.bottom + 15);
+    c.textAlign = "right";
+    c.fillText("distance (m)", width - MARGIN.right, height - 3);
+    c.textAlign = "left";
+    c.fillText("elevation (m)", 4, 10);
+  }
+
+  private shadows(c: CanvasRenderingContext2D, p: Profile, x: (d: number) => number, top: number, foot: number): void {
+    c.fillStyle = themeColour("shadow");
+    let from = -1;
+    p.distance.forEach((_, i) => {
+      const dark = p.shadow![i]! > 0.5;
+      if (dark && from < 0) from = i;
+      if (from >= 0 && (!dark || i === p.distance.length - 1)) {
+        c.fillRect(x(p.distance[from]!), top, x(p.distance[i]!) - x(p.distance[from]!), foot - top);
+        from = -1;
+      }
+    });
+  }
+
+  /** The surface's line, marked where it is about as steep as sand can stand. */
+  private crest(c: CanvasRenderingContext2D, p: Profile, x: (d: number) => number, y: (z: number) => number, repose: number | null): void {
+    c.lineWidth = 1.4;
+    c.lineJoin = "round";
+    const stroke = (colour: string, width: number, wanted: (i: number) => boolean) => {
+      c.strokeStyle = colour;
+      c.lineWidth = width;
+      c.beginPath();
+      let drawing = false;
+      p.distance.forEach((d, i) => {
+        if (!wanted(i)) drawing = false;
+        else if (drawing) c.lineTo(x(d), y(p.surface[i]!));
+        else {
+          c.moveTo(x(d), y(p.surface[i]!));
+          drawing = true;
+        }
+      });
+      c.stroke();
+    };
+    stroke(themeColour("ink"), 1.3, () => true);
+    if (repose !== null) stroke(themeColour("steep"), 3, (i) => Math.abs(p.slope[i]!) >= 0.85 * repose);
+  }
+
+  private legend(c: CanvasRenderingContext2D, width: number, shadow: boolean, repose: number | null): void {
+    const items: [string, string][] = [];
+    if (shadow) items.push(["shadow", "shadow zone"]);
+    if (repose !== null) items.push(["steep", `near repose (${repose.toFixed(1)}°)`]);
+    let right = width - MARGIN.right - 4;
+    c.globalAlpha = 0.85;
+    c.fillStyle = themeColour("card");
+    c.fillRect(right - 280, MARGIN.top - 10, 284, 20);
+    c.globalAlpha = 1;
+    c.textAlign = "right";
+    for (const [colour, text] of items) {
+      c.fillStyle = themeColour("ink");
+      c.fillText(text, right, MARGIN.top + 4);
+      right -= c.measureText(text).width + 8;
+      c.fillStyle = themeColour(colour);
+      c.fillRect(right - 10, MARGIN.top - 4, 10, 8);
+      right -= 22;
+    }
+  }
+
+  private point(
+    c: CanvasRenderingContext2D,
+    p: Profile,
+    x: (d: number) => number,
+    y: (z: number) => number,
+    length: number,
+    width: number,
+    run: Run,
+  ): void {
+    const cells = `${short(length)} m long, step ${run.status!.step}`;
+    if (this.hover === null) {
+      this.readout.textContent = cells;
+      return;
+    }
+    const share = (this.hover - MARGIN.left) / (width - MARGIN.left - MARGIN.right);
+    const i = Math.min(Math.max(Math.round(share * (p.distance.length - 1)), 0), p.distance.length - 1);
+    c.fillStyle = themeColour("ink");
+    c.beginPath();
+    c.arc(x(p.distance[i]!), y(p.surface[i]!), 4, 0, 7);
+    c.fill();
+    const lee = p.shadow && p.shadow[i]! > 0.5 ? ", in shadow" : "";
+    this.readout.textContent =
+      `${short(p.distance[i])} m: elevation ${short(p.surface[i])} m, ` +
+      `sand ${short(p.surface[i]! - p.ground[i]!)} m, slope ${p.slope[i]!.toFixed(1)}°${lee}`;
+  }
+}

@@ -1,0 +1,149 @@
+/** Measures over the steps of the run. */
+
+import uPlot from "uplot";
+import "uplot/dist/uPlot.min.css";
+import type { App } from "../core/app";
+import type { Measure } from "../core/protocol";
+import { download, button, h, short, themeColour } from "../ui/dom";
+
+const FIRST = ["highest_stack", "spacing", "crest_azimuth", "speed", "flux"];
+const PAUSE = 200;
+
+export class SeriesView {
+  readonly title = "Measures";
+  readonly element: HTMLElement;
+  private readonly plots = h("div", { className: "plots" });
+  private readonly choice = h("div", { className: "choices", role: "group", "aria-label": "Measures shown" });
+  private chosen = new Set(FIRST);
+  private charts: { measure: Measure; chart: uPlot; box: HTMLElement; value: HTMLElement }[] = [];
+  private declared = "";
+  private visible = false;
+  private drawnAt = 0;
+
+  constructor(private readonly app: App) {
+    this.element = h(
+      "div",
+      { className: "view series" },
+      h("div", { className: "tools" }, this.choice, button("Save the measures as CSV", "save CSV", () => this.save())),
+      this.plots,
+    );
+    app.framed.watch(() => this.update());
+    app.changed.watch(() => this.update(true));
+    app.view.changed.watch(() => this.rebuild());
+    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.rebuild());
+    new ResizeObserver(() => this.fit()).observe(this.plots);
+  }
+
+  show(visible: boolean): void {
+    this.visible = visible;
+    this.update(true);
+  }
+
+  private measures(): Measure[] {
+    return this.app.current?.description?.measures ?? [];
+  }
+
+  private save(): void {
+    const names = this.measures().map((measure) => measure.name);
+    const rows = (this.app.current?.measures ?? []).map((row) =>
+      [row.step, ...names.map((name) => row[name] ?? "")].join(),
+    );
+    download("measures.csv", `${["step", ...names].join()}\n${rows.join("\n")}\n`);
+  }
+
+  private update(at_once = false): void {
+    if (!this.visible) return;
+    const declared = this.measures().map((measure) => measure.name).join() + this.app.runs.length;
+    if (declared !== this.declared) {
+      this.declared = declared;
+      this.choices();
+      this.rebuild();
+    }
+    if (!at_once && performance.now() - this.drawnAt < PAUSE) return;
+    this.drawnAt = performance.now();
+    for (const { measure, chart, value } of this.charts) {
+      chart.setData(this.data(measure.name));
+      const last = this.app.current?.measures.findLast((row) => row[measure.name] !== null)?.[measure.name];
+      value.textContent = `${short(last ?? null, 3)}${measure.unit === "-" ? "" : ` ${measure.unit}`}`;
+    }
+  }
+
+  /** The steps of all runs, and each run's values there. */
+  private data(name: string): uPlot.AlignedData {
+    const tables = this.app.runs.map(
+      (run) => [run.measures.map((row) => row.step), run.measures.map((row) => row[name] ?? null)] as uPlot.AlignedData,
+    );
+    if (tables.length === 1) return tables[0]!;
+    return uPlot.join(tables);
+  }
+
+  private choices(): void {
+    this.choice.replaceChildren(
+      ...this.measures().map((measure) => {
+        const box = h("input", {
+          type: "checkbox",
+          checked: this.chosen.has(measure.name),
+          onchange: () => {
+            if (box.checked) this.chosen.add(measure.name);
+            else this.chosen.delete(measure.name);
+            this.rebuild();
+          },
+        });
+        return h("label", {}, box, ` ${measure.title}${measure.unit === "-" ? "" : ` (${measure.unit})`}`);
+      }),
+    );
+  }
+
+  private rebuild(): void {
+    for (const { chart } of this.charts) chart.destroy();
+    this.plots.replaceChildren();
+    this.charts = this.measures()
+      .filter((measure) => this.chosen.has(measure.name))
+      .map((measure) => {
+        const value = h("b", {});
+        const box = h("figure", {}, h("figcaption", {}, `${measure.title} `, value));
+        this.plots.append(box);
+        return { measure, box, value, chart: new uPlot(this.options(measure), this.data(measure.name), box) };
+      });
+    this.fit();
+    if (this.visible) this.update(true);
+  }
+
+  private options(measure: Measure): uPlot.Options {
+    const colours = [themeColour("accent"), themeColour("second")];
+    const axis = { stroke: themeColour("faint"), grid: { stroke: themeColour("line"), width: 1 }, ticks: { show: false } };
+    const dots = measure.unit === "degrees";
+    return {
+      width: 200,
+      height: 120,
+      legend: { show: false },
+      cursor: { drag: { x: false, y: false }, points: { size: 6 } },
+      scales: { x: { time: false }, ...(measure.name === "crest_azimuth" ? { y: { range: [0, 180] } } : {}) },
+      axes: [
+        { ...axis, size: 26, space: 50, font: "10px system-ui", values: (_, marks) => marks.map((mark) => short(mark)) },
+        { ...axis, size: 48, space: 22, font: "10px system-ui", values: (_, marks) => marks.map((mark) => short(mark, 3)) },
+      ],
+      series: [
+        {},
+        ...this.app.runs.map((_, at) => ({
+          stroke: colours[at] ?? "",
+          width: 1.5,
+          spanGaps: true,
+          ...(dots ? { paths: () => null, points: { show: true, size: 3, fill: colours[at] ?? "" } } : { points: { show: false } }),
+        })),
+      ],
+    } as uPlot.Options;
+  }
+
+  private fit(): void {
+    const count = Math.max(this.charts.length, 1);
+    const { clientWidth, clientHeight } = this.plots;
+    if (!clientWidth) return;
+    const across = Math.max(1, Math.min(count, Math.floor(clientWidth / 205)));
+    const down = Math.ceil(count / across);
+    for (const { chart, box } of this.charts) {
+      box.style.width = `${Math.floor(clientWidth / across) - 10}px`;
+      chart.setSize({ width: Math.floor(clientWidth / across) - 12, height: Math.max(90, Math.floor(clientHeight / down) - 26) });
+    }
+  }
+}

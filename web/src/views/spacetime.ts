@@ -1,0 +1,145 @@
+/** The section over time: every step a row of the picture, crests that travel are slanted lines. */
+
+import type { App } from "../core/app";
+import { along, samples } from "../core/section";
+import { fitCanvas, h, short, themeColour, ticks } from "../ui/dom";
+import type { SectionView } from "./section";
+
+const COLUMNS = 512;
+const MOST_ROWS = 512;
+const MARGIN = { left: 62, right: 14, top: 8, bottom: 28 };
+
+interface Band {
+  step: number;
+  values: Float32Array;
+}
+
+export class SpaceTimeView {
+  readonly title = "Space–time";
+  readonly element: HTMLElement;
+  private readonly canvas = h("canvas", { className: "plot", role: "img", "aria-label": "The section over time" });
+  private readonly readout = h("output", { className: "readout" });
+  private bands: Band[] = [];
+  private every = 1;
+  private line = "";
+  private visible = false;
+
+  constructor(
+    private readonly app: App,
+    private readonly section: SectionView,
+  ) {
+    this.element = h(
+      "div",
+      { className: "view" },
+      h("div", { className: "tools" }, h("span", {}, "Elevation along the section; time runs upwards."), this.readout),
+      this.canvas,
+    );
+    app.framed.watch(() => this.collect());
+    app.changed.watch(() => this.collect());
+    new ResizeObserver(() => this.draw()).observe(this.canvas);
+  }
+
+  show(visible: boolean): void {
+    this.visible = visible;
+    this.draw();
+  }
+
+  /** Take the section of this moment in, if it is later than the last one. */
+  private collect(): void {
+    const run = this.app.current;
+    if (!run?.ready || run.status!.looking) return;
+    const lattice = run.description!.lattice;
+    const line = this.section.current(run);
+    const key = `${run.name} ${line.map((x) => x.toFixed(2))} ${run.rows} ${run.columns}`;
+    if (key !== this.line) {
+      this.line = key;
+      this.bands = [];
+      this.every = 1;
+    }
+    const { step } = run.status!;
+    this.bands = this.bands.filter((band) => band.step < step);
+    if (this.bands.length && step - this.bands.at(-1)!.step < this.every) return;
+    const places = samples(line, { ...lattice, cell_size: lattice.cell_size });
+    const values = along(run.surface, places, lattice);
+    this.bands.push({ step, values: resampled(values, COLUMNS) });
+    if (this.bands.length > MOST_ROWS) {
+      this.bands = this.bands.filter((_, at) => at % 2 === 0);
+      this.every = Math.max(2 * this.every, (this.bands.at(-1)!.step - this.bands[0]!.step) / this.bands.length);
+    }
+    this.draw();
+  }
+
+  private draw(): void {
+    if (!this.visible || !this.canvas.clientWidth || !this.bands.length) return;
+    const { context: c, width, height } = fitCanvas(this.canvas);
+    const [first, last] = [this.bands[0]!.step, this.bands.at(-1)!.step];
+    const colours = this.app.colours.perceptual ?? [[0, 0, 0], [255, 255, 255]];
+    const [w, d] = [width - MARGIN.left - MARGIN.right, height - MARGIN.top - MARGIN.bottom];
+    const rows = Math.max(1, Math.min(Math.round(d), 600));
+    const image = new ImageData(COLUMNS, rows);
+    const [low, high] = this.ends();
+    let band = 0;
+    for (let row = 0; row < rows; row++) {
+      const step = first + ((last - first) * row) / Math.max(rows - 1, 1);
+      while (band < this.bands.length - 1 && this.bands[band + 1]!.step <= step) band++;
+      const { values } = this.bands[band]!;
+      const start = (rows - 1 - row) * COLUMNS * 4;
+      for (let i = 0; i < COLUMNS; i++) {
+        const share = (values[i]! - low) / (high - low || 1);
+        const colour = colours[Math.min(Math.max(Math.round(share * (colours.length - 1)), 0), colours.length - 1)]!;
+        image.data.set(colour, start + 4 * i);
+        image.data[start + 4 * i + 3] = 255;
+      }
+    }
+    const picture = new OffscreenCanvas(COLUMNS, rows);
+    picture.getContext("2d")!.putImageData(image, 0, 0);
+    c.imageSmoothingEnabled = true;
+    c.drawImage(picture, MARGIN.left, MARGIN.top, w, d);
+    this.axes(c, first, last, width, height, w, d);
+    this.readout.textContent = `${this.bands.length} sections, ${short(low)} to ${short(high)} m`;
+  }
+
+  private axes(c: CanvasRenderingContext2D, first: number, last: number, width: number, height: number, w: number, d: number): void {
+    const run = this.app.current!;
+    const [x0, y0, x1, y1] = this.section.current(run);
+    const length = Math.hypot(x1 - x0, y1 - y0);
+    c.font = "11px system-ui, sans-serif";
+    c.fillStyle = themeColour("faint");
+    c.textAlign = "right";
+    for (const tick of ticks(first, last, d / 36)) {
+      const y = MARGIN.top + d - ((tick - first) / Math.max(last - first, 1)) * d;
+      c.fillText(short(tick), MARGIN.left - 6, y + 4);
+    }
+    c.textAlign = "center";
+    for (const tick of ticks(0, length, width / 110)) {
+      c.fillText(short(tick), MARGIN.left + (tick / length) * w, height - MARGIN.bottom + 15);
+    }
+    c.textAlign = "right";
+    c.fillText("distance (m)", width - MARGIN.right, height - 2);
+    c.textAlign = "left";
+    c.fillText("step", 4, 14);
+  }
+
+  private ends(): [number, number] {
+    let low = Number.POSITIVE_INFINITY;
+    let high = Number.NEGATIVE_INFINITY;
+    for (const { values } of this.bands) {
+      for (const value of values) {
+        if (value < low) low = value;
+        if (value > high) high = value;
+      }
+    }
+    return [low, high];
+  }
+}
+
+function resampled(values: Float32Array, count: number): Float32Array {
+  const found = new Float32Array(count);
+  for (let i = 0; i < count; i++) {
+    const at = (i / (count - 1)) * (values.length - 1);
+    const low = Math.min(Math.floor(at), Math.max(values.length - 2, 0));
+    const share = at - low;
+    found[i] = values[low]! * (1 - share) + values[Math.min(low + 1, values.length - 1)]! * share;
+  }
+  return found;
+}
