@@ -12,6 +12,8 @@ from validation.study import table
 
 PAGE = Path(__file__).parents[1] / "docs" / "validation.md"
 PARTS = Path(__file__).parent / "results"
+PICTURES = Path(__file__).parent / "pictures.md"
+"""What was seen in the pictures of presets, written by hand."""
 
 INTRODUCTION = """# Validation
 
@@ -41,7 +43,7 @@ def main() -> None:
         (PARTS / f"{name}.md").write_text(text)
         print(text, f"({time.perf_counter() - started:.0f} s)\n", file=sys.stdout, flush=True)
     parts = [path.read_text() for name in STUDIES if (path := PARTS / f"{name}.md").exists()]
-    PAGE.write_text("\n".join([INTRODUCTION, *parts]))
+    PAGE.write_text("\n".join([INTRODUCTION, *parts, PICTURES.read_text()]))
 
 
 if __name__ == "__main__":
