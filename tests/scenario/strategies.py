@@ -6,6 +6,7 @@ from hypothesis import strategies as st
 
 from barchan.bed import LARGEST_ASPECT, LEAST_ASPECT, Lattice
 from barchan.ground.area import Area
+from barchan.models.grain_parameters import GrainFlight
 from barchan.models.slab_parameters import SlabTransport
 from barchan.models.species import Species
 from barchan.parameters import NOTE, Parameters
@@ -53,6 +54,8 @@ def group(parameters: type[Parameters]) -> st.SearchStrategy[dict[str, Any]]:
         return drawn.map(_goes_on)
     if issubclass(parameters, Species):
         return drawn.map(_is_a_function)
+    if issubclass(parameters, GrainFlight):
+        return drawn.map(_flies)
     if issubclass(parameters, SlabTransport):
         return drawn.map(_lets_go_above_rest)
     return drawn.map(_one_height) if parameters is Lattice else drawn
@@ -110,6 +113,14 @@ def _lets_go_above_rest(data: dict[str, Any]) -> dict[str, Any]:
     if (data.get("release_angle") or rest) < rest:
         return {**data, "release_angle": rest}
     return data
+
+
+def _flies(data: dict[str, Any]) -> dict[str, Any]:
+    """Grains heavier than air, and ranges in order."""
+    for least, most in (("lift_least", "lift_most"), ("flattest", "steepest")):
+        if least in data or most in data:
+            data |= {least: data.get(least, data.get(most)), most: data.get(least, data.get(most))}
+    return {name: value for name, value in data.items() if name not in ("air_density", "grain_density")}
 
 
 def _is_a_function(data: dict[str, Any]) -> dict[str, Any]:

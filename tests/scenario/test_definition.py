@@ -91,13 +91,17 @@ def test_the_text_of_a_scenario_leaves_nothing_to_defaults():
     assert set(text["run"]) == {"steps", "seed", "save_every", "until"}
 
 
+REASONS = ("so thicker slabs", "no grain can be lifted", "model.time_step: is")
+"""What is only known of a bed once it is made."""
+
+
 @settings(max_examples=30, suppress_health_check=[HealthCheck.too_slow])
 @given(buildable())
-def test_every_small_scenario_builds_a_bed_at_rest_or_has_more_slabs_than_can_be_counted(drawn):
+def test_every_small_scenario_builds_a_bed_at_rest_or_is_refused_for_what_its_parts_come_to(drawn):
     try:
         simulation = Simulation(load_scenario(drawn))
     except ScenarioError as error:
-        assume("so thicker slabs" not in str(error))
+        assume(not any(reason in str(error) for reason in REASONS))
         raise
     bed = simulation.bed
     assert bed.sand.shape == (drawn["lattice"]["rows"], drawn["lattice"]["columns"])

@@ -8,8 +8,8 @@ from barchan.scenario.listing import all_keys
 
 KEYS = list(all_keys())
 
-OWN = {"name", "max_hops", "band_rows"}
-"""Parameters of models that no paper knows: the model's tag, a cap and the work's order."""
+OWN = {"name", "max_hops", "band_rows", "iterations_per_step", "shelter_every"}
+"""Parameters of models that no paper knows: the model's tag, a cap, the work's order and its rhythm."""
 
 OPTIONAL = ("clock.", "wind.gusts.", "run.until.steady.")
 """Groups that a scenario need not have."""
