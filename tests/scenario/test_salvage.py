@@ -26,9 +26,9 @@ def test_every_bad_key_is_named_and_the_rest_is_used():
 
 
 def test_a_group_that_lacks_something_is_left_out():
-    regimes = {"kind": "regimes", "regimes": [{"direction": 10, "steps": 5}, {"direction": 20}]}
+    regimes = {"kind": "regimes", "regimes": [{"direction": 10, "steps": 5}, {"steps": 6}]}
     scenario, problems = salvage(json.dumps({**GOOD, "wind": regimes}), "mine.json")
-    assert [p.key for p in problems] == ["wind.regimes[1].steps"]
+    assert [p.key for p in problems] == ["wind.regimes[1].direction"]
     assert [regime.direction for regime in scenario.wind.regimes] == [10]
 
 

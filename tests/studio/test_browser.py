@@ -9,6 +9,7 @@ import signal
 import subprocess
 import sys
 import time
+import uuid
 from pathlib import Path
 
 import numpy as np
@@ -120,10 +121,11 @@ def studio(chromium, server):
     studio = Studio(page, process, folder)
     page.goto(address)
     studio.step_beyond(-1)
-    scenario = json.dumps(load_scenario("barchans", list(SMALL.items())).data())
-    studio.ask(f"window.barchan.app.create({scenario}, true)")
-    studio.until("window.barchan.app.runs[0].description.scenario.title === 'Barchans'")
-    studio.until("window.barchan.app.running && window.barchan.app.runs[0].rows === 48")
+    fresh = {**load_scenario("barchans", list(SMALL.items())).data(), "citation": str(uuid.uuid4())}
+    studio.ask(f"window.barchan.app.create({json.dumps(fresh)}, true)")
+    studio.until(f"window.barchan.app.runs[0].description.scenario.citation === '{fresh['citation']}'")
+    studio.ask("void (window.barchan.app.runs[0].status = null)")
+    studio.until("window.barchan.app.running")
     yield studio
     page.close()
     assert studio.errors == []
@@ -197,6 +199,7 @@ def test_winds_in_turn_with_a_curve(studio):
     page.locator("[data-path='regimes.1.final_speed']").press("Enter")
     wind = "window.barchan.app.runs[0].description.scenario.wind"
     grip = page.get_by_label("Control point 1")
+    grip.scroll_into_view_if_needed()
     box = grip.bounding_box()
     page.mouse.move(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
     page.mouse.down()

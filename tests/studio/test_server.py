@@ -1,6 +1,5 @@
 import os
 import signal
-import time
 
 import httpx
 import numpy as np
@@ -112,19 +111,19 @@ def test_two_models_run_step_by_step_on_the_same_ground(served):
         browser.until(lambda told, _: told.get("run") == "b" and told.get("status", {}).get("step", 0) > 40)
         browser.say("pause")
         browser.until_told("pair", running=False)
-        time.sleep(0.5)
-        browser.say("view", fields=[])
         steps, seeds = {}, {}
-        while len(steps) < 2:
-            header, fields = browser.hear()
-            if fields is not None:
+
+        def both_halted(header, fields):
+            if fields is not None and not header["status"]["running"]:
                 steps[header["run"]] = header["status"]["step"]
+            return len(steps) == 2 and steps["a"] == steps["b"] > 40
+
+        browser.until(both_halted)
         for told in browser.told:
             if told["tell"] == "scenario":
                 seeds[told["run"]] = told["scenario"]["run"]["seed"]
         browser.say("alone")
         browser.until_told("runs", runs=["a"])
-    assert steps["a"] == steps["b"] > 40
     assert seeds["a"] == seeds["b"]
 
 

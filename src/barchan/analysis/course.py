@@ -3,6 +3,7 @@
 from collections import deque
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -15,10 +16,11 @@ from barchan.analysis.orientation import Orientation, crest_orientation
 from barchan.analysis.slopes import Slopes, streamwise_slopes
 from barchan.analysis.spacing import dominant_spacing
 from barchan.analysis.transport import flux
-from barchan.models import OwnMeasure, models
+from barchan.bed import Bed
+from barchan.models import Model, OwnMeasure, models
 from barchan.scenario import Scenario
 from barchan.wind.clock import YEAR
-from barchan.wind.segment import downwind
+from barchan.wind.segment import Segment, downwind
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -28,7 +30,8 @@ if TYPE_CHECKING:
 class Moment:
     """One frame of a run and what it is compared with."""
 
-    frame: "xr.Dataset"
+    modelled: Callable[[], tuple[Model, Bed, Segment]]
+    """The model, the bed and the wind as they were then."""
     sand: NDArray[np.int32]
     elevation: NDArray[np.float64]
     scenario: Scenario
@@ -111,7 +114,7 @@ def measures_of(scenario: Scenario) -> tuple[Measure, ...]:
 
 
 def _own(own: OwnMeasure) -> Measure:
-    return Measure(own.name, own.title, own.unit, lambda m: float(own.of(*as_modelled(m.frame, m.scenario))))
+    return Measure(own.name, own.title, own.unit, lambda m: float(own.of(*m.modelled())))
 
 
 def _per_year(moment: Moment, name: str) -> float:
@@ -137,7 +140,7 @@ def moments(dataset: "xr.Dataset", scenario: Scenario, first: int = 0) -> Iterat
         recent.append(elevation)
         travel = np.dot(downwind(directions[at]), travelled[:, at] - travelled[:, max(at - 1, 0)])
         yield Moment(
-            frame=dataset.isel(step=at),
+            modelled=partial(as_modelled, dataset.isel(step=at), scenario),
             sand=dataset["sand"][at].values,
             elevation=elevation,
             scenario=scenario,

@@ -9,8 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from barchan.analysis import crest_orientation, migration, streamwise_slopes
-from barchan.analysis.course import LAGS, MEASURES, Moment
+from barchan.analysis.course import LAGS, Moment, measures_of
 from barchan.simulation import Simulation
+from barchan.studio.planes import wind_over
 from barchan.wind.segment import downwind
 
 LEAST_PAUSE = 0.25
@@ -68,8 +69,7 @@ class Gauges:
 
     def _measured(self, simulation: Simulation) -> dict[str, Any]:
         moment = self._moment(simulation)
-        values = {measure.name: measure.of(moment) for measure in MEASURES}
-        values |= simulation.model.measures(simulation.bed)
+        values = {measure.name: measure.of(moment) for measure in measures_of(simulation.scenario)}
         return {
             "step": simulation.steps_done,
             **{name: float(value) if math.isfinite(value) else None for name, value in values.items()},
@@ -85,6 +85,7 @@ class Gauges:
         travel = np.dot(downwind(direction), np.subtract(travelled, self._travel))
         self._travel = travelled
         return Moment(
+            modelled=lambda: (simulation.model, simulation.bed, wind_over(simulation)),
             sand=simulation.bed.sand,
             elevation=surface,
             scenario=simulation.scenario,
@@ -99,6 +100,4 @@ class Gauges:
 
 def declared_measures(simulation: Simulation) -> list[dict[str, str]]:
     """Name, title and unit of everything that is measured."""
-    common = [{"name": m.name, "title": m.title, "unit": m.unit} for m in MEASURES]
-    own = simulation.model.measures(simulation.bed)
-    return common + [{"name": name, "title": name.replace("_", " "), "unit": "-"} for name in own]
+    return [{"name": m.name, "title": m.title, "unit": m.unit} for m in measures_of(simulation.scenario)]

@@ -97,5 +97,4 @@ def _derive(simulation: Simulation, derived: Derived) -> NDArray:
 
 def wind_over(simulation: Simulation) -> Segment:
     """The wind of the last step, or before any step that of the first."""
-    step = max(simulation.steps_done - 1, 0)
-    return next(iter(simulation.wind.segments(step, 1, simulation.lattice.cells)))
+    return simulation.forcing.wind_of(max(simulation.steps_done - 1, 0))

@@ -134,7 +134,7 @@ class StudioRun:
     def status(self) -> dict[str, Any]:
         """What is always in view."""
         shown = self.shown
-        lattice = shown.lattice
+        lattice, seconds = shown.lattice, shown.scenario.step_seconds
         return {
             "step": shown.steps_done,
             "live": self.live.steps_done,
@@ -146,6 +146,7 @@ class StudioRun:
             "highest": highest_stack(shown.bed.sand),
             "volume": sand_volume(shown.bed.sand, lattice.thickness, lattice.cell_size),
             "wind": shown.wind_direction,
+            "time": None if seconds is None else seconds * shown.steps_done,
             "undo": len(self.painting.done),
             "redo": len(self.painting.undone),
         }

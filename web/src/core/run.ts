@@ -18,7 +18,7 @@ export class Run {
   constructor(readonly name: RunName) {}
 
   get ready(): boolean {
-    return this.description !== null && this.surface.length > 0 && this.fits;
+    return this.description !== null && this.status !== null && this.surface.length > 0 && this.fits;
   }
 
   /** Whether the fields belong to the lattice that was described last. */

@@ -4,16 +4,22 @@ import type { App } from "../core/app";
 import type { Json, JsonObject, Problem } from "../core/protocol";
 import { type Schema, entryOf, replaced } from "../core/schema";
 import { h, id, later } from "./dom";
-import { type FormContext, type Path, group, variantField } from "./form";
+import { type FormContext, type Path, field, group, variantField } from "./form";
 import { Quiet } from "./quiet";
 
-const GROUPS = ["ground", "sand", "lattice", "run"];
+/** Keys of a scenario that are shown elsewhere, or are no groups. */
+const ELSEWHERE = new Set(["barchan", "note", "title", "citation", "look_for", "wind", "model"]);
 
 export class Panel {
   readonly element = h("div", { className: "forms" });
   private shown = "";
   private scenario: JsonObject = {};
-  private readonly create = later(350, (scenario: JsonObject) => this.app.create(scenario, true));
+  /** Whether a change made here is still to be sent. */
+  private unsent = false;
+  private readonly create = later(350, () => {
+    this.unsent = false;
+    this.app.create(this.scenario, true);
+  });
 
   private readonly quiet: Quiet;
 
@@ -25,7 +31,7 @@ export class Panel {
 
   private show(): void {
     const description = this.app.current?.description;
-    if (!description || !this.app.schema.properties || this.quiet.busy) return;
+    if (!description || !this.app.schema.properties || this.quiet.busy || this.unsent) return;
     const text = JSON.stringify([description.scenario, description.facts, this.app.selected, this.app.runs.map((run) => run.description?.model.title)]);
     if (text === this.shown) return;
     this.shown = text;
@@ -61,7 +67,9 @@ export class Panel {
       ...this.whose(),
       about,
       this.model(context),
-      ...GROUPS.map((name) => this.group(context, name)),
+      ...Object.keys(root.properties ?? {})
+        .filter((name) => !ELSEWHERE.has(name))
+        .map((name) => this.group(context, name)),
       h("p", { className: "hint" }, "↺ restarts the run; everything else changes at once. Point at a row to read what it means."),
     ];
   }
@@ -109,6 +117,7 @@ export class Panel {
     const schema: Schema = root.properties![name]!;
     const entry = entryOf(schema, root);
     const value = (this.scenario[name] ?? {}) as JsonObject;
+    if (entry.nullable) return details(name, field(context, name, schema, this.scenario[name] ?? null, [name]));
     if (entry.kind === "variant") return details(name, ...unwrapped(variantField(context, name, schema, value, [name])));
     return details(name, ...group(context, entry.schema, value, [name]));
   }
@@ -117,7 +126,10 @@ export class Panel {
     this.scenario = replaced(this.scenario, path, value) as JsonObject;
     this.trouble([]);
     if (live) void this.quiet.during(this.set(path.join("."), value));
-    else this.create(this.scenario);
+    else {
+      this.unsent = true;
+      this.create();
+    }
   }
 
   private async set(key: string, value: Json): Promise<void> {
@@ -153,9 +165,8 @@ export class Panel {
 }
 
 function details(name: string, ...children: (Node | false | null)[]): HTMLElement {
-  const titles: Record<string, string> = { model: "Model", ground: "Ground", sand: "Sand at the start", lattice: "Lattice", run: "Run" };
-  const element = h("details", { id: `group-${name}` }, h("summary", {}, titles[name] ?? name), ...children);
-  return element;
+  const title = name === "sand" ? "Sand at the start" : name.charAt(0).toUpperCase() + name.slice(1);
+  return h("details", { id: `group-${name}` }, h("summary", {}, title), ...children);
 }
 
 function unwrapped(fieldset: HTMLElement): HTMLElement[] {

@@ -16,7 +16,12 @@ export class WindPanel {
   private shown = "";
   private chosen = 0;
   private readonly quiet: Quiet;
-  private readonly send = later(60, () => void this.quiet.during(this.app.ask({ do: "wind", wind: this.wind })));
+  /** Whether a change made here is still to be sent. */
+  private unsent = false;
+  private readonly send = later(60, () => {
+    this.unsent = false;
+    void this.quiet.during(this.app.ask({ do: "wind", wind: this.wind }));
+  });
 
   constructor(private readonly app: App) {
     this.quiet = new Quiet(this.element, () => this.follow());
@@ -27,7 +32,7 @@ export class WindPanel {
   /** Show the run's wind, unless it is being changed here. */
   private follow(): void {
     const wind = this.app.current?.description?.scenario.wind as JsonObject | undefined;
-    if (!wind || !this.app.schema.properties || this.quiet.busy) return;
+    if (!wind || !this.app.schema.properties || this.quiet.busy || this.unsent) return;
     const text = JSON.stringify(wind);
     if (text === this.shown) return;
     this.shown = text;
@@ -121,7 +126,7 @@ export class WindPanel {
           },
         },
         h("span", { className: "way", style: `transform: rotate(${Number(regime.direction)}deg)` }, "↓"),
-        ` ${regime.direction}°, ${regime.steps} steps${speed}`,
+        ` ${regime.direction}°, ${lasting(regime)}${speed}`,
       ),
       tool("Up", "↑", moved(-1), number > 0),
       tool("Down", "↓", moved(1), number < list.length - 1),
@@ -158,7 +163,7 @@ export class WindPanel {
       return [field(this.context(), "course", regimeSchema.properties!.course!, course, [...path, "course"])];
     }
     const start = course.kind === "bezier" ? (course as unknown as Course) : STRAIGHT;
-    const labels = { from: String(regime.speed), to: String(regime.final_speed), duration: `${regime.steps} steps` };
+    const labels = { from: String(regime.speed), to: String(regime.final_speed), duration: lasting(regime) };
     const editor = new CurveEditor(start, labels, (next) => this.put([...path, "course"], { kind: "bezier", ...next }));
     return [editor.element];
   }
@@ -176,6 +181,7 @@ export class WindPanel {
 
   private put(path: (string | number)[], value: Json): void {
     this.wind = replaced(this.wind, path, value) as JsonObject;
+    this.unsent = true;
     this.send();
   }
 
@@ -189,7 +195,13 @@ export class WindPanel {
     }
     this.wind = answer.value as JsonObject;
     if ("direction" in this.wind) this.wind = { ...this.wind, direction };
+    this.unsent = true;
     this.send();
     this.draw();
   }
+}
+
+/** How long a regime blows. */
+function lasting(regime: JsonObject): string {
+  return regime.seconds === null || regime.seconds === undefined ? `${regime.steps} steps` : `${regime.seconds} s`;
 }
