@@ -25,12 +25,12 @@ RIDGES = {
     "momiji": ("momiji-transverse", "1 to 42"),
     "bishop": ("momiji-transverse", "2 to 39"),
 }
-RIDGE_HOPS = (1, 2, 5, 20, 39, 42, 45, 60, 80)
+RIDGE_HOPS = (1, 2, 5, 20, 42, 60)
 BARCHANS = {
     "werner": ("barchans", "3 to 10"),
     "momiji": ("momiji-barchans", "wider than 3 to 10; ripples at 2"),
 }
-BARCHAN_HOPS = (1, 2, 3, 5, 10, 12, 20, 50)
+BARCHAN_HOPS = (1, 2, 3, 5, 10, 20, 50)
 LEAST = 0.5
 """Height (m) above the mean sand from which a heap counts as a dune."""
 
