@@ -57,4 +57,8 @@ def rows():
         )
 
 
-READING = ""
+READING = """
+The suspicion is confirmed: in every seed the quadratic term makes tops longer, with the linear term by a
+fifth (0.33 of the ridge against 0.28), and there also shifts them against the wind, by two hundredths of
+the ridge's length. Alone it flattens by less and shifts nothing.
+"""
