@@ -91,10 +91,11 @@ def _speed(what, published, found, sign):
 
 
 READING = """
-Lifted from anywhere, sand is lost alike everywhere and gained where faces look upwind: the waves travel against
-the wind, as seed 000 reports. Where lee faces give none, the windward ones lose it too and the waves travel
-downwind. With splash they do so in every wind and seed, faster in stronger wind. The wave that grows fastest
-becomes longer with the wind: 8 cm at 10 m/s, 16 cm at 12 m/s; at 15 m/s of the three only 16 cm grows. Growth is
-slow: at 10 m/s a wave takes 37 s of flight to grow by e, half an hour of real wind; real ripples form within
-minutes. Saturation, ripple index, grain size and sorting were not measured.
+Lifted from anywhere, sand is lost alike everywhere and gained where faces look upwind: the waves travel
+against the wind, as seed 000 reports. Where lee faces give none, the windward ones lose it too and the
+waves travel downwind. With splash they do so in every wind and seed, faster in stronger wind. The wave
+that grows fastest becomes longer with the wind: 8 cm at 10 m/s, 16 cm at 12 m/s; at 15 m/s of the three
+only 16 cm grows. Growth is slow: at 10 m/s a wave takes 37 s of flight to grow by e, half an hour of
+real wind; real ripples form within minutes. Saturation, ripple index, grain size and sorting were not
+measured.
 """
