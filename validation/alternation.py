@@ -43,4 +43,9 @@ def _crest(divergence, ratio, bisector, turn, changes, seed):
     return crest(divergence, ratio, bisector, seed, turn, **changes)
 
 
-READING = ""
+READING = """
+How long a turn lasts, from 1 to 50 steps, makes no difference that stands out of the scatter. Off the axes
+the pull towards the diagonal is there at every length, most for unequal winds. With neighbours in random
+order errors are a little smaller, but it does not cure them: so it is not the fixed order that pulls, but
+that avalanches know only the ways to eight cells.
+"""

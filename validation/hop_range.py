@@ -25,12 +25,12 @@ RIDGES = {
     "momiji": ("momiji-transverse", "1 to 42"),
     "bishop": ("momiji-transverse", "2 to 39"),
 }
-RIDGE_HOPS = (1, 2, 5, 20, 39, 42, 45, 60, 80)
+RIDGE_HOPS = (1, 2, 5, 20, 42, 60)
 BARCHANS = {
     "werner": ("barchans", "3 to 10"),
     "momiji": ("momiji-barchans", "wider than 3 to 10; ripples at 2"),
 }
-BARCHAN_HOPS = (1, 2, 3, 5, 10, 12, 20, 50)
+BARCHAN_HOPS = (1, 2, 3, 5, 10, 20, 50)
 LEAST = 0.5
 """Height (m) above the mean sand from which a heap counts as a dune."""
 
@@ -80,4 +80,13 @@ def rows():
             )
 
 
-READING = ""
+READING = """
+Werner's lower bounds come out: no ridges at one cell, ridges from two on, and at 42 cells several close
+ones (34 m apart on 100 m) where 20 cells leave one. The upper bound does not: hops of 60 cells, more than
+half of the field, make straight ridges in every run, two on the field. Momiji's and Bishop's ridges pass
+our test only at two cells: from five on they stand high, but their crests are bent or lie more than 20°
+off, on so small a field after 1000 steps; seed 000 judged by eye and states no time. Werner's barchans grow
+high for hops of 5 and 10 cells and begin at 3, low ones at 1, 2, 20 and 50 are none: the published 3 to 10.
+Momiji's range is wider as published, from 3 to 20 cells, with ripples at 1 and 2. The mean crescent is
+below zero in all, for chains and heaps outnumber clear crescents after 600 steps.
+"""

@@ -65,15 +65,19 @@ def test_kernels_equal_the_obvious_flight_bit_for_bit(seed, direction, boundary,
             assert found == (grain.x, grain.y, grain.z, grain.u, grain.v, grain.w)
 
 
-def test_bits_do_not_depend_on_the_number_of_threads(monkeypatch):
+@pytest.mark.parametrize(
+    ("name", "rules"),
+    [("wang_hu", {}), ("ripples", {"time_step": 1e-3, "weight": 0.02, "entrainment": 0.05, "load": 2.0})],
+)
+def test_bits_do_not_depend_on_the_number_of_threads(monkeypatch, name, rules):
     beds = []
     for threads in (1, 2, 3):
         monkeypatch.setattr(sharing, "LEAST", 256)
         monkeypatch.setattr(sharing, "thread_count", lambda threads=threads: threads)
         lattice = Lattice(rows=40, columns=50, cell_size=0.01, slab_height=0.15e-3)
         bed = Bed(lattice, np.zeros(lattice.shape), np.full(lattice.shape, 20))
-        flight = model("wang_hu")(model("wang_hu").Parameters(), lattice)
-        tally = flight.advance(bed, Segment(0, 80, 0, lattice.cells, 200.0), STREAM, 0, 0)
+        flight = model(name)(model(name).Parameters(**rules), lattice)
+        tally = flight.advance(bed, Segment(0, 200, 0, lattice.cells, 200.0), STREAM, 0, 0)
         beds.append((bed.sand.copy(), flight.motion.copy(), tally))
     for sand, motion, tally in beds[1:]:
         np.testing.assert_array_equal(sand, beds[0][0])

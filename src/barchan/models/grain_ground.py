@@ -61,11 +61,14 @@ class GrainGround:
         """Throw parcels out where grains hit the bed; ``found`` are the shares of the events."""
         from barchan.kernels.grain_splash import eject
 
-        for first, count in found:
-            eject(
-                *(first, first + count, grains, self.arrays, self.scale, self.grid),
-                *(splash, self.events, self.counts),
-            )
+        total = found[0][1]
+        for first, count in found[1:]:
+            for entries in self.events:
+                entries[total : total + count] = entries[first : first + count].copy()
+            total += count
+        eject(
+            *(0, total, grains, self.arrays, self.scale, self.grid, splash, self.events, self.counts),
+        )
 
     def spread_lid(self) -> None:
         """Find the sheltered air anew."""
