@@ -77,7 +77,7 @@ def test_the_published_drag_lets_fine_sand_fall_far_too_fast():
 
 def test_a_falling_grain_reaches_its_settling_speed():
     """Straight from the kernels: still air, a long fall."""
-    from barchan.kernels.grain_flight import fly
+    from barchan.kernels.grain_landing import fly
     from barchan.models.grain_ground import GrainGround
     from barchan.models.grains import _grains, _slots
 

@@ -17,7 +17,7 @@ MOVED, LEFT, CAPPED, TRAVEL_X, TRAVEL_Y, FLOWN, LOST = range(7)
 COUNTS = 7
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
 def change_sand(cell, parcels, ground, scale, grid):
     """Lay parcels on a cell, or take them (negative)."""
     ground.sand[cell] += parcels

@@ -8,7 +8,7 @@ from numba import njit
 from barchan.kernels.grain_state import LANDED
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
 def bounce(slot, surface, east, north, grains, rule):
     """Throw a grain back off a surface with slopes, or leave it where it is (seed 003, eq. 3.9)."""
     length = math.sqrt(1.0 + east * east + north * north)

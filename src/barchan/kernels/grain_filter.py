@@ -26,16 +26,27 @@ class Filter(NamedTuple):
     """Difference to the neighbours' mean (parts) from which on it works."""
 
 
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+def _beside(place, size, wrap):
+    """The places before and after one; the place itself beyond an open edge."""
+    before = place - 1 if place > 0 else (size - 1 if wrap else place)
+    after = place + 1 if place + 1 < size else (0 if wrap else place)
+    return before, after
+
+
 @njit(cache=True, nogil=True, error_model="numpy")
-def _excess(cell, level, grid):
-    """The weighted mean of the neighbours less the cell itself (parts)."""
-    row, col = cell // grid.cols, cell % grid.cols
-    total = 0.0
-    for k in range(8):
-        r, c = neighbour(row, col, k, grid)
-        weight = FACE_WEIGHT if k < 4 else CORNER_WEIGHT
-        total += weight * np.float64(level[r * grid.cols + c] - level[cell])
-    return total
+def _find_sharp(level, grid, rule, sharp):
+    """Mark the cells that differ too much from the weighted mean of their neighbours."""
+    cols = grid.cols
+    for row in range(grid.rows):
+        south, north = _beside(row, grid.rows, grid.wrap_across)
+        below, here, above = south * cols, row * cols, north * cols
+        for col in range(cols):
+            west, east = _beside(col, cols, grid.wrap_along)
+            faces = level[here + east] + level[here + west] + level[above + col] + level[below + col]
+            corners = level[above + east] + level[above + west] + level[below + east] + level[below + west]
+            mean = FACE_WEIGHT * np.float64(faces) + CORNER_WEIGHT * np.float64(corners)
+            sharp[here + col] = abs(mean - np.float64(level[here + col])) >= rule.least
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
@@ -46,9 +57,11 @@ def smooth_slopes(ground, scale, grid, rule):
     corner on, and no cell gives more than it has.
     """
     before = ground.level.copy()
+    sharp = np.zeros(before.size, np.bool_)
+    _find_sharp(before, grid, rule, sharp)
     moved = 0
     for cell in range(before.size):
-        if abs(_excess(cell, before, grid)) < rule.least:
+        if not sharp[cell]:
             continue
         for k in range(8):
             r, c = neighbour(cell // grid.cols, cell % grid.cols, k, grid)

@@ -8,12 +8,7 @@ so that no logarithm and no root is taken in flight.
 import numpy as np
 from numba import njit
 
-from barchan.kernels.grain_bounce import bounce
-from barchan.kernels.grain_lift import lift
-from barchan.kernels.grain_splash import rebound
-from barchan.kernels.grain_state import FLYING, GONE, NOWHERE, mesh_cell, record_end
-from barchan.kernels.grain_surface import surface_at
-from barchan.kernels.random import derive
+from barchan.kernels.grain_state import mesh_cell
 
 BLOCK = 256
 """Grains that pass through the loops together: their work space stays in the fastest cache."""
@@ -95,40 +90,12 @@ def _find_cells(start, count, grains, grid, cell):
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
-def _over_edge(slot, place, laps, size, wrap, grains):
-    """Bring a coordinate that left the field in again from the other side, or take the grain out."""
-    end = np.float32(size)
-    p = place[slot]
-    if wrap:
-        if p < _ZERO:
-            p += end
-            laps[slot] -= 1
-        if p >= end:
-            p -= end
-            laps[slot] += 1
-    elif p < _ZERO or p >= end:
-        grains.held[slot] = GONE
-    place[slot] = p
+def move(first, last, grains, air, grid, ground, near):
+    """Let the slots from ``first`` to before ``last`` fly for one time step.
 
-
-@njit(cache=True, nogil=True, error_model="numpy")
-def _come_in(slot, grains, grid):
-    """Bring a grain in over the edges it crossed, or take it out."""
-    _over_edge(slot, grains.x, grains.laps_x, grid.cols, grid.wrap_along, grains)
-    _over_edge(slot, grains.y, grains.laps_y, grid.rows, grid.wrap_across, grains)
-
-
-@njit(cache=True, nogil=True, error_model="numpy")
-def fly(first, last, key, grains, air, grid, ground, scale, rules, splash, events):
-    """Let the slots from ``first`` to before ``last`` fly for one time step, and bounce where they land.
-
-    ``rules`` are those of bounces and of lift-off; with ``splash`` grains rebound by that instead.
-
-    Slots that were free, or whose grain came to rest or left the field, may start anew from elsewhere. Each
-    gets an entry of ``events``, from ``first`` on; returns how many. The bed is only read: what becomes of it
-    is for ``exchange``. So slots may be shared among threads.
+    Writes those that left the field or lie below the highest corner of their mesh cell into ``near``, from
+    ``first`` on, and returns how many they are. The rest is for ``land``.
     """
-    bounce_rule, lift_rule = rules
     cell = np.empty(BLOCK, np.int32)
     wind = np.empty(BLOCK, np.float32)
     share = np.empty(BLOCK, np.float32)
@@ -140,38 +107,7 @@ def fly(first, last, key, grains, air, grid, ground, scale, rules, splash, event
         _push(start, count, grains, air, wind, share)
         _find_cells(start, count, grains, grid, cell)
         for j in range(count):
-            slot = start + j
-            if cell[j] != OUTSIDE and grains.z[slot] >= ground.top[np.uint64(cell[j])]:
-                continue
-            if cell[j] == OUTSIDE and grains.held[slot] == FLYING:
-                _come_in(slot, grains, grid)
-            hits = False
-            if grains.held[slot] == FLYING:
-                x, y = grains.x[slot], grains.y[slot]
-                surface, east, north = surface_at(x, y, ground.height, scale.cell_size, grid)
-                if grains.z[slot] >= surface:
-                    continue
-                if splash is None:
-                    bounce(slot, surface, east, north, grains, bounce_rule)
-                else:
-                    hits = True
-                    events.x[found], events.y[found] = x, y
-                    events.u[found], events.v[found] = grains.u[slot], grains.v[slot]
-                    events.start[found] = derive(key, slot)
-                    events.impact[found] = rebound(
-                        slot, events.start[found], surface, east, north, grains, splash
-                    )
-                    u, v = events.u[found], events.v[found]
-                    if grains.held[slot] == FLYING:
-                        u, v = u - grains.u[slot], v - grains.v[slot]
-                    events.lost[found] = u * air.wind_x + v * air.wind_y
-            if grains.held[slot] != FLYING:
-                if not hits:
-                    events.impact[found] = 0.0
-                record_end(found, slot, bounce_rule.most, grains, grid, events)
-                events.source[found] = lift(slot, derive(key, slot), grains, ground, scale, grid, lift_rule)
-                found += 1
-            elif hits:
-                events.slot[found] = events.rest[found] = events.source[found] = NOWHERE
+            if cell[j] == OUTSIDE or grains.z[start + j] < ground.top[np.uint64(cell[j])]:
+                near[found] = start + j
                 found += 1
     return found - first

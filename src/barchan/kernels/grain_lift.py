@@ -9,14 +9,14 @@ from barchan.kernels.grain_state import NOWHERE, draw, launch
 from barchan.kernels.grain_surface import nearest_cell, surface_at
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
 def place(part, size):
     """A coordinate (cells, float32) within the field from a number from 0 to below 1."""
     coordinate = np.float32(part * size)
     return coordinate if coordinate < np.float32(size) else np.float32(size - 0.5)
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
 def lift(slot, start, grains, ground, scale, grid, rule):
     """Let a slot start from a cell drawn at random, if that can give a parcel; the cell, or ``NOWHERE``."""
     if draw(start, 1) >= rule.chance:

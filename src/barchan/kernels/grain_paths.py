@@ -4,7 +4,7 @@ import numpy as np
 from numba import njit
 
 from barchan.kernels.grain_bed import FLOWN, exchange, settle_about
-from barchan.kernels.grain_flight import fly
+from barchan.kernels.grain_landing import fly
 from barchan.kernels.grain_lift import lift
 from barchan.kernels.grain_state import FLYING, NOWHERE
 from barchan.kernels.random import derive

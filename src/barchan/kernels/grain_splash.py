@@ -50,13 +50,13 @@ class Splash(NamedTuple):
     """Rebounds after which a grain stays where it lands."""
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
 def exponential(part, mean, most):
     """A number up to ``most`` of an exponential distribution cut off there, from a part of 1."""
     return -mean * math.log(1.0 - part * (1.0 - math.exp(-most / mean)))
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
 def thrown(u, v, azimuth, angle, speed, east, north):
     """Velocity of a grain thrown at an ``angle`` to a surface with slopes, turned from (u, v)."""
     length = math.sqrt(u * u + v * v)
@@ -68,7 +68,7 @@ def thrown(u, v, azimuth, angle, speed, east, north):
     return along * x - across * east, along * y - across * north, along * rise + across
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
 def rebound(slot, start, surface, east, north, grains, rule):
     """Throw a grain back off the surface, or leave it where it is; its speed of impact."""
     u, v, w = np.float64(grains.u[slot]), np.float64(grains.v[slot]), np.float64(grains.w[slot])
@@ -86,7 +86,7 @@ def rebound(slot, start, surface, east, north, grains, rule):
     return speed
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
 def _next_free(at, events, found, grains):
     """The next entry from ``at`` on whose slot is free."""
     while at < found and (events.slot[at] < 0 or grains.held[events.slot[at]] != FREE):

@@ -11,7 +11,7 @@ from numba import njit
 _QUARTER = np.float32(0.25)
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
 def beyond(row, col, grid):
     """The next row to the north and column to the east; the same ones at an open edge."""
     north = row + 1
@@ -23,7 +23,7 @@ def beyond(row, col, grid):
     return north, east
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
 def nearest_cell(x, y, grid):
     """The cell whose stack is nearest to a place."""
     row, col = np.int64(y), np.int64(x)
@@ -33,7 +33,7 @@ def nearest_cell(x, y, grid):
     return row * grid.cols + col
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
 def surface_at(x, y, height, cell_size, grid):
     """Height (m) of the surface at a place, and its slopes eastwards and northwards."""
     row, col = np.int64(y), np.int64(x)
@@ -47,7 +47,23 @@ def surface_at(x, y, height, cell_size, grid):
     return south_side + part_y * (north_side - south_side), slope_x, (north_side - south_side) / cell_size
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+def height_at(x, y, height, grid):
+    """The height alone, by the same arithmetic as ``surface_at``."""
+    row, col = np.int64(np.int32(y)), np.int64(np.int32(x))
+    north, east = beyond(row, col, grid)
+    part_x, part_y = np.float64(x) - col, np.float64(y) - row
+    sw, se = np.float64(height[np.uint64(row * grid.cols + col)]), height[np.uint64(row * grid.cols + east)]
+    nw, ne = (
+        np.float64(height[np.uint64(north * grid.cols + col)]),
+        height[np.uint64(north * grid.cols + east)],
+    )
+    south_side = sw + part_x * (np.float64(se) - sw)
+    north_side = nw + part_x * (np.float64(ne) - nw)
+    return south_side + part_y * (north_side - south_side)
+
+
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
 def _renew(row, col, ground, grid):
     north, east = beyond(row, col, grid)
     sw, se = row * grid.cols + col, row * grid.cols + east
@@ -65,7 +81,7 @@ def renew_mesh(ground, grid):
             _renew(row, col, ground, grid)
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
 def renew_mesh_about(cell, ground, grid):
     """Compute bound and mean of the four mesh cells that a stack is a corner of."""
     row = cell // grid.cols

@@ -138,11 +138,11 @@ class GrainGround:
 def _room_for_events(slots: int) -> Any:
     from barchan.kernels.grain_state import Events
 
-    slot, rest, source, way_x, way_y = np.zeros((5, slots), np.int64)
+    near, slot, rest, source, way_x, way_y = np.zeros((6, slots), np.int64)
     x, y = np.zeros((2, slots), np.float32)
     impact, u, v, lost = np.zeros((4, slots))
     capped, start = np.zeros(slots, np.uint8), np.zeros(slots, np.uint64)
-    return Events(slot, rest, source, way_x, way_y, capped, impact, x, y, u, v, lost, start)
+    return Events(near, slot, rest, source, way_x, way_y, capped, impact, x, y, u, v, lost, start)
 
 
 def _levels(bed: Bed, one: int) -> NDArray[np.int64]:

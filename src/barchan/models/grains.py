@@ -27,8 +27,15 @@ _SUNK = -1.0
 PATH_COLUMNS = 7
 """Columns of a path."""
 
+_PAGE, _STAGGER = 1024, 80
+"""Numbers in a page of memory, and by how many rows start apart within it."""
+
 _TRIES = 20
 """Cells drawn for a path at most before it is given up."""
+
+
+_CALM = 1e-9
+"""Components of the wind's direction below this are zero: their squares would be too small to be fast."""
 
 
 class GrainModel(Model):
@@ -146,15 +153,20 @@ class GrainModel(Model):
     def _iterate(self, key: int, grains: Any, air: Any, ground: GrainGround, wind: Segment) -> None:
         """All grains fly for one time step, then those that touched down meet the bed."""
         from barchan.kernels.grain_bed import exchange
-        from barchan.kernels.grain_flight import BLOCK, fly
+        from barchan.kernels.grain_flight import BLOCK, move
+        from barchan.kernels.grain_landing import land
         from barchan.kernels.sharing import shared, thread_count
 
-        slots, arrays, events = self.slots_in_use, ground.arrays, ground.events
-        rules, splash = (self.bounce(), self.lift_off(wind)), self.splash()
-        about = grains, air, ground.grid, arrays, ground.scale, rules, splash, events
-        found = shared(
-            lambda first, last: fly(first, last, np.uint64(key), *about), slots, BLOCK, thread_count()
-        )
+        arrays, events, splash = ground.arrays, ground.events, self.splash()
+        rules = self.bounce(), self.lift_off(wind)
+        about = grains, air, ground.grid, arrays
+
+        def fly(first: int, last: int) -> int:
+            count = move(first, last, *about, events.near)
+            return land(first, count, np.uint64(key), *about, ground.scale, rules, splash, events)
+
+        slots = self.slots_in_use
+        found = shared(fly, slots, BLOCK, thread_count())
         for first, count in found:
             exchange(first, count, grains, arrays, ground.scale, ground.grid, events, ground.counts)
         if splash is not None:
@@ -235,7 +247,7 @@ class GrainModel(Model):
 
         rules = self.parameters
         friction = rules.friction_velocity(self.speed(wind))
-        x, y = downwind(wind.direction)
+        x, y = (0.0 if abs(part) < _CALM else part for part in downwind(wind.direction))
         step = rules.time_step
         late = 1.0 if rules.scheme == "euler" else 0.5
         early = 1.0 - late
@@ -271,10 +283,15 @@ class GrainModel(Model):
 
 
 def _slots(count: int) -> tuple[NDArray[np.float32], NDArray[np.int32]]:
-    """Free slots: motion and marks."""
-    motion = np.zeros((MOTION, count), np.float32)
+    """Free slots: motion and marks.
+
+    Rows start at different places of a memory page: a cache keeps few lines that start at the same one.
+    """
+    width = -(-count // _PAGE) * _PAGE + _STAGGER
+    numbers = np.zeros((MOTION + MARKS, width), np.float32)[:, :count]
+    motion, marks = numbers[:MOTION], numbers[MOTION:].view(np.int32)
     motion[2] = _SUNK
-    return motion, np.zeros((MARKS, count), np.int32)
+    return motion, marks
 
 
 def _grains(motion: NDArray[np.float32], marks: NDArray[np.int32]) -> Any:
