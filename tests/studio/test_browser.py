@@ -25,7 +25,10 @@ FLAGS = ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-
 PATIENCE = 60.0
 SMALL = {"lattice.rows": "48", "lattice.columns": "64", "run.seed": "3", "run.save_every": "10"}
 
-pytestmark = pytest.mark.skipif(not (CLIENT / "index.html").is_file(), reason="the client is not built")
+pytestmark = [
+    pytest.mark.skipif(not (CLIENT / "index.html").is_file(), reason="the client is not built"),
+    pytest.mark.skipif(os.environ.get("BARCHAN_BROWSER") == "off", reason="BARCHAN_BROWSER is off"),
+]
 
 
 @pytest.fixture(scope="module")
