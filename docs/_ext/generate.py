@@ -208,10 +208,10 @@ def group_table(module: str, name: str) -> str:
 
 def events_tables() -> str:
     """What each kind of event holds."""
-    from barchan.simulation import SetParameter, SetWind, Stroke
+    from barchan.simulation import PlantStroke, RockStroke, SetParameter, SetWind, Stroke
 
     parts = []
-    for event in (SetParameter, SetWind, Stroke):
+    for event in (SetParameter, SetWind, Stroke, RockStroke, PlantStroke):
         own = (d for d in declarations(event) if not d.key.startswith("wind."))
         parts += [f"`barchan.{event.__name__}`: {inspect.getdoc(event)}", parameter_table(own)]
     return "\n\n".join(parts) + "\n"

@@ -17,11 +17,13 @@ if TYPE_CHECKING:
     from barchan.errors import ArchiveError, BarchanError, ScenarioError
     from barchan.models import model_names
     from barchan.scenario import Scenario, preset_names
-    from barchan.simulation import SetParameter, SetWind, Simulation, Stroke
+    from barchan.simulation import PlantStroke, RockStroke, SetParameter, SetWind, Simulation, Stroke
 
 _HOMES = {
     "ArchiveError": "errors",
     "BarchanError": "errors",
+    "PlantStroke": "simulation",
+    "RockStroke": "simulation",
     "Scenario": "scenario",
     "ScenarioError": "errors",
     "SetParameter": "simulation",
@@ -41,6 +43,8 @@ _HOMES = {
 __all__ = [
     "ArchiveError",
     "BarchanError",
+    "PlantStroke",
+    "RockStroke",
     "Scenario",
     "ScenarioError",
     "SetParameter",

@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from barchan.errors import BarchanError, ScenarioError
-from barchan.simulation import Simulation, Stroke
+from barchan.simulation import PlantStroke, RockStroke, Simulation, Stroke
 from tests.tiny import tiny
 
 strokes = st.builds(
@@ -99,3 +99,99 @@ def test_strokes_that_pile_up_beyond_what_a_cell_can_hold_are_refused():
         simulation.apply(Stroke(x=12.5, y=8.5, radius=1.0, amount=10, falloff="none"))
     np.testing.assert_array_equal(simulation.bed.sand, before)
     assert simulation.events == []
+
+
+def planted(**vegetation):
+    vegetation = {"kind": "uniform", **vegetation}
+    return Simulation(tiny(model={"name": "nield_baas", "vegetation": vegetation}, sand__mean=9))
+
+
+def test_painted_rock_lifts_the_sand_on_it_by_whole_slabs():
+    simulation = Simulation(tiny(sand={"kind": "flat", "mean": 1}))
+    slabs = simulation.bed.slabs
+    simulation.apply(RockStroke(x=12.0, y=8.0, radius=6.0, amount=20))
+    risen = simulation.bed.ground / simulation.lattice.thickness
+    assert risen.max() == pytest.approx(20, abs=1)
+    assert np.allclose(risen, np.rint(risen))
+    assert simulation.bed.slabs == slabs
+    assert (simulation.bed.sand[risen > 10] == 0).any()
+
+
+def test_rock_is_lowered_to_the_lowest_ground_at_most():
+    simulation = Simulation(tiny())
+    simulation.apply(RockStroke(x=12.0, y=8.0, radius=4.0, amount=9))
+    simulation.apply(RockStroke(x=12.0, y=8.0, radius=8.0, amount=-100, falloff="none"))
+    assert not simulation.bed.ground.any()
+
+
+def test_rock_that_a_model_cannot_count_is_refused_and_leaves_the_ground_alone():
+    simulation = Simulation(tiny())
+    simulation.bed.ground[8, 12] = 2**29 * simulation.lattice.thickness
+    before = simulation.bed.ground.copy()
+    with pytest.raises(ScenarioError, match="allowed: up to"):
+        simulation.apply(RockStroke(x=12.0, y=8.0, radius=4.0, amount=10**6))
+    np.testing.assert_array_equal(simulation.bed.ground, before)
+    assert simulation.events == []
+
+
+def test_the_wind_meets_painted_rock_at_once():
+    """Walls that slabs stop at are looked for anew: the run goes on as one taken up from its state."""
+    simulation = Simulation(
+        tiny(ground={"kind": "bump", "height": 3.0, "radius": 6.0}, model__path_test="hard")
+    )
+    simulation.advance(3)
+    simulation.apply(RockStroke(x=4.0, y=8.0, radius=5.0, amount=12, falloff="none"))
+    again = Simulation.from_state(simulation.state())
+    simulation.advance(5)
+    again.advance(5)
+    np.testing.assert_array_equal(simulation.bed.sand, again.bed.sand)
+
+
+@pytest.mark.parametrize(("field", "most"), [("grass", 1.0), ("mesquite", 3.0), ("shrub", 1.5)])
+def test_plants_are_painted_between_none_and_their_greatest_effectiveness(field, most):
+    simulation = planted()
+    simulation.apply(PlantStroke(field=field, x=12.0, y=8.0, radius=5.0, amount=50.0, falloff="none"))
+    cover = simulation.bed.arrays[field]
+    assert set(cover.ravel()) == {0.0, most}
+    simulation.apply(PlantStroke(field=field, x=12.0, y=8.0, radius=9.0, amount=-50.0, falloff="none"))
+    assert not cover.any()
+
+
+def test_thinning_leaves_alone_what_is_less_than_bare():
+    simulation = planted(shrub=-0.4)
+    simulation.apply(PlantStroke(field="shrub", x=12.0, y=8.0, radius=5.0, amount=-1.0))
+    assert set(simulation.bed.arrays["shrub"].ravel()) == {-0.4}
+
+
+def test_slopes_that_lose_their_plants_come_to_rest():
+    simulation = planted(grass=1.0)
+    simulation.apply(Stroke(x=12.0, y=8.0, radius=5.0, amount=40))
+    steep = steepest_step(simulation.bed.sand)
+    simulation.apply(PlantStroke(field="grass", x=12.0, y=8.0, radius=40.0, amount=-1.0, falloff="none"))
+    assert steepest_step(simulation.bed.sand) < steep
+
+
+def test_what_a_model_does_not_let_paint_is_refused():
+    with pytest.raises(ScenarioError, match=r"'gras' cannot be painted; did you mean 'grass'\?"):
+        planted().apply(PlantStroke(field="gras", x=1.0, y=1.0, radius=2.0, amount=1.0))
+    with pytest.raises(ScenarioError, match="allowed: none of this model"):
+        Simulation(tiny()).apply(PlantStroke(field="grass", x=1.0, y=1.0, radius=2.0, amount=1.0))
+
+
+def test_strokes_of_all_kinds_give_the_same_bits_again():
+    simulation = planted()
+    for event in (
+        RockStroke(x=4.0, y=4.0, radius=4.0, amount=6),
+        PlantStroke(field="shrub", x=12.0, y=8.0, radius=5.0, amount=0.3),
+        Stroke(x=12.0, y=8.0, radius=5.0, amount=6),
+    ):
+        simulation.advance(2)
+        simulation.apply(event)
+    simulation.advance(3)
+    again = Simulation(simulation.scenario)
+    for record in map(type(simulation.events[0]).from_data, [r.data() for r in simulation.events]):
+        again.advance(record.step - again.steps_done)
+        again.apply(record.event)
+    again.advance(3)
+    for name, array in simulation.bed.arrays.items():
+        np.testing.assert_array_equal(array, again.bed.arrays[name])

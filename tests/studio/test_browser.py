@@ -236,6 +236,34 @@ def test_painting_and_undoing(studio):
     studio.until(f"window.barchan.app.runs[0].status.volume === {after}")
 
 
+def test_painting_rock_and_plants(studio):
+    run = "window.barchan.app.runs[0]"
+    scenario = load_scenario("nebkhas", list(SMALL.items())).data()
+    studio.ask(f"window.barchan.app.create({json.dumps(scenario)}, false)")
+    studio.until(
+        f"{run}.description.model.name === 'nield_baas' && {run}.fits && !window.barchan.app.running"
+    )
+    page = studio.page
+    page.get_by_role("tab", name="Paint").click()
+    page.keyboard.press("b")
+    page.locator("[data-paint=what]").select_option("rock")
+    page.locator("[data-paint=strength]").fill("9")
+    page.locator("[data-paint=strength]").press("Enter")
+    studio.drag((0.45, 0.5), (0.5, 0.55))
+    studio.until(f"Math.max(...{run}.ground) > 1")
+    page.locator("[data-paint=what]").select_option("shrub")
+    studio.ask("window.barchan.app.view.set({ overlays: ['shrub'] })")
+    before = studio.picture()
+    studio.drag((0.55, 0.6), (0.6, 0.62))
+    studio.until(f"Math.max(...({run}.fields.get('shrub') ?? [0])) > 0.1")
+    assert np.abs(studio.picture() - before).max() > 20
+    page.locator("[data-paint=way]").select_option("erase")
+    studio.until(f"{run}.status.undo === 2")
+    page.keyboard.press("Control+z")
+    page.keyboard.press("Control+z")
+    studio.until(f"Math.max(...{run}.ground) === 0 && {run}.status.redo === 2")
+
+
 def test_a_broken_file_names_each_bad_key_and_the_rest_is_loaded_when_asked(studio):
     text = json.dumps({"barchan": 1, "title": "Half good", "model": {"name": "werner", "p_s": 7, "hop": 2}})
     studio.ask(f"window.barchan.files.load('mine.json', {json.dumps(text)})")

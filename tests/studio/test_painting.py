@@ -1,7 +1,9 @@
 import numpy as np
+import pytest
 
-from barchan.simulation import Simulation, Stroke
+from barchan.simulation import PlantStroke, RockStroke, Simulation, Stroke
 from barchan.studio.painting import Painting
+from tests.studio.conftest import small
 
 
 def gesture(painting: Painting, simulation: Simulation, *amounts: int) -> None:
@@ -65,3 +67,30 @@ def test_a_new_gesture_forgets_what_was_undone(scenario):
     gesture(painting, simulation, 2)
     slabs = simulation.bed.slabs
     assert painting.redo(simulation).bed.slabs == slabs
+
+
+PLACE = {"x": 20.0, "y": 12.0, "radius": 6.0}
+OTHERS = {
+    "ground": RockStroke(**PLACE, amount=7),
+    "grass": PlantStroke(**PLACE, field="grass", amount=0.4),
+}
+
+
+@pytest.mark.parametrize("field", OTHERS)
+@pytest.mark.parametrize("later", [False, True])
+def test_rock_and_plants_are_undone_and_done_again(field, later):
+    simulation, painting = Simulation(small(model={"name": "nield_baas"})), Painting()
+    before = simulation.bed.arrays[field].copy()
+    painting.begin(simulation)
+    painting.stroke(simulation, OTHERS[field])
+    painting.end(simulation)
+    painted = simulation.bed.arrays[field].copy()
+    assert painted.max() > before.max()
+    if later:
+        simulation.advance(1)
+        painting.stepped()
+    simulation = painting.undo(simulation)
+    assert np.allclose(simulation.bed.arrays[field], before, atol=1e-12)
+    assert len(simulation.events) == (2 if later else 0)
+    simulation = painting.redo(simulation)
+    assert np.allclose(simulation.bed.arrays[field], painted, atol=1e-12)

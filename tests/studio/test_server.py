@@ -43,6 +43,29 @@ def test_a_live_parameter_changes_during_the_run(served):
         browser.until_told("done", re=1)
 
 
+def test_rock_and_plants_are_painted_and_the_ground_is_sent_anew(served):
+    place = {"x": 20.0, "y": 12.0, "radius": 6.0}
+    with served.browser() as browser:
+        browser.say("create", scenario=small(model={"name": "nield_baas"}).data(), running=False)
+        told = browser.until(lambda told, _: len(told.get("brushes", [])) == 5)[0]
+        assert [brush["title"] for brush in told["brushes"]] == ["sand", "rock", "grass", "mesquite", "shrub"]
+        browser.say("view", fields=["grass"])
+        rock = {**told["brushes"][1]["stroke"], **place, "amount": 6}
+        browser.say("stroke", begin=True, end=True, stroke=rock)
+        risen = browser.until(
+            lambda _, fields: fields is not None and fields.get("ground", np.zeros(1)).any()
+        )
+        assert risen[1]["ground"].max() == pytest.approx(2.0, abs=0.4)
+        grass = {**told["brushes"][2]["stroke"], **place, "amount": 0.5}
+        browser.say("stroke", begin=True, end=True, stroke=grass)
+        browser.until(lambda _, fields: fields is not None and fields["grass"].max() > 0.4)
+        assert "ground" not in browser.frames[-1][1]
+        browser.say("stroke", begin=True, stroke={**grass, "field": "gras"}, re=7)
+        assert "did you mean" in browser.until_told("refused", re=7)["text"]
+        browser.say("stroke", stroke={"kind": "wind", "wind": {"direction": 0}}, re=8)
+        assert "no stroke" in browser.until_told("refused", re=8)["text"]
+
+
 def test_what_cannot_change_is_refused_and_the_run_goes_on(served):
     with served.browser() as browser:
         step = browser.until_frame()[0]["status"]["step"]

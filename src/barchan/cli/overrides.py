@@ -9,7 +9,7 @@ from cyclopts import Parameter
 from barchan.errors import Problem, ScenarioError
 from barchan.scenario import Scenario, nearest
 from barchan.scenario.files import Override, value_of
-from barchan.simulation import SetParameter, SetWind, Stroke, event_from
+from barchan.simulation import AnyEvent, SetParameter, event_from
 from barchan.wind import Wind
 
 Tokens = Annotated[
@@ -55,7 +55,7 @@ def pairs(tokens: tuple[str, ...], command: Callable[..., Any] | None = None) ->
     return found
 
 
-def changes(found: list[Override], wind: Wind) -> Iterator[SetParameter | SetWind | Stroke]:
+def changes(found: list[Override], wind: Wind) -> Iterator[AnyEvent]:
     """The events that values given for keys of the model, and of the ``wind`` as it blows, come to.
 
     Raises ScenarioError for keys that cannot change during a run.

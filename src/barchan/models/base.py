@@ -128,6 +128,13 @@ class Model(ABC):
         Raises ScenarioError where the model's own files do not fit.
         """
 
+    def check_bed(self, bed: Bed) -> None:
+        """Raise ScenarioError for a bed that the model cannot work on."""
+
+    def paintable(self) -> dict[str, tuple[float, float]]:
+        """The model's fields that a brush may change, and the values that it holds them within."""
+        return {}
+
     def begin(self, bed: Bed) -> None:
         """Take note of the bed once it has come to rest, before the first step."""
 

@@ -153,6 +153,11 @@ class NieldBaas(SlabModel):
         bed.add(BALANCE, np.zeros(self.lattice.shape))
         bed.add(YEAR_START, bed.sand)
 
+    def paintable(self) -> dict[str, tuple[float, float]]:
+        """Each species, from none to its greatest effectiveness."""
+        kinds: dict[str, Species] = {name: getattr(self.parameters, name) for name in SPECIES}
+        return {name: (max(kind.lowest, 0.0), max(kind.highest, 0.0)) for name, kind in kinds.items()}
+
     def begin(self, bed: Bed) -> None:
         """Begin the first year."""
         bed.arrays["year_start"][...] = bed.sand

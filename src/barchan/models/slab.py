@@ -42,6 +42,10 @@ class SlabModel(Model):
 
     def prepare(self, bed: Bed, seed: int) -> None:
         """Refuse a bed whose heights cannot be counted; raises ScenarioError."""
+        self.check_bed(bed)
+
+    def check_bed(self, bed: Bed) -> None:
+        """Refuse a bed whose heights cannot be counted; raises ScenarioError."""
         check_heights(bed, self.rules().hop is not None)
 
     def rules(self) -> Rules:

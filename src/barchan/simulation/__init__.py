@@ -1,21 +1,39 @@
 """The simulation: owns the bed, advances a model through the wind, takes events, emits frames."""
 
 from barchan.simulation.core import Frame, Simulation, Watch
-from barchan.simulation.events import Event, Record, SetParameter, SetWind, Stroke, event_from, in_force
+from barchan.simulation.events import (
+    AnyEvent,
+    Event,
+    PlantStroke,
+    Record,
+    RockStroke,
+    SetParameter,
+    SetWind,
+    Stroke,
+    event_from,
+    in_force,
+)
 from barchan.simulation.ledger import Ledger
 from barchan.simulation.state import State
+from barchan.simulation.strokes import AnyStroke, asked_by, change_by
 
 __all__ = [
+    "AnyEvent",
+    "AnyStroke",
     "Event",
     "Frame",
     "Ledger",
+    "PlantStroke",
     "Record",
+    "RockStroke",
     "SetParameter",
     "SetWind",
     "Simulation",
     "State",
     "Stroke",
     "Watch",
+    "asked_by",
+    "change_by",
     "event_from",
     "in_force",
 ]

@@ -10,14 +10,14 @@ from numpy.typing import NDArray
 
 from barchan.bed import Bed, Lattice
 from barchan.errors import BarchanError, Problem, ScenarioError
-from barchan.ground.brush import brushed
 from barchan.ground.start import first_bed
 from barchan.models import Model, Tally
 from barchan.parameters import declarations
 from barchan.scenario import Scenario, nearest, validate
-from barchan.simulation.events import Record, SetParameter, SetWind, Stroke
+from barchan.simulation.events import AnyEvent, Record, SetParameter, SetWind
 from barchan.simulation.ledger import Ledger
 from barchan.simulation.state import State
+from barchan.simulation.strokes import paint
 from barchan.streams import Stream
 from barchan.wind import Segment, Wind
 
@@ -211,14 +211,14 @@ class Simulation:
                 return
             self.advance(self.next_frame - self.steps_done)
 
-    def apply(self, event: SetParameter | SetWind | Stroke) -> Record:
+    def apply(self, event: AnyEvent) -> Record:
         """Let something happen now, between two steps; it is journaled in ``events``."""
         if isinstance(event, SetParameter):
             self._set_parameter(event)
         elif isinstance(event, SetWind):
             self._set_wind(event)
         else:
-            self._paint(event)
+            paint(event, self.bed, self.model, self.ledger)
         self.finished = None
         record = Record(self.steps_done, event)
         self.events.append(record)
@@ -245,19 +245,6 @@ class Simulation:
     def _model_data(self) -> dict[str, Any]:
         data: dict[str, Any] = self.model.parameters.model_dump(mode="json")
         return data
-
-    def _paint(self, stroke: Stroke) -> None:
-        change = brushed(self.bed, stroke.x, stroke.y, stroke.radius, stroke.amount, stroke.falloff)
-        painted = self.bed.sand + change
-        if painted.max() > np.iinfo(self.bed.sand.dtype).max:
-            raise BarchanError(
-                f"a stroke of {stroke.amount} slabs is more than a cell can hold on what it has"
-            )
-        self.bed.sand[...] = painted
-        self.ledger.entered += int(change[change > 0].sum())
-        self.ledger.left -= int(change[change < 0].sum())
-        self.model.settle(self.bed, change != 0)
-        self.ledger.check(self.bed.slabs)
 
     def state(self) -> State:
         """Everything it takes to go on from here with the same bits."""

@@ -17,6 +17,9 @@ from barchan.scenario import Scenario, validate
 from barchan.scenario.wording import problems_of
 from barchan.wind import Wind
 
+MOST_PLANTS = 100.0
+"""Bound of what one stroke changes of plants."""
+
 
 class Change(Parameters):
     """What may happen between two steps; raises ScenarioError where it is given wrongly."""
@@ -50,23 +53,55 @@ class SetWind(Change):
         return {"kind": "steady", **wind} if isinstance(wind, dict) else wind
 
 
-class Stroke(Change):
-    """Sand added to, or taken from, a round patch."""
+class Patch(Change):
+    """A round patch that a brush works on."""
 
-    kind: Literal["stroke"] = parameter("stroke", unit="-", meaning="Sand added or taken away.")
     x: float = parameter(unit="m", meaning="Centre, from the west edge.")
     y: float = parameter(unit="m", meaning="Centre, from the south edge.")
     radius: float = parameter(unit="m", gt=0, meaning="Radius of the patch.")
+    falloff: Falloff = parameter("smooth", unit="-", meaning="How the amount falls towards the rim.")
+
+
+class Stroke(Patch):
+    """Sand added to, or taken from, a round patch."""
+
+    kind: Literal["stroke"] = parameter("stroke", unit="-", meaning="Sand added or taken away.")
     amount: int = parameter(
         unit="slabs",
         ge=-MOST_SLABS,
         le=MOST_SLABS,
         meaning="Slabs at the centre; negative to take away.",
     )
-    falloff: Falloff = parameter("smooth", unit="-", meaning="How the amount falls towards the rim.")
 
 
-Event = Annotated[SetParameter | SetWind | Stroke, Field(discriminator="kind")]
+class RockStroke(Patch):
+    """Ground raised or lowered on a round patch, under the sand that lies there."""
+
+    kind: Literal["rock"] = parameter("rock", unit="-", meaning="Ground raised or lowered.")
+    amount: int = parameter(
+        unit="slabs",
+        ge=-MOST_SLABS,
+        le=MOST_SLABS,
+        meaning="Height at the centre; negative to lower, to the lowest ground at most.",
+    )
+
+
+class PlantStroke(Patch):
+    """Plants of one species, or what else a model lets grow, set or thinned on a round patch."""
+
+    kind: Literal["plants"] = parameter("plants", unit="-", meaning="Plants set or thinned.")
+    field: str = parameter(unit="-", meaning="The model's field that is painted, for instance grass.")
+    amount: float = parameter(
+        unit="-",
+        ge=-MOST_PLANTS,
+        le=MOST_PLANTS,
+        meaning="Change at the centre; negative to thin, to none at most.",
+    )
+
+
+AnyEvent = SetParameter | SetWind | Stroke | RockStroke | PlantStroke
+
+Event = Annotated[AnyEvent, Field(discriminator="kind")]
 
 _EVENTS: TypeAdapter[Any] = TypeAdapter(Event)
 
@@ -76,7 +111,7 @@ class Record:
     """An event and the number of steps that were done when it happened."""
 
     step: int
-    event: SetParameter | SetWind | Stroke
+    event: AnyEvent
 
     def data(self) -> dict[str, Any]:
         """The record as plain data."""
@@ -101,10 +136,10 @@ def in_force(scenario: Scenario, events: Iterable[Record], step: int) -> Scenari
     return validate(data, "events")
 
 
-def event_from(data: Any) -> SetParameter | SetWind | Stroke:
+def event_from(data: Any) -> AnyEvent:
     """An event from plain data; raises ScenarioError where it is not one."""
     try:
-        event: SetParameter | SetWind | Stroke = _EVENTS.validate_python(data)
+        event: AnyEvent = _EVENTS.validate_python(data)
     except ValidationError as error:
         raise _wrong(error, Change, data) from None
     return event

@@ -6,6 +6,7 @@ from typing import Any
 from barchan.models import models
 from barchan.scenario import validate
 from barchan.simulation import Simulation
+from barchan.studio.brushes import brushes
 from barchan.studio.gauges import declared_measures
 from barchan.studio.planes import fields_of
 
@@ -32,6 +33,7 @@ def description(simulation: Simulation) -> dict[str, Any]:
             for layer in model.layers
             for name in (layer.field, *layer.parts)
         ],
+        "brushes": brushes(simulation),
         "measures": declared_measures(simulation),
         "repose": math.degrees(math.atan(limits[0] * lattice.aspect)) if limits else None,
         "facts": model.facts(),

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 from barchan.errors import BarchanError
 from barchan.scenario import validate
-from barchan.simulation import SetParameter, SetWind, Stroke
+from barchan.simulation import AnyStroke, SetParameter, SetWind, event_from
 from barchan.studio.run import StudioRun, started
 
 if TYPE_CHECKING:
@@ -78,7 +78,7 @@ class Orders:
 
     def _anew(self) -> None:
         """What the browser knew of the run's past holds no more."""
-        self.worker.ground_sent = False
+        self.worker.ground_sent = None
         self.worker.history_sent = []
         self.going.gauges.again()
         self.worker.describe()
@@ -123,7 +123,7 @@ class Orders:
         elif not run.painting.done:
             raise BarchanError("a stroke without a beginning")
         if "stroke" in order:
-            run.painting.stroke(run.live, Stroke(**order["stroke"]))
+            run.painting.stroke(run.live, _stroke(order["stroke"]))
         if order.get("end"):
             run.painting.end(run.live)
 
@@ -154,3 +154,11 @@ class Orders:
 
         frames = shelve(self.going, folder_of(order))
         return {"frames": frames, "step": self.going.live.steps_done}
+
+
+def _stroke(data: Any) -> AnyStroke:
+    """A stroke of any brush from what the browser says of it."""
+    event = event_from({"kind": "stroke", **data})
+    if isinstance(event, SetParameter | SetWind):
+        raise BarchanError(f"'{event.kind}' is no stroke")
+    return event

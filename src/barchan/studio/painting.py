@@ -8,8 +8,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from barchan.ground.brush import brushed
-from barchan.simulation import Simulation, State, Stroke
+from barchan.simulation import AnyStroke, Simulation, State, asked_by, change_by
 
 MOST_GESTURES = 100
 """Gestures that can be undone."""
@@ -21,8 +20,8 @@ class Gesture:
 
     before: State | None
     after: State | None = None
-    strokes: list[Stroke] = field(default_factory=list)
-    inverse: list[Stroke] = field(default_factory=list)
+    strokes: list[AnyStroke] = field(default_factory=list)
+    inverse: list[AnyStroke] = field(default_factory=list)
 
 
 class Painting:
@@ -38,7 +37,7 @@ class Painting:
         self.done = [*self.done, Gesture(simulation.state())][-MOST_GESTURES:]
         self.undone = []
 
-    def stroke(self, simulation: Simulation, stroke: Stroke) -> None:
+    def stroke(self, simulation: Simulation, stroke: AnyStroke) -> None:
         """Paint, as part of the gesture that was begun last."""
         gesture = self.done[-1]
         gesture.inverse.insert(0, _inverse(simulation, stroke))
@@ -72,7 +71,7 @@ class Painting:
 
 
 def _led(
-    simulation: Simulation, here: State | None, there: State | None, strokes: list[Stroke]
+    simulation: Simulation, here: State | None, there: State | None, strokes: list[AnyStroke]
 ) -> Simulation:
     """The simulation led from one state to another, exactly where it is still in the first one."""
     if here is not None and there is not None and here.data["events"] == _journal(simulation):
@@ -86,10 +85,9 @@ def _journal(simulation: Simulation) -> list[dict[str, object]]:
     return [record.data() for record in simulation.events]
 
 
-def _inverse(simulation: Simulation, stroke: Stroke) -> Stroke:
-    """The stroke that brings back as much sand as this one will add or take."""
-    place = (stroke.x, stroke.y, stroke.radius)
-    asked = brushed(simulation.bed, *place, abs(stroke.amount), stroke.falloff).sum()
-    given = brushed(simulation.bed, *place, stroke.amount, stroke.falloff).sum()
-    share = float(np.abs(given) / asked) if asked else 0.0
-    return stroke.model_copy(update={"amount": -round(stroke.amount * share)})
+def _inverse(simulation: Simulation, stroke: AnyStroke) -> AnyStroke:
+    """The stroke that brings back as much as this one will add or take."""
+    given = float(np.abs(change_by(stroke, simulation.bed, simulation.model)).sum())
+    asked = float(np.abs(asked_by(stroke, simulation.lattice)).sum())
+    amount = -stroke.amount * (given / asked if asked else 0.0)
+    return stroke.model_copy(update={"amount": round(amount) if isinstance(stroke.amount, int) else amount})

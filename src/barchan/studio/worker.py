@@ -7,6 +7,8 @@ from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import Any
 
+from numpy.typing import NDArray
+
 from barchan.errors import BarchanError, ScenarioError
 from barchan.studio.protocol import FRAMES_IN_FLIGHT, frame, message
 
@@ -43,7 +45,8 @@ class Worker:
         """Fields that the browser shows beside the surface."""
         self.credit = 0
         self.stale = True
-        self.ground_sent = False
+        self.ground_sent: NDArray | None = None
+        """The ground that the browser has."""
         self.history_sent: list[int] = []
         self._number = 0
         self._next_frame = 0.0
@@ -98,7 +101,7 @@ class Worker:
     def attach(self) -> None:
         """A browser came: tell it everything anew."""
         self.credit = FRAMES_IN_FLIGHT
-        self.ground_sent = False
+        self.ground_sent = None
         self.history_sent = []
         self.stale = True
         if self.orders.run is not None:
@@ -118,7 +121,7 @@ class Worker:
         run = self.orders.run
         assert run is not None
         shown = run.shown
-        planes = list(surface_planes(shown, not self.ground_sent))
+        planes = list(surface_planes(shown, shown.bed.ground is not self.ground_sent))
         earlier = run.earlier() if "change" in self.wanted else None
         planes += [plane for name in self.wanted if (plane := plane_of(shown, name, earlier)) is not None]
         header: dict[str, Any] = {
@@ -137,7 +140,7 @@ class Worker:
         self._number += 1
         self.credit -= 1
         self.stale = False
-        self.ground_sent = True
+        self.ground_sent = shown.bed.ground
         self.connection.send_bytes(frame(header, planes))
 
 

@@ -46,6 +46,17 @@ export interface Measure {
   unit: string;
 }
 
+/** Something that a brush paints: what a stroke says of it, and how strong it may be. */
+export interface Brush {
+  title: string;
+  stroke: JsonObject;
+  unit: string;
+  least: number;
+  most: number;
+  usual: number;
+  whole: boolean;
+}
+
 export interface Description {
   scenario: JsonObject;
   lattice: Lattice;
@@ -53,6 +64,7 @@ export interface Description {
   models: Record<string, string>;
   fields: Field[];
   layers: { field: string; title: string; colours: string }[];
+  brushes: Brush[];
   measures: Measure[];
   repose: number | null;
   facts: Record<string, string>;

@@ -1,35 +1,39 @@
-/** The brush: sand laid down or taken away where it is drawn over the surface. */
+/** The brush: sand, rock or plants added or taken away where it is drawn over the surface. */
 
 import type { App } from "../core/app";
+import type { Brush } from "../core/protocol";
 import type { Run } from "../core/run";
 import type { Place } from "../scene/pick";
 import { button, h, id } from "./dom";
-
-type Tool = "sand" | "erase";
 
 export class Paint {
   readonly element: HTMLElement;
   active = false;
   onActive: (active: boolean) => void = () => {};
-  private tool: Tool = "sand";
+  private brushes: Brush[] = [];
+  private painted = "sand";
+  private erases = false;
   private radius = 8;
-  private strength = 2;
+  private readonly strengths = new Map<string, number>();
   private falloff = "smooth";
   private pressed: Run | null = null;
   private readonly toggle: HTMLButtonElement;
   private readonly undo: HTMLButtonElement;
   private readonly redo: HTMLButtonElement;
   private readonly radiusInput: HTMLInputElement;
+  private readonly what = h("select", { "data-paint": "what", onchange: () => this.choose(this.what.value) });
+  private readonly strength = h("input", { type: "number", "data-paint": "strength", onchange: () => this.strengthen(Number(this.strength.value)) });
+  private readonly unit = h("span", { className: "unit" });
 
   constructor(private readonly app: App) {
     this.toggle = h("button", { type: "button", className: "wide", "aria-pressed": "false", onclick: () => this.activate(!this.active) }, "paint (B)");
     this.undo = button("Undo (Ctrl+Z)", "undo", () => app.order({ do: "undo" }));
     this.redo = button("Redo (Ctrl+Shift+Z)", "redo", () => app.order({ do: "redo" }));
-    const tools = h(
+    const way = h(
       "select",
-      { onchange: () => (this.tool = tools.value as Tool) },
-      h("option", { value: "sand" }, "add sand"),
-      h("option", { value: "erase" }, "take sand away"),
+      { "data-paint": "way", onchange: () => (this.erases = way.value === "erase") },
+      h("option", { value: "add" }, "add"),
+      h("option", { value: "erase" }, "take away"),
     );
     const falloff = h(
       "select",
@@ -37,27 +41,21 @@ export class Paint {
       ...["smooth", "linear", "none"].map((name) => h("option", { value: name }, name)),
     );
     this.radiusInput = h("input", { type: "number", min: "0.1", step: "any", value: "8", onchange: () => this.resize(Number(this.radiusInput.value)) });
-    const strength = h("input", {
-      type: "number",
-      min: "1",
-      max: "1000",
-      step: "1",
-      value: "2",
-      onchange: () => (this.strength = Math.min(Math.max(Math.round(Number(strength.value)) || 1, 1), 1000)),
-    });
     this.element = h(
       "div",
       { className: "forms" },
       this.toggle,
-      row("brush", tools),
-      row("radius", this.radiusInput, "m"),
-      row("strength", strength, "slabs"),
+      row("paint", this.what),
+      row("brush", way),
+      row("radius", this.radiusInput, h("span", { className: "unit" }, "m")),
+      row("strength", this.strength, this.unit),
       row("falloff", falloff),
       h("div", { className: "buttons" }, this.undo, this.redo),
       h("p", { className: "hint" }, "Draw over the surface, while it runs or paused. [ and ] change the radius; hold Alt to turn the view."),
     );
     app.framed.watch(() => this.show());
     app.described.watch((run) => {
+      this.offer(run.description!.brushes);
       const { columns, rows, cell_size } = run.description!.lattice;
       const whole = Math.min(columns, rows) * cell_size;
       if (this.radius > whole / 2 || this.radius < cell_size) this.resize(Number((whole / 16).toPrecision(2)));
@@ -97,10 +95,43 @@ export class Paint {
     this.pressed = null;
   }
 
+  private get brush(): Brush | undefined {
+    return this.brushes.find((brush) => brush.title === this.painted);
+  }
+
+  private offer(brushes: Brush[]): void {
+    const titles = brushes.map((brush) => brush.title);
+    if (titles.join() !== this.brushes.map((brush) => brush.title).join()) {
+      this.what.replaceChildren(...titles.map((title) => h("option", { value: title }, title)));
+    }
+    this.brushes = brushes;
+    this.choose(titles.includes(this.painted) ? this.painted : titles[0]!);
+  }
+
+  private choose(title: string): void {
+    this.painted = this.what.value = title;
+    const brush = this.brush!;
+    this.unit.textContent = brush.unit;
+    this.strength.min = String(brush.least);
+    this.strength.max = String(brush.most);
+    this.strength.step = brush.whole ? "1" : "any";
+    this.strengthen(this.strengths.get(title) ?? brush.usual);
+  }
+
+  private strengthen(asked: number): void {
+    const { least, most, whole, usual } = this.brush!;
+    const held = Math.min(Math.max(asked || usual, least), most);
+    const strength = whole ? Math.round(held) : Number(held.toPrecision(3));
+    this.strengths.set(this.painted, strength);
+    this.strength.value = String(strength);
+  }
+
   private send(place: Place, when: { begin?: boolean }): void {
-    const amount = this.tool === "erase" ? -this.strength : this.strength;
+    const { brush } = this;
+    if (!brush) return;
+    const amount = (this.erases ? -1 : 1) * this.strengths.get(this.painted)!;
     const { x, y } = place;
-    this.app.order({ do: "stroke", ...when, stroke: { x, y, radius: this.radius, amount, falloff: this.falloff } });
+    this.app.order({ do: "stroke", ...when, stroke: { ...brush.stroke, x, y, radius: this.radius, amount, falloff: this.falloff } });
   }
 
   private show(): void {
@@ -110,7 +141,7 @@ export class Paint {
   }
 }
 
-function row(label: string, control: HTMLElement, unit = ""): HTMLElement {
+function row(label: string, control: HTMLElement, unit?: HTMLElement): HTMLElement {
   control.id ||= id("paint");
-  return h("div", { className: "row" }, h("label", { for: control.id }, label), h("div", { className: "control" }, control, unit && h("span", { className: "unit" }, unit)));
+  return h("div", { className: "row" }, h("label", { for: control.id }, label), h("div", { className: "control" }, control, unit));
 }
