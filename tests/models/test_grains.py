@@ -4,9 +4,8 @@ import numpy as np
 import pytest
 
 import barchan
-from barchan.analysis.paths import hops_of
+from barchan.analysis.paths import broken_at_edges, hops_of
 from barchan.errors import ScenarioError
-from barchan.figures.paths import broken_at_edges
 from barchan.models import model
 from barchan.simulation import Simulation
 from barchan.streams import Stream

@@ -221,6 +221,16 @@ def test_winds_in_turn_with_a_curve(studio):
     studio.until(f"{wind}.regimes.length === 1")
 
 
+def test_a_recorded_wind_shows_its_roses(studio):
+    scenario = load_scenario("recorded-wind", list(SMALL.items())).data()
+    studio.ask(f"window.barchan.app.create({json.dumps(scenario)}, false)")
+    studio.page.get_by_role("tab", name="Wind").click()
+    studio.until("document.querySelectorAll('.roses .speed-2').length >= 16")
+    assert "calm" in studio.page.locator(".roses").inner_text()
+    studio.page.locator("[data-path='wind.kind']").select_option("steady")
+    studio.until("!document.querySelector('.roses')")
+
+
 def test_painting_and_undoing(studio):
     studio.pause()
     before = studio.status()["volume"]
@@ -262,6 +272,21 @@ def test_painting_rock_and_plants(studio):
     page.keyboard.press("Control+z")
     page.keyboard.press("Control+z")
     studio.until(f"Math.max(...{run}.ground) === 0 && {run}.status.redo === 2")
+
+
+def test_paths_of_grains_are_drawn_over_the_bed(studio):
+    sizes = {"lattice.rows": "24", "lattice.columns": "32", "sand.mean": "60"}
+    scenario = load_scenario("first-grains", list(sizes.items())).data()
+    studio.ask(f"window.barchan.app.create({json.dumps(scenario)}, false)")
+    run = "window.barchan.app.runs[0]"
+    studio.until(f"{run}.paths.length >= 20")
+    studio.until("!window.barchan.app.running")
+    studio.page.get_by_role("tab", name="View").click()
+    drawn = studio.picture()
+    studio.page.get_by_label("paths").fill("0")
+    studio.page.get_by_label("paths").press("Enter")
+    studio.until(f"{run}.paths.length === 0")
+    assert np.abs(studio.picture() - drawn).max() > 60
 
 
 def test_a_broken_file_names_each_bad_key_and_the_rest_is_loaded_when_asked(studio):
@@ -362,6 +387,15 @@ def test_views_and_keys(studio):
     assert len(rows) > 64
     page.keyboard.press("?")
     assert page.get_by_role("dialog").get_by_text("restart with the same seed").is_visible()
+
+
+def test_the_space_time_diagram_begins_where_the_run_began(studio):
+    studio.step_beyond(60)
+    studio.pause()
+    studio.page.reload()
+    studio.step_beyond(60)
+    studio.page.keyboard.press("3")
+    studio.until("parseInt(document.querySelector('.view:not([hidden]) .readout')?.textContent) >= 6")
 
 
 def test_a_preset_from_the_gallery(studio):

@@ -66,6 +66,33 @@ def test_rock_and_plants_are_painted_and_the_ground_is_sent_anew(served):
         assert "no stroke" in browser.until_told("refused", re=8)["text"]
 
 
+def test_paths_of_grains_come_with_frames_as_many_as_asked_for(served):
+    lattice = {"rows": 16, "columns": 32, "cell_size": 0.01, "slab_height": 0.15e-3}
+    grains = small(
+        lattice=lattice, sand={"kind": "flat", "mean": 20}, model={"name": "wang_hu", "wind_speed": 12}
+    )
+    with served.browser() as browser:
+        browser.say("paths", count=6)
+        browser.say("create", scenario=grains.data(), running=False)
+        told = browser.until(lambda told, _: told.get("paths") is True)[0]
+        assert told["model"]["name"] == "wang_hu"
+        paths = browser.until(lambda told, fields: fields is not None and told.get("paths"))[0]["paths"]
+        points = [np.reshape(path, (-1, 3)) for path in paths]
+        assert len(points) >= 6
+        assert all((point >= 0).all() and (point[:, :2] <= (0.32, 0.16)).all() for point in points)
+        assert max(np.abs(np.diff(point[:, 0])).max() for point in points) < 0.16
+        browser.say("paths", count=0)
+        browser.until(lambda told, fields: fields is not None and told.get("paths") == [])
+
+
+def test_a_model_without_grains_has_no_paths(served):
+    with served.browser() as browser:
+        browser.say("paths", count=6)
+        assert browser.until_told("scenario")["paths"] is False
+        browser.until_frame(lambda status: status["step"] > 5)
+        assert not any(header.get("paths") for header, _ in browser.frames)
+
+
 def test_what_cannot_change_is_refused_and_the_run_goes_on(served):
     with served.browser() as browser:
         step = browser.until_frame()[0]["status"]["step"]
@@ -200,6 +227,32 @@ def test_a_scenario_from_the_browser_opens_no_file_beyond_the_folder(served, sce
         for name in ("../x", "/tmp/x", "a/b", ""):
             browser.say("save", name=name, re=5)
             assert "cannot be a run's name" in browser.until_told("refused", re=5)["text"]
+
+
+def test_a_wind_from_the_browser_opens_no_file_beyond_the_folder(served):
+    with served.browser() as browser:
+        browser.until_frame()
+        browser.say("wind", wind={"kind": "record", "path": "/etc/passwd"}, re=4, run="a")
+        assert browser.until_told("refused", re=4)["problems"][0]["key"] == "wind.path"
+
+
+def test_a_recorded_wind_has_its_roses(served):
+    clock = {"grain_diameter": 0.00025, "reference_speed": 8}
+    recorded = small(wind={"kind": "record"}, clock=clock)
+    with served.browser() as browser:
+        browser.until_frame()
+        browser.say("rose", run="a", re=1)
+        assert browser.until_told("done", re=1)["rose"] is None
+        browser.say("create", scenario=recorded.data(), running=False)
+        browser.until(lambda told, _: told.get("scenario", {}).get("wind", {}).get("kind") == "record")
+        browser.say("rose", run="a", re=2)
+        rose = browser.until_told("done", re=2)["rose"]
+    record = recorded.wind.record
+    assert np.sum(rose["shares"]) + rose["calms"] == pytest.approx(1.0)
+    assert np.shape(rose["shares"]) == (16, len(rose["limits"]) + 1)
+    assert rose["days"] == pytest.approx(record.seconds / 86_400)
+    assert len(rose["sand"]) == 16
+    assert 0 <= rose["crest"] < 180
 
 
 def test_a_broken_scenario_names_every_bad_key_and_what_is_left(served):

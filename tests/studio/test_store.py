@@ -28,6 +28,10 @@ def test_a_link_out_of_the_folder_is_not_followed(tmp_path):
         store.check({"sand": [{"path": str(kept.parent / "out.npy")}]})
 
 
+def test_a_path_that_is_not_given_opens_nothing(tmp_path):
+    Store(tmp_path).check({"wind": {"kind": "record", "path": None}})
+
+
 def test_files_of_the_same_name_do_not_replace_each_other(tmp_path):
     store = Store(tmp_path)
     first, second = store.keep("hill.npy", b"1"), store.keep("hill.npy", b"2")

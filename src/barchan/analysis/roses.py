@@ -11,6 +11,16 @@ from barchan.wind.records import WindRecord
 SECTORS = 16
 """Directions of a rose; fewer hide what the wind does."""
 
+CLASSES = 5
+"""Classes of speed in a wind rose."""
+
+
+def speed_limits(record: WindRecord, threshold: float) -> list[float]:
+    """Limits (m/s) of classes of speed: half the ``threshold``, the threshold, and equal steps beyond it."""
+    fast = float(np.quantile(record.speed, 0.995))
+    step = max(np.ceil((fast - threshold) / (CLASSES - 2)), 1.0)
+    return [threshold / 2, threshold, *(float(threshold + step * k) for k in range(1, CLASSES - 2))]
+
 
 def sectors(directions: NDArray, count: int = SECTORS) -> NDArray[np.int64]:
     """The sector of each direction (degrees), clockwise; sector 0 has its middle in the north."""

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from barchan.analysis.paths import hops_of
+from barchan.analysis.paths import broken_at_edges, hops_of
 from barchan.figures.sections import section_along_wind
 from barchan.figures.style import CURVE, SAND, colour_map, extent, new_figure, title
 from barchan.scenario import Scenario
@@ -18,15 +18,6 @@ if TYPE_CHECKING:
 
 MOST_FACETS = 128
 """Facets of the drawn surface in each direction at most."""
-
-
-def broken_at_edges(path: NDArray[np.float64], width: float, depth: float) -> NDArray[np.float64]:
-    """A path (x, y, z in m) brought back into the field, with a gap (NaN) wherever it crosses an edge."""
-    inside = path[:, :3].copy()
-    laps = np.floor(inside[:, :2] / (width, depth))
-    inside[:, :2] -= laps * (width, depth)
-    jumps = np.flatnonzero((np.diff(laps, axis=0) != 0).any(axis=1)) + 1
-    return np.insert(inside, jumps, np.nan, axis=0)
 
 
 def path_view(frame: "xr.Dataset", scenario: Scenario, paths: list[NDArray[np.float64]]) -> "Figure":

@@ -9,16 +9,13 @@ from numpy.typing import NDArray
 from barchan.analysis.assessment import Assessment
 from barchan.analysis.crest_theory import Crest
 from barchan.analysis.drift import Drift
-from barchan.analysis.roses import SECTORS, sand_rose, sectors, wind_rose
+from barchan.analysis.roses import SECTORS, sand_rose, sectors, speed_limits, wind_rose
 from barchan.figures.style import CURVE, GROUND, SAND, SHADOW, new_figure
 from barchan.wind.records import WindRecord
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from matplotlib.projections.polar import PolarAxes
-
-CLASSES = 5
-"""Classes of speed in a wind rose."""
 
 
 def roses(
@@ -57,7 +54,7 @@ def _draw_wind(axes: "PolarAxes", record: WindRecord, threshold: float, count: i
     import matplotlib as mpl
     from cmcrameri import cm
 
-    limits = _limits(record, threshold)
+    limits = speed_limits(record, threshold)
     table, calms = wind_rose(record, limits, count)
     shades = mpl.colormaps.get_cmap(cm.lapaz_r)(np.linspace(0.15, 0.95, table.shape[1]))
     edges = [0.0, *limits]
@@ -70,13 +67,6 @@ def _draw_wind(axes: "PolarAxes", record: WindRecord, threshold: float, count: i
     _scale(axes, table.sum(axis=1))
     axes.set_title(f"Share of the time (%), calm {100 * calms:.1f} %", fontsize=10, pad=18)
     _legend(axes)
-
-
-def _limits(record: WindRecord, threshold: float) -> list[float]:
-    """Limits of the classes of speed: half the threshold, the threshold, and equal steps beyond it."""
-    fast = float(np.quantile(record.speed, 0.995))
-    step = max(np.ceil((fast - threshold) / (CLASSES - 2)), 1.0)
-    return [threshold / 2, threshold, *(threshold + step * k for k in range(1, CLASSES - 2))]
 
 
 def _draw_sand(axes: "PolarAxes", found: Assessment, count: int) -> None:

@@ -3,6 +3,7 @@
 import math
 from typing import Any
 
+from barchan.analysis.paths import follows_grains
 from barchan.models import models
 from barchan.scenario import validate
 from barchan.simulation import Simulation
@@ -34,6 +35,7 @@ def description(simulation: Simulation) -> dict[str, Any]:
             for name in (layer.field, *layer.parts)
         ],
         "brushes": brushes(simulation),
+        "paths": follows_grains(model),
         "measures": declared_measures(simulation),
         "repose": math.degrees(math.atan(limits[0] * lattice.aspect)) if limits else None,
         "facts": model.facts(),

@@ -13,6 +13,9 @@ if TYPE_CHECKING:
 
 Order = dict[str, Any]
 
+BEFOREHAND = frozenset(("create", "open", "attach", "confirm", "view", "paths"))
+"""Orders that need no run yet."""
+
 
 class Orders:
     """Carries orders out on the worker's run."""
@@ -27,7 +30,7 @@ class Orders:
         method: Callable[[Order], dict[str, Any] | None] | None = getattr(self, f"do_{order['do']}", None)
         if method is None:
             raise BarchanError(f"unknown order '{order['do']}'")
-        if self.run is None and order["do"] not in ("create", "open", "attach", "confirm", "view"):
+        if self.run is None and order["do"] not in BEFOREHAND:
             raise BarchanError("there is no run yet")
         result = method(order)
         if order["do"] != "confirm":
@@ -51,6 +54,10 @@ class Orders:
     def do_view(self, order: Order) -> None:
         """Send these fields beside the surface from now on."""
         self.worker.wanted = [str(name) for name in order["fields"]]
+
+    def do_paths(self, order: Order) -> None:
+        """Send the paths of so many grains from now on, where the model follows any."""
+        self.worker.flights.ask(int(order["count"]))
 
     def do_create(self, order: Order) -> None:
         """Begin a scenario."""
@@ -79,6 +86,7 @@ class Orders:
     def _anew(self) -> None:
         """What the browser knew of the run's past holds no more."""
         self.worker.ground_sent = None
+        self.worker.flights.again()
         self.worker.history_sent = []
         self.going.gauges.again()
         self.worker.describe()
@@ -114,6 +122,12 @@ class Orders:
         self.going.live.apply(SetWind(wind=order["wind"]))
         self.worker.describe()
 
+    def do_rose(self, _: Order) -> dict[str, Any]:
+        """Tell the roses of the wind, where it is a record."""
+        from barchan.studio.rose import rose_of
+
+        return {"rose": rose_of(self.going.live)}
+
     def do_stroke(self, order: Order) -> None:
         """Paint: ``begin`` and ``end`` tell where a gesture begins and ends."""
         run = self.going
@@ -146,6 +160,12 @@ class Orders:
         """Go on from what is looked at."""
         self.going.branch()
         self._anew()
+
+    def do_space_time(self, order: Order) -> dict[str, Any]:
+        """Tell the section along a line over the whole run."""
+        from barchan.studio.spacetime import space_time
+
+        return space_time(self.going, [float(place) for place in order["line"]])
 
     def do_save(self, order: Order) -> dict[str, Any]:
         """Save the run as an archive."""

@@ -18,9 +18,9 @@ Order = dict[str, Any]
 
 FIRST, SECOND = "a", "b"
 
-TO_WORKERS = frozenset(
-    ("confirm", "view", "restart", "run", "pause", "limit", "set", "wind", "stroke", "undo", "redo")
-) | {"look", "branch"}
+TO_WORKERS = frozenset(("confirm", "view", "paths", "rose", "set", "wind", "stroke", "undo", "redo")) | {
+    *("run", "pause", "limit", "restart", "look", "branch", "space_time")
+}
 """Orders that workers carry out as they come from the browser."""
 
 
@@ -109,6 +109,7 @@ class Session:
         elif self.pair is not None and order["do"] == "pause":
             self.pair.pause()
         else:
+            self.store.check(order)
             named = order.get("run")
             for name in [named] if named is not None else list(self.links):
                 self.links[name].send(**{**order, "run": None})

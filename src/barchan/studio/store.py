@@ -74,7 +74,7 @@ def _paths(data: Any, key: str = "") -> list[tuple[str, str]]:
     found = []
     for name, item in data.items():
         inner = f"{key}.{name}" if key else str(name)
-        if name == "path":
+        if name == "path" and item is not None:
             found.append((inner, str(item)))
         else:
             found += _paths(item, inner)

@@ -36,6 +36,7 @@ class Worker:
 
     def __init__(self, connection: Connection, name: str) -> None:
         """Wait for a scenario."""
+        from barchan.studio.flights import Flights
         from barchan.studio.orders import Orders
 
         self.connection = connection
@@ -43,6 +44,7 @@ class Worker:
         self.orders = Orders(self)
         self.wanted: list[str] = []
         """Fields that the browser shows beside the surface."""
+        self.flights = Flights()
         self.credit = 0
         self.stale = True
         self.ground_sent: NDArray | None = None
@@ -103,6 +105,7 @@ class Worker:
         self.credit = FRAMES_IN_FLIGHT
         self.ground_sent = None
         self.history_sent = []
+        self.flights.again()
         self.stale = True
         if self.orders.run is not None:
             self.orders.run.gauges.again()
@@ -136,6 +139,8 @@ class Worker:
             header["history"] = self.history_sent = steps
         if rows := run.gauges.sent():
             header["measures"] = rows
+        if (paths := self.flights.over(shown, at_once=not run.busy)) is not None:
+            header["paths"] = paths
         self._next_frame = time.perf_counter() + FRAME_PAUSE
         self._number += 1
         self.credit -= 1

@@ -137,6 +137,7 @@ export class App {
   private describe(run: Run, description: Description): void {
     const before = run.description;
     run.description = description;
+    if (!description.paths) run.paths = [];
     run.lost = false;
     for (const remark of description.remarks) {
       if (!before?.remarks.includes(remark)) this.note("warning", remark);
@@ -163,13 +164,19 @@ export class App {
       const known = new Set(run.description?.fields.map((field) => field.name));
       const fields = this.view.fields().filter((name) => known.has(name));
       this.order({ do: "view", run: run.name, fields });
+      this.order({ do: "paths", run: run.name, count: this.view.look.paths });
     }
-    this.asked = this.view.fields().join();
+    this.asked = this.shown;
   }
 
   /** Ask anew where what is shown has changed. */
   private refreshFields(): void {
-    if (this.asked !== this.view.fields().join()) this.askForFields();
+    if (this.asked !== this.shown) this.askForFields();
+  }
+
+  /** All that the server must be asked for, as a text. */
+  private get shown(): string {
+    return JSON.stringify([this.view.fields(), this.view.look.paths]);
   }
 }
 

@@ -66,6 +66,8 @@ export interface Description {
   layers: { field: string; title: string; colours: string }[];
   brushes: Brush[];
   measures: Measure[];
+  /** Whether the model follows grains, whose paths can be shown. */
+  paths: boolean;
   repose: number | null;
   facts: Record<string, string>;
   remarks: string[];
@@ -98,6 +100,8 @@ export interface Frame {
   status: Status;
   history?: number[];
   measures?: Row[];
+  /** Paths of grains: x, y and z (m) of each point after the other. */
+  paths?: number[][];
   fields: Map<string, Float32Array>;
 }
 

@@ -11,6 +11,8 @@ export class Run {
   depth: Float32Array = new Float32Array(0);
   surface: Float32Array = new Float32Array(0);
   fields = new Map<string, Float32Array>();
+  /** Paths of grains, as ``Frame.paths``. */
+  paths: number[][] = [];
   rows = 0;
   columns = 0;
   lost = false;
@@ -33,6 +35,7 @@ export class Run {
     this.status = frame.status;
     this.lost = false;
     if (frame.history) this.history = frame.history;
+    if (frame.paths) this.paths = frame.paths;
     if (frame.measures) this.measure(frame.measures);
     this.ground = frame.fields.get("ground") ?? this.ground;
     this.depth = frame.fields.get("depth") ?? this.depth;

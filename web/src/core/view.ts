@@ -15,12 +15,15 @@ export interface Look {
   count: number;
   wireframe: boolean;
   smoothing: number;
-  exaggeration: number;
+  /** How much steeper heights are drawn; null: as the slabs of the lattice ask for. */
+  exaggeration: number | null;
   bare: boolean;
   shadows: boolean;
   sunAzimuth: number;
   sunHeight: number;
   overlays: string[];
+  /** Grains whose paths are shown. */
+  paths: number;
   side: "surface" | "difference";
   theme: Theme;
 }
@@ -36,12 +39,13 @@ export const LOOK: Look = {
   count: 8,
   wireframe: false,
   smoothing: 0.8,
-  exaggeration: 1.5,
+  exaggeration: null,
   bare: true,
   shadows: true,
   sunAzimuth: 315,
   sunHeight: 32,
   overlays: ["effectiveness"],
+  paths: 20,
   side: "surface",
   theme: "system",
 };

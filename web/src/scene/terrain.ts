@@ -2,14 +2,20 @@
 
 import * as THREE from "three";
 import type { App } from "../core/app";
+import { ends } from "../core/profile";
 import type { Run } from "../core/run";
 import { type Colouring, colouring } from "./colouring";
 import { FRAGMENT, VERTEX } from "./shaders";
+import { PathLines } from "./paths";
 import { smoothed } from "./smooth";
 
 /** Longest side of a field in the scene. */
 export const SIZE = 10;
 const FINEST = 512;
+/** Thickness of the block below the ground, of the field's longer side. */
+const FOOT = 0.03;
+/** Relief, as it is drawn, that heights are not exaggerated beyond unless one asks for it. */
+const MOST_RELIEF = 0.2;
 const TINTS = ["#4c8a3a", "#8aa83c", "#2f6b4f", "#7d7a2c"];
 const SAND = new THREE.Color("#dcb981");
 const GROUND = new THREE.Color("#8f8a84");
@@ -20,8 +26,11 @@ export class Terrain {
   /** The surface as it is drawn (m), smoothed where the look says so. */
   drawn: Float32Array = new Float32Array(0);
   base = 0;
+  exaggeration = 1;
+  private usual = Number.POSITIVE_INFINITY;
   scale = 1;
   extent: [number, number] = [1, 1];
+  private readonly paths = new PathLines();
   private readonly top: THREE.ShaderMaterial;
   private readonly side: THREE.ShaderMaterial;
   private heights: THREE.DataTexture | null = null;
@@ -82,6 +91,7 @@ export class Terrain {
     const look = this.app.view.look;
     this.reshape(run);
     this.drawn = smoothed(run.surface, run.rows, run.columns, look.smoothing, lattice.periodic);
+    this.exaggeration = look.exaggeration ?? this.usualExaggeration(run);
     this.fillHeights(run);
     this.colouring = colouring(this.app, run, this.drawn);
     (this.values!.image.data as Float32Array).set(this.colouring.values);
@@ -96,26 +106,22 @@ export class Terrain {
     uniforms.contour!.value = this.contour();
     uniforms.wire!.value = look.wireframe ? 1 : 0;
     uniforms.shadows!.value = look.shadows ? 1 : 0;
-    uniforms.exaggeration!.value = look.exaggeration;
+    uniforms.exaggeration!.value = this.exaggeration;
     uniforms.base!.value = this.base;
     uniforms.sun!.value.copy(sunAt(look.sunAzimuth, look.sunHeight));
+    this.paths.update(run, this, this.exaggeration);
   }
 
   /** Height in the scene of a height of the run. */
   inScene(height: number): number {
-    return (height - this.base) * this.app.view.look.exaggeration * this.scale;
+    return (height - this.base) * this.exaggeration * this.scale;
   }
 
   private contour(): number {
     const { contours, interval, count } = this.app.view.look;
     if (contours === "off") return 0;
     if (contours === "interval") return Math.max(interval, 1e-6);
-    let low = Number.POSITIVE_INFINITY;
-    let high = Number.NEGATIVE_INFINITY;
-    for (const value of this.drawn) {
-      if (value < low) low = value;
-      if (value > high) high = value;
-    }
+    const [low, high] = ends(this.drawn);
     return Math.max((high - low) / Math.max(count, 1), 1e-6);
   }
 
@@ -127,14 +133,37 @@ export class Terrain {
       this.ground = smoothed(run.ground, run.rows, run.columns, width, joined);
       [this.groundOf, this.groundWidth] = [run.ground, width];
     }
+    let lowest = Number.POSITIVE_INFINITY;
     let low = Number.POSITIVE_INFINITY;
     for (let i = 0; i < this.drawn.length; i++) {
-      data[2 * i] = this.drawn[i]!;
+      const height = this.drawn[i]!;
+      data[2 * i] = height;
       data[2 * i + 1] = this.ground[i]!;
-      if (run.ground[i]! < low) low = run.ground[i]!;
+      if (height < low) low = height;
+      if (run.ground[i]! < lowest) lowest = run.ground[i]!;
     }
-    this.base = low - 0.02 * Math.max(...this.extent);
+    this.cutFrom(lowest, low);
     this.heights!.needsUpdate = true;
+  }
+
+  /** Slabs a third as high as wide are drawn a little steeper than they are, flat ones more, high relief less. */
+  private usualExaggeration(run: Run): number {
+    const { thickness, cell_size } = run.description!.lattice;
+    if (run.status!.step === 0) this.usual = Number.POSITIVE_INFINITY;
+    const [low, high] = ends(this.drawn);
+    const fits = (MOST_RELIEF * Math.max(...this.extent)) / (high - low || 1);
+    const wanted = Math.min(1.5 * Math.sqrt(cell_size / thickness / 3), fits, 20);
+    this.usual = Math.min(this.usual, Math.max(Math.round(2 * wanted) / 2, 1.5));
+    return this.usual;
+  }
+
+  /** Where the block's foot is: below the ground, or within deep sand, and as long there as it can be. */
+  private cutFrom(ground: number, surface: number): void {
+    const thick = Math.max(...this.extent) / this.exaggeration;
+    const below = ground - FOOT * thick;
+    const [least, most] = [surface - 4 * FOOT * thick, surface - FOOT * thick];
+    if (below >= least) this.base = below;
+    else if (!(this.base >= least && this.base <= most)) this.base = surface - 2.5 * FOOT * thick;
   }
 
   private fillOverlay(run: Run): void {
@@ -164,6 +193,7 @@ export class Terrain {
     const shape = `${run.rows}x${run.columns}x${lattice.cell_size}`;
     if (shape === this.shape) return;
     this.shape = shape;
+    this.usual = Number.POSITIVE_INFINITY;
     this.extent = [run.columns * lattice.cell_size, run.rows * lattice.cell_size];
     this.scale = SIZE / Math.max(...this.extent);
     const filter = this.linear ? THREE.LinearFilter : THREE.NearestFilter;
@@ -190,7 +220,7 @@ export class Terrain {
     const surface = new THREE.Mesh(grid(across, along), this.top);
     const walls = new THREE.Mesh(skirt(across, along), this.side);
     surface.frustumCulled = walls.frustumCulled = false;
-    this.group.add(surface, walls);
+    this.group.add(surface, walls, this.paths.lines);
   }
 }
 

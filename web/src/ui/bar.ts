@@ -1,7 +1,7 @@
 /** The bar at the top: what runs, how it is run, what it has come to. */
 
 import type { App } from "../core/app";
-import { button, h, short } from "./dom";
+import { button, duration, h, metres, short } from "./dom";
 
 const LIMITS: [string, number | null][] = [
   ["no limit", null],
@@ -112,8 +112,8 @@ export class Bar {
     const texts: Record<string, string> = {
       step: short(status.step, 9),
       rate: running ? short(status.rate, 3) : "paused",
-      clock: status.time === null || status.time === undefined ? "" : clock(status.time),
-      highest: `${short(status.highest)} · ${short(status.highest * thickness, 3)} m`,
+      clock: status.time === null || status.time === undefined ? "" : duration(status.time),
+      highest: `${short(status.highest)} · ${metres(status.highest * thickness, 3)}`,
       volume: `${short(status.volume)} m³`,
     };
     for (const [name, text] of Object.entries(texts)) {
@@ -122,13 +122,4 @@ export class Bar {
       value.parentElement!.hidden = text === "";
     }
   }
-}
-
-/** Seconds as days and hours. */
-function clock(seconds: number): string {
-  const days = Math.floor(seconds / 86_400);
-  const rest = seconds - days * 86_400;
-  const two = (value: number) => String(Math.floor(value)).padStart(2, "0");
-  const time = `${two(rest / 3600)}:${two((rest % 3600) / 60)}`;
-  return days ? `${short(days)} d ${time}` : time;
 }

@@ -56,6 +56,31 @@ export function short(value: number | null | undefined, digits = 4): string {
   return String(Number(value.toPrecision(digits)));
 }
 
+/** Below this (m) lengths are told in millimetres. */
+const SMALL = 0.1;
+
+/** What lengths up to a size (m) are told in: a unit, and how many make a metre. */
+export function lengthUnit(size: number): [string, number] {
+  return Math.abs(size) < SMALL ? ["mm", 1000] : ["m", 1];
+}
+
+/** A length (m) with its unit. */
+export function metres(value: number | undefined, digits = 4): string {
+  const [unit, factor] = lengthUnit(value || SMALL);
+  return `${short(value === undefined ? value : factor * value, digits)} ${unit}`;
+}
+
+/** A duration in the units that people would tell it in. */
+export function duration(seconds: number): string {
+  const two = (value: number) => String(Math.floor(value)).padStart(2, "0");
+  const [days, day] = [Math.floor(seconds / 86_400), seconds % 86_400];
+  const clock = `${two(day / 3600)}:${two((day % 3600) / 60)}`;
+  if (seconds < 120) return `${short(seconds, 3)} s`;
+  if (seconds < 7200) return `${Math.floor(seconds / 60)} min ${two(seconds % 60)} s`;
+  if (days < 1) return `${clock} h`;
+  return days < 1000 ? `${days} d ${clock}` : `${(days / 365.2425).toFixed(1)} years`;
+}
+
 /** Give a text to the user as a file. */
 export function download(name: string, content: Blob | string): void {
   const blob = typeof content === "string" ? new Blob([content], { type: "text/plain" }) : content;

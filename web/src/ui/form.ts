@@ -41,7 +41,8 @@ export function field(context: FormContext, name: string, given: Schema, value: 
   const entry = entryOf(given, context.root);
   if (entry.kind === "variant") return variantField(context, name, given, value as JsonObject, path);
   if (entry.kind === "group" && !entry.nullable) {
-    return h("fieldset", {}, h("legend", {}, words(name)), ...group(context, entry.schema, (value ?? {}) as JsonObject, path));
+    const rows = group(context, entry.schema, (value ?? {}) as JsonObject, path);
+    return h("details", { className: "inner", id: `group-${path.join(".")}` }, h("summary", {}, words(name)), ...rows);
   }
   if (entry.kind === "list") return listField(context, name, entry.schema, (value ?? []) as Json[], path);
   if (entry.kind === "group") return optionalGroup(context, name, entry.schema, value as JsonObject | null, path);

@@ -3,7 +3,7 @@
 import type { App } from "../core/app";
 import type { Stage } from "../scene/stage";
 import { slopes } from "../scene/smooth";
-import { fitCanvas, h, short, svg } from "./dom";
+import { fitCanvas, h, lengthUnit, metres, short, svg } from "./dom";
 
 const BAR = 110;
 
@@ -74,8 +74,8 @@ export class Hud {
     const named = run.description!.fields.find((field) => field.name === this.app.view.look.field);
     const extra = named && colouring ? ` · ${named.meaning} ${colouring.choice ? (colouring.values[at]! > 0.5 ? "yes" : "no") : short(colouring.values[at])} ${colouring.unit}` : "";
     this.under.textContent =
-      `x ${short(place.x)} m, y ${short(place.y)} m · elevation ${short(run.surface[at])} m · ` +
-      `slope ${slope.toFixed(1)}° · sand ${short(run.depth[at])} m${extra}`;
+      `x ${short(place.x)} m, y ${short(place.y)} m · elevation ${metres(run.surface[at])} · ` +
+      `slope ${slope.toFixed(1)}° · sand ${metres(run.depth[at])}${extra}`;
   }
 
   private tell(): void {
@@ -116,13 +116,13 @@ export class Hud {
   }
 
   private drawScale(): void {
-    const metres = this.stage.metresPerPixel();
-    if (!Number.isFinite(metres)) return;
-    const rough = metres * BAR;
+    const perPixel = this.stage.metresPerPixel();
+    if (!Number.isFinite(perPixel)) return;
+    const rough = perPixel * BAR;
     const power = 10 ** Math.floor(Math.log10(rough));
     const length = ([5, 2, 1].find((factor) => factor * power <= rough) ?? 1) * power;
-    this.scale.style.width = `${length / metres}px`;
-    const text = `${short(length)} m`;
+    this.scale.style.width = `${length / perPixel}px`;
+    const text = metres(length);
     if (this.scale.textContent !== text) this.scale.textContent = text;
   }
 
@@ -143,8 +143,11 @@ export class Hud {
       context.fillStyle = `rgb(${colour.join()})`;
       context.fillRect((i / colours.length) * width, 0, width / colours.length + 1, height);
     });
-    this.barTitle.textContent = colouring.title + (colouring.unit ? ` (${colouring.unit})` : "");
-    const texts = colouring.choice ? ["no", "yes"] : [short(low, 3), short((low + high) / 2, 3), short(high, 3)];
+    const size = Math.max(Math.abs(low), Math.abs(high));
+    const [unit, factor] = colouring.unit === "m" ? lengthUnit(size) : [colouring.unit, 1];
+    this.barTitle.textContent = colouring.title + (unit ? ` (${unit})` : "");
+    const marks = [low, (low + high) / 2, high].map((mark) => short(factor * mark, 3));
+    const texts = colouring.choice ? ["no", "yes"] : marks;
     this.barEnds.replaceChildren(...texts.map((text) => h("span", {}, text)));
   }
 }

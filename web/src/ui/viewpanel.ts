@@ -10,6 +10,7 @@ import { words } from "./words";
 export class ViewPanel {
   readonly element = h("div", { className: "forms" });
   private shown = "";
+  private showExaggeration = () => {};
 
   constructor(
     private readonly app: App,
@@ -18,12 +19,13 @@ export class ViewPanel {
     app.described.watch(() => this.draw());
     app.changed.watch(() => this.draw());
     app.view.changed.watch(() => this.follow());
+    app.framed.watch(() => this.showExaggeration());
     this.draw();
   }
 
   private draw(): void {
     const run = this.app.current;
-    const text = JSON.stringify([run?.description?.fields, run?.description?.layers, this.app.runs.length]);
+    const text = JSON.stringify([run?.description?.fields, run?.description?.paths, run?.description?.layers, this.app.runs.length]);
     if (text === this.shown) return;
     this.shown = text;
     this.redraw();
@@ -53,13 +55,14 @@ export class ViewPanel {
       this.check("ground in grey where it is bare", "bare"),
       ...(two ? [h("h4", {}, "Two at once"), this.choice("show", "side", [["surface", "each by itself"], ["difference", "right less left"]])] : []),
       ...(layers.length ? [h("h4", {}, "Layers"), ...layers.map((layer) => this.layer(layer.field, layer.title))] : []),
+      ...(description?.paths ? [h("h4", {}, "Grains"), this.number("paths", "paths", 0, 500, "grains", 1)] : []),
       h("h4", {}, "Lines"),
       this.choice("contours", "contours", [["off", "none"], ["interval", "every so many metres"], ["count", "so many"]]),
       this.number("interval", "interval", 0.05, 100, "m", 0.05),
       this.number("count", "count", 1, 60, "", 1),
       this.check("wireframe of the cells", "wireframe"),
       h("h4", {}, "Shape and light"),
-      this.slider("vertical exaggeration", "exaggeration", 0.5, 10, "×"),
+      ...this.exaggeration(),
       this.slider("smoothing (display only)", "smoothing", 0, 4, "cells"),
       this.slider("sun from", "sunAzimuth", 0, 360, "°"),
       this.slider("sun height", "sunHeight", 5, 89, "°"),
@@ -107,7 +110,7 @@ export class ViewPanel {
     return this.row(label, box);
   }
 
-  private number(label: string, key: "interval" | "count", min: number, max: number, unit: string, step: number): HTMLElement {
+  private number(label: string, key: "interval" | "count" | "paths", min: number, max: number, unit: string, step: number): HTMLElement {
     const input = h("input", {
       type: "number",
       "data-look": key,
@@ -120,7 +123,7 @@ export class ViewPanel {
     return this.row(label, input, h("span", { className: "unit" }, unit));
   }
 
-  private slider(label: string, key: "exaggeration" | "smoothing" | "sunAzimuth" | "sunHeight", min: number, max: number, unit: string): HTMLElement {
+  private slider(label: string, key: "smoothing" | "sunAzimuth" | "sunHeight", min: number, max: number, unit: string): HTMLElement {
     const value = h("span", { className: "unit" });
     const show = () => {
       value.textContent = `${Number(this.app.view.look[key].toFixed(1))} ${unit}`;
@@ -139,6 +142,36 @@ export class ViewPanel {
     });
     show();
     return this.row(label, slider, value);
+  }
+
+  /** A slider by factors, and the choice to leave it to the lattice. */
+  private exaggeration(): HTMLElement[] {
+    const now = () => this.app.view.look.exaggeration ?? this.stage.terrain(this.app.current!)?.exaggeration ?? 1;
+    const value = h("span", { className: "unit" });
+    const slider = h("input", {
+      type: "range",
+      min: String(Math.log(0.5)),
+      max: String(Math.log(50)),
+      step: "any",
+      oninput: () => {
+        this.set({ exaggeration: Number(Math.exp(Number(slider.value)).toPrecision(2)) });
+        show();
+      },
+    });
+    const usual = h("input", {
+      type: "checkbox",
+      onchange: () => {
+        this.set({ exaggeration: usual.checked ? null : now() });
+      },
+    });
+    const show = () => {
+      usual.checked = this.app.view.look.exaggeration === null;
+      slider.value = String(Math.log(now()));
+      value.textContent = `${Number(now().toFixed(1))} ×`;
+    };
+    show();
+    this.showExaggeration = show;
+    return [this.row("vertical exaggeration", slider, value), this.row("as slabs ask for", usual)];
   }
 
   private limits(): HTMLElement {

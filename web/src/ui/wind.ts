@@ -8,6 +8,7 @@ import { Dial } from "./dial";
 import { h, later } from "./dom";
 import { type FormContext, field, group } from "./form";
 import { Quiet } from "./quiet";
+import { roses } from "./rose";
 import { words } from "./words";
 
 export class WindPanel {
@@ -39,6 +40,7 @@ export class WindPanel {
     const known = text === JSON.stringify(this.wind);
     this.wind = wind;
     if (!known) this.draw();
+    void this.drawRose();
   }
 
   private get kind(): string {
@@ -55,11 +57,22 @@ export class WindPanel {
     kinds.dataset.path = "wind.kind";
     const body =
       "regimes" in this.wind ? this.regimes() : "direction" in this.wind ? this.steady() : this.form(this.kind, []);
+    const rose = h("div", { "data-rose": "" }, ...(this.element.querySelector("[data-rose]")?.children ?? []));
+    const open = new Set([...this.element.querySelectorAll("details[open]")].map((one) => one.id));
     this.element.replaceChildren(
       h("div", { className: "row" }, h("span", {}, "kind"), h("div", { className: "control" }, kinds)),
+      rose,
       ...body,
       h("p", { className: "hint" }, "Changes blow at once. Drag the dial’s head to where the wind comes from; shift turns it freely."),
     );
+    for (const details of this.element.querySelectorAll("details")) details.open = open.has(details.id);
+  }
+
+  /** Show the roses of the wind that blows, where it is a record. */
+  private async drawRose(): Promise<void> {
+    const answer = !("columns" in this.wind) ? null : await this.app.ask({ do: "rose", run: this.app.selected });
+    const rose = answer?.rose as JsonObject | null | undefined;
+    this.element.querySelector("[data-rose]")?.replaceChildren(...(rose ? [roses(rose)] : []));
   }
 
   private steady(): HTMLElement[] {

@@ -5,14 +5,19 @@ import type { Run } from "../core/run";
 import { type Profile, ends, profile } from "../core/profile";
 import { type Line2, alongWind } from "../core/section";
 import type { Stage } from "../scene/stage";
-import { button, download, fitCanvas, h, short, themeColour, ticks } from "../ui/dom";
+import { button, download, fitCanvas, h, lengthUnit, metres, short, themeColour, ticks } from "../ui/dom";
 
 const MARGIN = { left: 54, right: 14, top: 12, bottom: 30 };
+/** Sand that lies deeper than so many times its relief is not shown down to the ground. */
+const DEEP = 3;
+
 export class SectionView {
   readonly title = "Section";
   readonly element: HTMLElement;
   /** The line that was dragged; null: along the wind through the middle. */
   line: Line2 | null = null;
+  /** The line along the wind that blew when the run, or its wind, was last changed. */
+  private downwind: Line2 | null = null;
   private readonly canvas = h("canvas", { className: "plot", role: "img", "aria-label": "Profile along the section" });
   private readonly readout = h("output", { className: "readout" });
   private hover: number | null = null;
@@ -44,7 +49,11 @@ export class SectionView {
       this.hover = null;
       this.draw();
     });
-    app.framed.watch(() => this.draw());
+    app.described.watch(() => (this.downwind = null));
+    app.framed.watch((run) => {
+      if (run === app.current && run.ready) this.downwind ??= alongWind(run.status!.wind, run.description!.lattice);
+      this.draw();
+    });
     app.changed.watch(() => this.draw());
     new ResizeObserver(() => this.draw()).observe(this.canvas);
   }
@@ -58,13 +67,14 @@ export class SectionView {
 
   put(line: Line2 | null): void {
     this.line = line;
+    this.downwind = null;
     this.mark();
     this.draw();
   }
 
   /** The line as it is now. */
   current(run: Run): Line2 {
-    return this.line ?? alongWind(run.status!.wind, run.description!.lattice);
+    return this.line ?? this.downwind ?? alongWind(run.status!.wind, run.description!.lattice);
   }
 
   private mark(): void {
@@ -95,8 +105,9 @@ export class SectionView {
     const { context: c, width, height } = fitCanvas(this.canvas);
     const p = profile(run, this.current(run));
     const length = p.distance.at(-1)!;
-    let low = Math.min(...ends(p.ground));
-    let high = ends(p.surface)[1];
+    let [low, high] = ends(p.surface);
+    const foot = Math.min(...ends(p.ground));
+    if (low - foot < DEEP * (high - low)) low = foot;
     const room = Math.max((high - low) * 0.12, run.description!.lattice.thickness);
     [low, high] = [low - room * 0.6, high + room];
     const x = (d: number) => MARGIN.left + (d / length) * (width - MARGIN.left - MARGIN.right);
@@ -105,7 +116,7 @@ export class SectionView {
     const area = (values: Float32Array, colour: string) => {
       c.beginPath();
       c.moveTo(x(0), y(low));
-      values.forEach((z, i) => c.lineTo(x(p.distance[i]!), y(z)));
+      values.forEach((z, i) => c.lineTo(x(p.distance[i]!), y(Math.max(z, low))));
       c.lineTo(x(length), y(low));
       c.closePath();
       c.fillStyle = colour;
@@ -133,19 +144,20 @@ export class SectionView {
     c.strokeStyle = themeColour("line");
     c.lineWidth = 1;
     c.textAlign = "right";
+    const [unit, factor] = lengthUnit(Math.max(Math.abs(low), Math.abs(high)));
     for (const tick of ticks(low, high, height / 40)) {
       c.beginPath();
       c.moveTo(MARGIN.left, y(tick));
       c.lineTo(width - MARGIN.right, y(tick));
       c.stroke();
-      c.fillText(short(tick), MARGIN.left - 6, y(tick) + 4);
+      c.fillText(short(factor * tick), MARGIN.left - 6, y(tick) + 4);
     }
     c.textAlign = "center";
     for (const tick of ticks(0, length, width / 110)) c.fillText(short(tick), x(tick), height - MARGIN.bottom + 15);
     c.textAlign = "right";
     c.fillText("distance (m)", width - MARGIN.right, height - 3);
     c.textAlign = "left";
-    c.fillText("elevation (m)", 4, 10);
+    c.fillText(`elevation (${unit})`, 4, 10);
   }
 
   private shadows(c: CanvasRenderingContext2D, p: Profile, x: (d: number) => number, top: number, foot: number): void {
@@ -226,7 +238,7 @@ export class SectionView {
     c.fill();
     const lee = p.shadow && p.shadow[i]! > 0.5 ? ", in shadow" : "";
     this.readout.textContent =
-      `${short(p.distance[i])} m: elevation ${short(p.surface[i])} m, ` +
-      `sand ${short(p.surface[i]! - p.ground[i]!)} m, slope ${p.slope[i]!.toFixed(1)}°${lee}`;
+      `${short(p.distance[i])} m: elevation ${metres(p.surface[i])}, ` +
+      `sand ${metres(p.surface[i]! - p.ground[i]!)}, slope ${p.slope[i]!.toFixed(1)}°${lee}`;
   }
 }

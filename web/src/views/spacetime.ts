@@ -1,12 +1,15 @@
 /** The section over time: every step a row of the picture, crests that travel are slanted lines. */
 
 import type { App } from "../core/app";
-import { along, samples } from "../core/section";
-import { fitCanvas, h, short, themeColour, ticks } from "../ui/dom";
+import type { Run } from "../core/run";
+import { type Line2, along, samples } from "../core/section";
+import { fitCanvas, h, metres, short, themeColour, ticks } from "../ui/dom";
 import type { SectionView } from "./section";
 
 const COLUMNS = 512;
 const MOST_ROWS = 512;
+/** Milliseconds after which the server is asked again for what the page has not seen. */
+const RECALL = 4000;
 const MARGIN = { left: 62, right: 14, top: 8, bottom: 28 };
 
 interface Band {
@@ -21,6 +24,7 @@ export class SpaceTimeView {
   private readonly readout = h("output", { className: "readout" });
   private bands: Band[] = [];
   private every = 1;
+  private recalled = Number.NEGATIVE_INFINITY;
   private line = "";
   private visible = false;
 
@@ -41,32 +45,55 @@ export class SpaceTimeView {
 
   show(visible: boolean): void {
     this.visible = visible;
+    this.line = "";
+    this.collect();
     this.draw();
   }
 
-  /** Take the section of this moment in, if it is later than the last one. */
+  /** Take the section of this moment in, if it is later than the last one; first of all those of the past. */
   private collect(): void {
     const run = this.app.current;
-    if (!run?.ready || run.status!.looking) return;
+    if (!this.visible || !run?.ready || run.status!.looking) return;
     const lattice = run.description!.lattice;
     const line = this.section.current(run);
     const key = `${run.name} ${line.map((x) => x.toFixed(2))} ${run.rows} ${run.columns}`;
-    if (key !== this.line) {
+    const { step } = run.status!;
+    if (key !== this.line || step < (this.bands.at(-1)?.step ?? 0)) {
       this.line = key;
       this.bands = [];
       this.every = 1;
+      this.recalled = Number.NEGATIVE_INFINITY;
     }
-    const { step } = run.status!;
-    this.bands = this.bands.filter((band) => band.step < step);
+    if (performance.now() - this.recalled > RECALL) void this.recall(run, line, key);
     if (this.bands.length && step - this.bands.at(-1)!.step < this.every) return;
-    const places = samples(line, { ...lattice, cell_size: lattice.cell_size });
-    const values = along(run.surface, places, lattice);
+    const values = along(run.surface, samples(line, lattice), lattice);
     this.bands.push({ step, values: resampled(values, COLUMNS) });
-    if (this.bands.length > MOST_ROWS) {
-      this.bands = this.bands.filter((_, at) => at % 2 === 0);
-      this.every = Math.max(2 * this.every, (this.bands.at(-1)!.step - this.bands[0]!.step) / this.bands.length);
-    }
+    this.thin();
     this.draw();
+  }
+
+  /** Let the server tell the section over the run's past. */
+  private async recall(run: Run, line: Line2, key: string): Promise<void> {
+    this.recalled = performance.now();
+    const answer = await this.app.ask({ do: "space_time", run: run.name, line });
+    if (!answer || key !== this.line) return;
+    const bytes = Uint8Array.from(atob(String(answer.values)), (sign) => sign.charCodeAt(0));
+    const numbers = new Uint16Array(bytes.buffer);
+    const [columns, low, scale] = [Number(answer.columns), Number(answer.low), Number(answer.scale)];
+    const past = (answer.steps as number[]).map((step, row) => ({
+      step,
+      values: Float32Array.from(numbers.subarray(row * columns, (row + 1) * columns), (number) => low + scale * number),
+    }));
+    const steps = new Set(past.map((band) => band.step));
+    this.bands = [...past, ...this.bands.filter((band) => !steps.has(band.step))].sort((a, b) => a.step - b.step);
+    this.thin();
+    this.draw();
+  }
+
+  private thin(): void {
+    if (this.bands.length <= MOST_ROWS) return;
+    this.bands = this.bands.filter((_, at) => at % 2 === 0);
+    this.every = Math.max(2 * this.every, (this.bands.at(-1)!.step - this.bands[0]!.step) / this.bands.length);
   }
 
   private draw(): void {
@@ -96,7 +123,7 @@ export class SpaceTimeView {
     c.imageSmoothingEnabled = true;
     c.drawImage(picture, MARGIN.left, MARGIN.top, w, d);
     this.axes(c, first, last, width, height, w, d);
-    this.readout.textContent = `${this.bands.length} sections, ${short(low)} to ${short(high)} m`;
+    this.readout.textContent = `${this.bands.length} sections, ${metres(low)} to ${metres(high)}`;
   }
 
   private axes(c: CanvasRenderingContext2D, first: number, last: number, width: number, height: number, w: number, d: number): void {

@@ -1,0 +1,80 @@
+"""Paths of grains as frames carry them to the browser, flown anew so seldom that they cost little."""
+
+import time
+
+import numpy as np
+from numpy.typing import NDArray
+
+from barchan.analysis.paths import broken_at_edges, paths_over
+from barchan.bed import Lattice
+from barchan.simulation import Simulation
+from barchan.studio.planes import wind_over
+
+MOST = 500
+"""Paths that may be asked for."""
+
+SHARE = 0.04
+"""Share of the time that may go into paths."""
+
+POINTS = 150
+"""Points of a path that are sent, about."""
+
+_DIGITS = 3
+"""Decimal places, of cells, that are sent."""
+
+Line = list[float]
+
+
+class Flights:
+    """The paths of some grains over the bed that is looked at."""
+
+    def __init__(self) -> None:
+        """None asked for."""
+        self.count = 0
+        self._next = 0.0
+        self._flown: tuple[tuple[int, int, int] | None, int] | None = None
+
+    def ask(self, count: int) -> None:
+        """Let so many grains fly from now on."""
+        self.count = min(max(count, 0), MOST)
+        self.again()
+
+    def again(self) -> None:
+        """Whatever was sent is not known any more."""
+        self._flown = None
+        self._next = 0.0
+
+    def over(self, simulation: Simulation, at_once: bool = False) -> list[Line] | None:
+        """Lines through x, y and z (m) of each point after the other; None where none are due.
+
+        ``at_once`` where no later frame will bring them.
+        """
+        began = time.perf_counter()
+        bed = (id(simulation), simulation.steps_done, len(simulation.events)) if self.count else None
+        asked = bed, self.count
+        if asked == self._flown or (self._flown is not None and began < self._next and not at_once):
+            return None
+        if not self.count:
+            self._flown = asked
+            return []
+        wind, seed = wind_over(simulation), simulation.scenario.seed
+        paths = paths_over(simulation.model, simulation.bed, wind, seed, self.count)
+        lowest = float(simulation.bed.ground.min())
+        lines = [line for path in paths for line in _lines(path, lowest, simulation.lattice)]
+        now = time.perf_counter()
+        self._flown, self._next = asked, now + (now - began) / SHARE
+        return lines
+
+
+def _lines(path: NDArray[np.float64], lowest: float, lattice: Lattice) -> list[Line]:
+    """A path in pieces that cross no edge, its last point and those of bounces always kept."""
+    wanted = np.arange(len(path)) % (1 + len(path) // POINTS) == 0
+    wanted[:-1] |= np.diff(path[:, -1]) != 0
+    wanted[1:] |= np.diff(path[:, -1]) != 0
+    wanted[-1] = True
+    size = lattice.cell_size
+    broken = broken_at_edges(path[wanted], lattice.columns * size, lattice.rows * size)
+    broken[:, 2] += lowest
+    gaps = np.flatnonzero(np.isnan(broken[:, 0]))
+    pieces = [piece[~np.isnan(piece[:, 0])] for piece in np.split(broken, gaps)]
+    return [(np.round(piece / size, _DIGITS) * size).ravel().tolist() for piece in pieces if len(piece) > 1]
