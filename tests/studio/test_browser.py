@@ -370,6 +370,10 @@ def test_looking_back_and_going_on_from_there(studio):
     studio.until("window.barchan.app.runs[0].status.step === 0")
     studio.page.get_by_role("button", name="Go on from here").click()
     studio.until("window.barchan.app.runs[0].status.live === 0")
+    studio.page.get_by_label("Branch", exact=True).select_option("1")
+    studio.until(f"window.barchan.app.runs[0].status.live === {live}")
+    studio.page.get_by_label("Branch", exact=True).select_option("2")
+    studio.until("window.barchan.app.runs[0].status.live === 0")
 
 
 def test_views_and_keys(studio):

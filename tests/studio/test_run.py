@@ -3,7 +3,9 @@ import time
 import numpy as np
 import pytest
 
+from barchan.errors import BarchanError
 from barchan.simulation import SetParameter, Simulation
+from barchan.studio.branches import MOST
 from barchan.studio.pace import Pace
 from barchan.studio.run import StudioRun, started
 from tests.studio.conftest import small
@@ -41,6 +43,40 @@ def test_a_branch_may_go_another_way_and_keeps_its_events(scenario):
     other.apply(SetParameter(key="model.hop_length", value=2.0))
     other.advance(20)
     assert np.array_equal(run.live.bed.sand, other.bed.sand)
+
+
+def test_branches_are_kept_and_gone_back_to(scenario):
+    run = started(scenario)
+    run_to(run, 40)
+    first = run.live.bed.sand.copy()
+    run.look(20)
+    run.branch()
+    run.live.apply(SetParameter(key="model.hop_length", value=2.0))
+    run_to(run, 30)
+    second = run.live.bed.sand.copy()
+    assert run.branches.current == 2
+    assert run.branches.told(30) == [
+        {"number": 1, "began": 0, "step": 40},
+        {"number": 2, "began": 20, "step": 30},
+    ]
+    run.switch(1)
+    assert np.array_equal(run.live.bed.sand, first)
+    assert run.history.steps == [0, 10, 20, 30, 40]
+    assert run.live.events == []
+    run.switch(2)
+    assert np.array_equal(run.live.bed.sand, second)
+    assert not run.busy
+    with pytest.raises(BarchanError, match="no branch 3; kept: 1, 2"):
+        run.switch(3)
+
+
+def test_the_branch_that_was_left_first_is_forgotten_beyond_the_most(scenario):
+    run = started(scenario)
+    run_to(run, 20)
+    for _ in range(MOST):
+        run.look(10)
+        run.branch()
+    assert [branch["number"] for branch in run.branches.told(10)] == list(range(2, MOST + 2))
 
 
 def test_pieces_of_any_length_give_the_bits_of_one_run(scenario):

@@ -66,6 +66,17 @@ def test_rock_and_plants_are_painted_and_the_ground_is_sent_anew(served):
         assert "no stroke" in browser.until_told("refused", re=8)["text"]
 
 
+def test_the_last_frame_of_a_paused_run_is_followed_by_its_fields(served):
+    with served.browser() as browser:
+        browser.say("view", fields=["shadow"])
+        browser.until_frame(lambda status: status["step"] > 30)
+        browser.say("pause")
+        browser.until(lambda header, fields: fields is not None and not header["status"]["running"])
+        if "shadow" not in browser.frames[-1][1]:
+            browser.until(lambda _, fields: fields is not None and "shadow" in fields)
+        assert browser.frames[-1][0]["fields"] == ["shadow"]
+
+
 def test_paths_of_grains_come_with_frames_as_many_as_asked_for(served):
     lattice = {"rows": 16, "columns": 32, "cell_size": 0.01, "slab_height": 0.15e-3}
     grains = small(

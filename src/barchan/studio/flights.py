@@ -1,14 +1,13 @@
 """Paths of grains as frames carry them to the browser, flown anew so seldom that they cost little."""
 
-import time
-
 import numpy as np
 from numpy.typing import NDArray
 
-from barchan.analysis.paths import broken_at_edges, paths_over
+from barchan.analysis.paths import broken_at_edges, follows_grains, paths_over
 from barchan.bed import Lattice
 from barchan.simulation import Simulation
 from barchan.studio.planes import wind_over
+from barchan.studio.ration import Ration
 
 MOST = 500
 """Paths that may be asked for."""
@@ -31,8 +30,8 @@ class Flights:
     def __init__(self) -> None:
         """None asked for."""
         self.count = 0
-        self._next = 0.0
-        self._flown: tuple[tuple[int, int, int] | None, int] | None = None
+        self.ration = Ration(SHARE)
+        self._flown: tuple[int, ...] | None = None
 
     def ask(self, count: int) -> None:
         """Let so many grains fly from now on."""
@@ -42,28 +41,27 @@ class Flights:
     def again(self) -> None:
         """Whatever was sent is not known any more."""
         self._flown = None
-        self._next = 0.0
+        self.ration.at_once()
 
-    def over(self, simulation: Simulation, at_once: bool = False) -> list[Line] | None:
-        """Lines through x, y and z (m) of each point after the other; None where none are due.
+    def wanted_over(self, simulation: Simulation) -> bool:
+        """Whether other paths than those that were sent are to be shown."""
+        return self._flown != self._key(simulation)
 
-        ``at_once`` where no later frame will bring them.
-        """
-        began = time.perf_counter()
-        bed = (id(simulation), simulation.steps_done, len(simulation.events)) if self.count else None
-        asked = bed, self.count
-        if asked == self._flown or (self._flown is not None and began < self._next and not at_once):
-            return None
+    def over(self, simulation: Simulation) -> list[Line]:
+        """Lines through x, y and z (m) of each point after the other."""
+        self._flown = self._key(simulation)
         if not self.count:
-            self._flown = asked
             return []
-        wind, seed = wind_over(simulation), simulation.scenario.seed
-        paths = paths_over(simulation.model, simulation.bed, wind, seed, self.count)
-        lowest = float(simulation.bed.ground.min())
-        lines = [line for path in paths for line in _lines(path, lowest, simulation.lattice)]
-        now = time.perf_counter()
-        self._flown, self._next = asked, now + (now - began) / SHARE
-        return lines
+        with self.ration.spending():
+            wind, seed = wind_over(simulation), simulation.scenario.seed
+            paths = paths_over(simulation.model, simulation.bed, wind, seed, self.count)
+            lowest = float(simulation.bed.ground.min())
+            return [line for path in paths for line in _lines(path, lowest, simulation.lattice)]
+
+    def _key(self, simulation: Simulation) -> tuple[int, ...]:
+        if not self.count or not follows_grains(simulation.model):
+            return ()
+        return id(simulation), simulation.steps_done, len(simulation.events), self.count
 
 
 def _lines(path: NDArray[np.float64], lowest: float, lattice: Lattice) -> list[Line]:

@@ -43,7 +43,11 @@ class History:
             shared = {name: _same(before.get(name), array) for name, array in state.arrays.items()}
             state = replace(state, arrays=shared)
         self.states = [known for known in self.states if known.step < state.step] + [state]
-        while len(self.states) > 2 and (self.bytes > BUDGET or len(self.states) > MOST_STATES):
+        self.fit(BUDGET)
+
+    def fit(self, budget: int) -> None:
+        """Let every second state go until they take no more than so many bytes."""
+        while len(self.states) > 2 and (self.bytes > budget or len(self.states) > MOST_STATES):
             self.every *= 2
             self.states = self.states[::2]
 

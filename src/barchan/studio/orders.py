@@ -35,6 +35,7 @@ class Orders:
         result = method(order)
         if order["do"] != "confirm":
             self.worker.stale = True
+            self.worker.fields.at_once()
         return result
 
     @property
@@ -159,6 +160,11 @@ class Orders:
     def do_branch(self, _: Order) -> None:
         """Go on from what is looked at."""
         self.going.branch()
+        self._anew()
+
+    def do_switch(self, order: Order) -> None:
+        """Go back to another branch."""
+        self.going.switch(int(order["branch"]))
         self._anew()
 
     def do_space_time(self, order: Order) -> dict[str, Any]:

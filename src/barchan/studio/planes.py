@@ -62,8 +62,12 @@ def surface_planes(simulation: Simulation, with_ground: bool) -> Iterator[Plane]
     bed = simulation.bed
     if with_ground:
         yield Plane("ground", bed.ground.astype(np.float32))
-    small = bed.sand.max() <= _LARGEST
-    yield Plane("depth", bed.sand.astype(np.uint16 if small else np.int32), simulation.lattice.thickness)
+    yield Plane("depth", bed.sand.astype(_type_up_to(bed.sand.max())), simulation.lattice.thickness)
+
+
+def _type_up_to(largest: int) -> type[np.number]:
+    """The smallest type of the protocol that holds whole numbers from 0 up."""
+    return next(kind for kind in (np.uint8, np.uint16, np.int32) if largest <= np.iinfo(kind).max)
 
 
 def plane_of(simulation: Simulation, name: str, earlier: NDArray[np.float64] | None) -> Plane | None:

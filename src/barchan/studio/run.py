@@ -10,6 +10,7 @@ from barchan.analysis import highest_stack, sand_volume
 from barchan.errors import BarchanError
 from barchan.scenario import Scenario
 from barchan.simulation import Simulation, State
+from barchan.studio.branches import Branches
 from barchan.studio.gauges import Gauges
 from barchan.studio.history import FINEST, History
 from barchan.studio.pace import Pace
@@ -32,6 +33,7 @@ class StudioRun:
         self.pace = Pace()
         self.begin(simulation, History(min(simulation.scenario.run.save_every, FINEST)), Gauges())
         self.gauges.look(simulation, at_once=True)
+        self.branches = Branches(self.live, self.history, self.gauges)
 
     def begin(self, simulation: Simulation, history: History, gauges: Gauges) -> None:
         """Go on with a simulation that has this past."""
@@ -116,7 +118,7 @@ class StudioRun:
         self.looking = None
 
     def branch(self) -> None:
-        """Go on from the state that is looked at; what came after it is forgotten here.
+        """Go on from the state that is looked at; what came after it is kept as a branch of its own.
 
         Raises BarchanError where an archive holds no more of it than a picture.
         """
@@ -124,7 +126,16 @@ class StudioRun:
             if not self.can_branch:
                 raise BarchanError("an archive keeps its frames to look at; go on from its newest state")
             step = self.looking.steps_done
-            self.begin(self.looking, self.history.until(step), self.gauges.until(step))
+            past = self.history.until(step), self.gauges.until(step)
+            self.branches.leave(self.live, self.history, self.gauges)
+            self.begin(self.looking, *past)
+            self.branches.add(self.live, *past)
+
+    def switch(self, number: int) -> None:
+        """Go back to another branch, paused where it was left; raises BarchanError where it is not kept."""
+        self.branches.leave(self.live, self.history, self.gauges)
+        branch = self.branches.take(number)
+        self.begin(branch.simulation, branch.history, branch.gauges)
 
     def change(self, simulation: Simulation) -> None:
         """Go on with a simulation that was led to another state by the brush."""
@@ -161,4 +172,5 @@ def resumed(state: State, history: History) -> StudioRun:
     """A run that goes on from a state and has this past."""
     run = StudioRun(Simulation.from_state(state))
     run.begin(run.live, history, run.gauges)
+    run.branches = Branches(run.live, history, run.gauges)
     return run

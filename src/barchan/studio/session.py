@@ -19,7 +19,7 @@ Order = dict[str, Any]
 FIRST, SECOND = "a", "b"
 
 TO_WORKERS = frozenset(("confirm", "view", "paths", "rose", "set", "wind", "stroke", "undo", "redo")) | {
-    *("run", "pause", "limit", "restart", "look", "branch", "space_time")
+    *("run", "pause", "limit", "restart", "look", "branch", "switch", "space_time")
 }
 """Orders that workers carry out as they come from the browser."""
 

@@ -5,12 +5,18 @@ import signal
 import time
 from multiprocessing.connection import Connection
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from numpy.typing import NDArray
 
 from barchan.errors import BarchanError, ScenarioError
 from barchan.studio.protocol import FRAMES_IN_FLIGHT, frame, message
+
+if TYPE_CHECKING:
+    from barchan.studio.ration import Ration
+
+FIELDS_SHARE = 0.03
+"""Share of the time that may go into fields beside the surface."""
 
 FRAME_PAUSE = 0.012
 """Seconds from one frame to the next, at least; a run's breath lets some 60 a second pass."""
@@ -38,12 +44,14 @@ class Worker:
         """Wait for a scenario."""
         from barchan.studio.flights import Flights
         from barchan.studio.orders import Orders
+        from barchan.studio.ration import Ration
 
         self.connection = connection
         self.name = name
         self.orders = Orders(self)
         self.wanted: list[str] = []
         """Fields that the browser shows beside the surface."""
+        self.fields = Ration(FIELDS_SHARE)
         self.flights = Flights()
         self.credit = 0
         self.stale = True
@@ -52,6 +60,8 @@ class Worker:
         self.history_sent: list[int] = []
         self._number = 0
         self._next_frame = 0.0
+        self._owed: float | None = None
+        """When what the last frame was sent without may follow."""
 
     def tell(self, what: str, **content: Any) -> None:
         """Send a control message."""
@@ -66,8 +76,9 @@ class Worker:
         run = self.orders.run
         if run is not None and run.busy:
             return run.pace.wait()
-        if self.stale and self.credit and run is not None:
-            return max(0.0, self._next_frame - time.perf_counter())
+        due = self._next_frame if self.stale else self._owed
+        if due is not None and self.credit and run is not None:
+            return max(0.0, due - time.perf_counter())
         return None
 
     def obey(self, order: dict[str, Any]) -> None:
@@ -97,6 +108,8 @@ class Worker:
                 if self.credit:  # those who compare two runs see both at every meeting
                     self._send_frame()
                 self.tell("arrived", step=run.live.steps_done)
+        elif self._owed is not None and time.perf_counter() >= self._owed:
+            self.stale = True
         if self.stale and self.credit and time.perf_counter() >= self._next_frame:
             self._send_frame()
 
@@ -115,19 +128,32 @@ class Worker:
         """Tell what is being run."""
         from barchan.studio.description import description
 
-        assert self.orders.run is not None
-        self.tell("scenario", **description(self.orders.run.live))
+        run = self.orders.run
+        assert run is not None
+        branches = run.branches.told(run.live.steps_done)
+        self.tell("scenario", **description(run.live), branches=branches, branch=run.branches.current)
+
+    def _may(self, ration: "Ration") -> bool:
+        """Whether something may go with a frame; if not, it is owed."""
+        if not ration.is_due:
+            self._owed = ration.due if self._owed is None else min(self._owed, ration.due)
+        return ration.is_due
 
     def _send_frame(self) -> None:
-        from barchan.studio.planes import plane_of, surface_planes
+        from barchan.studio.planes import CHANGE, plane_of, surface_planes
 
         run = self.orders.run
         assert run is not None
         shown = run.shown
         planes = list(surface_planes(shown, shown.bed.ground is not self.ground_sent))
-        earlier = run.earlier() if "change" in self.wanted else None
-        planes += [plane for name in self.wanted if (plane := plane_of(shown, name, earlier)) is not None]
+        self._owed = None
+        if self.wanted and self._may(self.fields):
+            with self.fields.spending():
+                earlier = run.earlier() if CHANGE in self.wanted else None
+                found = (plane_of(shown, name, earlier) for name in self.wanted)
+                planes += [plane for plane in found if plane is not None]
         header: dict[str, Any] = {
+            "fields": self.wanted,
             "run": self.name,
             "number": self._number,
             "rows": shown.lattice.rows,
@@ -139,8 +165,8 @@ class Worker:
             header["history"] = self.history_sent = steps
         if rows := run.gauges.sent():
             header["measures"] = rows
-        if (paths := self.flights.over(shown, at_once=not run.busy)) is not None:
-            header["paths"] = paths
+        if self.flights.wanted_over(shown) and self._may(self.flights.ration):
+            header["paths"] = self.flights.over(shown)
         self._next_frame = time.perf_counter() + FRAME_PAUSE
         self._number += 1
         self.credit -= 1

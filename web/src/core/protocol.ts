@@ -71,6 +71,10 @@ export interface Description {
   repose: number | null;
   facts: Record<string, string>;
   remarks: string[];
+  /** The ways that the run went; the step where each began, and its last one. */
+  branches: { number: number; began: number; step: number }[];
+  /** The number of the one that it is on. */
+  branch: number;
   events: number;
 }
 
@@ -98,6 +102,8 @@ export interface Frame {
   rows: number;
   columns: number;
   status: Status;
+  /** Beside the surface these are shown; those that a frame lacks are as they were. */
+  shown: string[];
   history?: number[];
   measures?: Row[];
   /** Paths of grains: x, y and z (m) of each point after the other. */
@@ -121,7 +127,7 @@ export function readFrame(data: ArrayBuffer): Frame {
     at += padded(numbers.byteLength);
     fields.set(plane.name, scaled(numbers, plane.scale, plane.offset));
   }
-  return { ...header, fields };
+  return { ...header, shown: header.fields, fields };
 }
 
 function scaled(numbers: ArrayLike<number>, scale: number, offset: number): Float32Array {

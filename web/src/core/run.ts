@@ -42,7 +42,8 @@ export class Run {
     const count = frame.rows * frame.columns;
     if (this.surface.length !== count) this.surface = new Float32Array(count);
     for (let i = 0; i < count; i++) this.surface[i] = this.ground[i]! + this.depth[i]!;
-    this.fields = frame.fields;
+    const kept = frame.shown.filter((name) => this.fields.get(name)?.length === count);
+    this.fields = new Map([...kept.map((name) => [name, this.fields.get(name)!] as const), ...frame.fields]);
   }
 
   private measure(rows: Row[]): void {

@@ -11,6 +11,12 @@ export class Timeline {
   private readonly label = h("output", {});
   private readonly play: HTMLButtonElement;
   private readonly now: HTMLButtonElement;
+  private readonly branches = h("select", {
+    "aria-label": "Branch",
+    title: "Go back to another branch",
+    hidden: true,
+    onchange: () => this.app.order({ do: "switch", branch: Number(this.branches.value) }),
+  });
   private readonly branch: HTMLButtonElement;
   private playing: ReturnType<typeof setInterval> | null = null;
   private waiting = false;
@@ -18,11 +24,12 @@ export class Timeline {
   constructor(private readonly app: App) {
     this.play = button("Play from here", "play", () => this.togglePlay());
     this.now = button("Return to now (End)", "now ⏵❘", () => this.live());
-    this.branch = button("Go on from here; what came later is let go", "go on from here", () => this.goOn());
+    this.branch = button("Go on from here; what came later stays as a branch", "go on from here", () => this.goOn());
     this.slider.addEventListener("input", () => this.look(Number(this.slider.value)));
-    this.element = h("div", { className: "timeline" }, this.play, this.slider, this.label, this.branch, this.now);
+    this.element = h("div", { className: "timeline" }, this.play, this.slider, this.label, this.branches, this.branch, this.now);
     app.framed.watch(() => this.show());
     app.changed.watch(() => this.show());
+    app.described.watch(() => this.offer());
   }
 
   live(): void {
@@ -41,6 +48,13 @@ export class Timeline {
     const step = this.app.current?.status?.step;
     this.app.order({ do: "branch" });
     this.app.note("info", `Going on from step ${step} as a new branch.`);
+  }
+
+  private offer(): void {
+    const { branches, branch } = this.app.current!.description!;
+    const text = (one: (typeof branches)[number]) => `branch ${one.number} ${one.began ? `from ${short(one.began)}` : ""}`;
+    this.branches.replaceChildren(...branches.map((one) => h("option", { value: String(one.number), selected: one.number === branch }, text(one))));
+    this.branches.hidden = branches.length < 2;
   }
 
   private place(): { history: number[]; at: number } {
