@@ -181,3 +181,14 @@ def test_an_event_that_is_given_wrongly_says_what_is_allowed(make, said):
     with pytest.raises(ScenarioError) as caught:
         make()
     assert said in str(caught.value)
+
+
+def test_a_record_that_cannot_be_read_is_refused_and_the_wind_stays(tmp_path):
+    broken = tmp_path / "broken.csv"
+    broken.write_text("speed\n1\n")
+    simulation = Simulation(tiny(clock={"grain_diameter": 0.00025, "reference_speed": 8.0}))
+    with pytest.raises(ScenarioError, match="no column that tells"):
+        simulation.apply(SetWind(wind={"kind": "record", "path": str(broken)}))
+    assert simulation.wind.kind == "steady"
+    assert simulation.events == []
+    simulation.advance(2)

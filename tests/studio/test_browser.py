@@ -1,5 +1,6 @@
 """The studio as its users meet it: a server of its own, a real browser, small fields."""
 
+import base64
 import io
 import json
 import os
@@ -400,6 +401,53 @@ def test_the_space_time_diagram_begins_where_the_run_began(studio):
     studio.step_beyond(60)
     studio.page.keyboard.press("3")
     studio.until("parseInt(document.querySelector('.view:not([hidden]) .readout')?.textContent) >= 6")
+
+
+def dropped(studio, name: str, kind: str, content: bytes) -> None:
+    """Drop a file onto the scene."""
+    data = base64.b64encode(content).decode()
+    studio.ask(
+        f"""(() => {{
+            const bytes = Uint8Array.from(atob("{data}"), (sign) => sign.charCodeAt(0));
+            const transfer = new DataTransfer();
+            transfer.items.add(new File([bytes], "{name}", {{ type: "{kind}" }}));
+            const event = {{ bubbles: true, cancelable: true, dataTransfer: transfer }};
+            const scene = document.querySelector(".scene");
+            scene.dispatchEvent(new DragEvent("dragover", event));
+            scene.dispatchEvent(new DragEvent("drop", event));
+        }})()"""
+    )
+
+
+def test_an_image_dropped_onto_the_scene_is_the_ground(studio):
+    heights = np.zeros((48, 64), np.uint8)
+    heights[:, :32] = 255
+    file = io.BytesIO()
+    Image.fromarray(heights).save(file, "PNG")
+    dropped(studio, "plateau.png", "image/png", file.getvalue())
+    run = "window.barchan.app.runs[0]"
+    studio.until(f"{run}.description.scenario.ground.kind === 'file' && {run}.ground[0] > 1")
+    ground = np.array(studio.ask(f"[...{run}.ground]")).reshape(48, 64)
+    assert ground[:, 8:24].min() == ground.max() == pytest.approx(5.1)
+    assert ground[:, 40:56].max() == 0
+    assert (studio.folder / "studio-uploads" / "plateau.png").is_file()
+
+
+def test_what_is_dropped_and_cannot_be_used_is_told(studio):
+    dropped(studio, "tune.mp3", "audio/mpeg", b"0")
+    studio.until("window.barchan.app.log.some((entry) => entry.text.startsWith('tune.mp3: not'))")
+
+
+def test_a_wind_record_dropped_onto_the_scene_blows(studio):
+    scenario = load_scenario("recorded-wind", list(SMALL.items())).data()
+    studio.ask(f"window.barchan.app.create({json.dumps(scenario)}, false)")
+    wind = "window.barchan.app.runs[0].description.scenario.wind"
+    studio.until(f"{wind}.kind === 'record'")
+    dropped(studio, "broken.csv", "text/csv", b"seconds,speed\n0,1\n")
+    studio.until("window.barchan.app.log.some((entry) => entry.text.includes('no column that tells'))")
+    rows = "\n".join(f"2020-01-{1 + day:02}T00:00,{8 + day % 5},90" for day in range(28))
+    dropped(studio, "east.csv", "text/csv", f"time,speed (m/s),direction\n{rows}\n".encode())
+    studio.until(f"{wind}.path?.endsWith('east.csv')")
 
 
 def test_a_preset_from_the_gallery(studio):

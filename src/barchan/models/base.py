@@ -105,6 +105,8 @@ class Model(ABC):
     name: ClassVar[str] = ""
     title: ClassVar[str] = ""
     citation: ClassVar[str] = ""
+    material: ClassVar[str] = "sand"
+    """What its slabs or parcels are of, in one word; the studio offers models by it."""
     Parameters: ClassVar[type[Parameters]]
     fields: ClassVar[tuple[FieldInfo, ...]] = ()
     """Fields the model keeps on the bed beside ground and sand."""

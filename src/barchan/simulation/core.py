@@ -226,9 +226,10 @@ class Simulation:
 
     def _set_wind(self, event: SetWind) -> None:
         wind = event.wind.model_dump(mode="json")
-        self.wind = validate(
-            {**self.scenario.data(), "model": self._model_data(), "wind": wind}, "event"
-        ).wind
+        data = {**self.scenario.data(), "model": self._model_data(), "wind": wind}
+        wanted = validate(data, "event").wind
+        replace(self.forcing, wind=wanted).wind_of(self.steps_done)  # a record that cannot be read is refused
+        self.wind = wanted
 
     def _set_parameter(self, event: SetParameter) -> None:
         live = [f"model.{d.key}" for d in declarations(type(self.model.parameters)) if d.live]

@@ -28,6 +28,7 @@ def description(simulation: Simulation) -> dict[str, Any]:
         },
         "model": {"name": model.name, "title": model.title, "citation": model.citation},
         "models": {name: known.title for name, known in models().items()},
+        "materials": {name: known.material for name, known in models().items()},
         "fields": fields_of(simulation),
         "layers": [
             {"field": name, "title": layer.title if name == layer.field else name, "colours": layer.colours}

@@ -8,8 +8,8 @@ from barchan.errors import BarchanError, Problem, ScenarioError
 from barchan.studio.guard import is_plain_name
 
 UPLOADS = "studio-uploads"
-KINDS = (".png", ".npy", ".tif", ".tiff")
-"""Files that can be ground: data, never programs."""
+KINDS = (".png", ".npy", ".tif", ".tiff", ".csv", ".nc")
+"""Files that can be ground or a wind record: data, never programs."""
 
 
 class Store:
@@ -41,7 +41,7 @@ class Store:
     def keep(self, name: str, content: bytes) -> Path:
         """Keep an uploaded file; raises BarchanError for a name or kind that is not allowed."""
         if not is_plain_name(name) or Path(name).suffix.lower() not in KINDS:
-            raise BarchanError(f"'{name}' cannot be ground; allowed: {', '.join(KINDS)}, with a plain name")
+            raise BarchanError(f"'{name}' cannot be used; allowed: {', '.join(KINDS)}, with a plain name")
         path = self.folder / UPLOADS / name
         path.parent.mkdir(parents=True, exist_ok=True)
         number = 1

@@ -62,6 +62,8 @@ export interface Description {
   lattice: Lattice;
   model: { name: string; title: string; citation: string };
   models: Record<string, string>;
+  /** What each model is made for, by its name: sand, for instance. */
+  materials: Record<string, string>;
   fields: Field[];
   layers: { field: string; title: string; colours: string }[];
   brushes: Brush[];

@@ -7,6 +7,7 @@ import { dialog } from "./dialog";
 import { download, h, themeColour } from "./dom";
 
 const HEIGHTS = /\.(png|npy|tiff?)$/i;
+const RECORDS = /\.(csv|nc)$/i;
 
 export class Files {
   readonly menu: HTMLElement;
@@ -50,8 +51,9 @@ export class Files {
 
   async take(file: File): Promise<void> {
     if (HEIGHTS.test(file.name)) await this.ground(file);
+    else if (RECORDS.test(file.name)) await this.record(file);
     else if (/\.json$/i.test(file.name)) await this.load(file.name, await file.text());
-    else this.app.note("error", `${file.name}: not a scenario (.json) and no ground (.png, .npy, .tif)`);
+    else this.app.note("error", `${file.name}: not a scenario (.json) no ground (.png, .npy, .tif) and no wind record (.csv, .nc)`);
   }
 
   async savePicture(): Promise<void> {
@@ -106,7 +108,7 @@ export class Files {
   private choose(): void {
     const input = h("input", {
       type: "file",
-      accept: ".json,.png,.npy,.tif,.tiff",
+      accept: ".json,.png,.npy,.tif,.tiff,.csv,.nc",
       onchange: () => {
         const file = input.files?.[0];
         if (file) void this.take(file);
@@ -119,13 +121,28 @@ export class Files {
     const scenario = this.app.current?.description?.scenario;
     if (!scenario) return;
     try {
-      const kept = await this.app.line.fetch<{ path: string }>(`upload?name=${encodeURIComponent(file.name)}`, { method: "POST", body: file });
+      const kept = await this.upload(file);
       const image = /\.png$/i.test(file.name);
       const { columns, cell_size } = this.app.current!.description!.lattice;
       const heights = image ? { lowest: 0, highest: Number((columns * cell_size * 0.08).toPrecision(2)) } : {};
       const ground = { kind: "file", path: kept.path, resample: true, fill: "interpolate", ...heights };
       this.app.note("info", `${file.name} is the ground now${image ? `, white ${heights.highest} m above black` : ""}; see Ground in the panel.`);
       this.app.create({ ...scenario, ground }, true);
+    } catch (error) {
+      this.app.refused(error);
+    }
+  }
+
+  private upload(file: File): Promise<{ path: string }> {
+    return this.app.line.fetch(`upload?name=${encodeURIComponent(file.name)}`, { method: "POST", body: file });
+  }
+
+  /** Let the winds of a record blow. */
+  private async record(file: File): Promise<void> {
+    try {
+      const kept = await this.upload(file);
+      const answer = await this.app.ask({ do: "wind", wind: { kind: "record", path: kept.path }, run: this.app.selected });
+      if (answer) this.app.note("info", `The winds of ${file.name} blow now.`);
     } catch (error) {
       this.app.refused(error);
     }

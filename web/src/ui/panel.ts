@@ -94,22 +94,41 @@ export class Panel {
     const root = this.app.schema;
     const model = (this.scenario.model ?? {}) as JsonObject;
     const entry = entryOf(root.properties!.model!, root);
-    const { models, model: own, facts } = this.app.current!.description!;
+    const { models, materials, model: own, facts } = this.app.current!.description!;
+    const material = materials[own.name]!;
     const label = id("model");
     const choice = h(
       "select",
       { id: label, onchange: () => void this.variant(["model"], "name", choice.value) },
-      ...Object.entries(models).map(([name, title]) => h("option", { value: name, selected: name === model.name }, title)),
+      ...Object.entries(models)
+        .filter(([name]) => materials[name] === material)
+        .map(([name, title]) => h("option", { value: name, selected: name === model.name }, title)),
     );
     choice.dataset.path = "model.name";
     const known = Object.entries(facts).map(([name, text]) => h("div", {}, h("dt", {}, name), h("dd", {}, text)));
     return details(
       "model",
+      this.material(material, materials),
       h("div", { className: "row" }, h("label", { for: label }, "model", h("span", { className: "restarts" }, "↺")), h("div", { className: "control" }, choice)),
       h("p", { className: "source" }, own.citation),
       ...group(context, entry.variants[String(model.name)] ?? {}, model, ["model"]),
       known.length > 0 && h("dl", { className: "facts" }, ...known),
     );
+  }
+
+  /** What the model moves: a choice as soon as models of several materials are there. */
+  private material(material: string, materials: Record<string, string>): HTMLElement {
+    const label = id("material");
+    const all = [...new Set(Object.values(materials))];
+    const first = (wanted: string) => Object.keys(materials).find((name) => materials[name] === wanted)!;
+    const choice = h(
+      "select",
+      { id: label, onchange: () => void this.variant(["model"], "name", first(choice.value)) },
+      ...all.map((name) => h("option", { value: name, selected: name === material }, name)),
+    );
+    choice.dataset.path = "material";
+    const shown = all.length > 1 ? choice : h("output", { id: label, "data-path": "material" }, material);
+    return h("div", { className: "row" }, h("label", { for: label }, "material"), h("div", { className: "control" }, shown));
   }
 
   private group(context: FormContext, name: string): HTMLElement {
