@@ -161,9 +161,9 @@ export class Terrain {
   private cutFrom(ground: number, surface: number): void {
     const thick = Math.max(...this.extent) / this.exaggeration;
     const below = ground - FOOT * thick;
-    const [least, most] = [surface - 4 * FOOT * thick, surface - FOOT * thick];
+    const [least, most] = [surface - 2 * FOOT * thick, surface - 0.5 * FOOT * thick];
     if (below >= least) this.base = below;
-    else if (!(this.base >= least && this.base <= most)) this.base = surface - 2.5 * FOOT * thick;
+    else if (!(this.base >= least && this.base <= most)) this.base = surface - 1.2 * FOOT * thick;
   }
 
   private fillOverlay(run: Run): void {

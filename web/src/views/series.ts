@@ -24,7 +24,7 @@ export class SeriesView {
     this.element = h(
       "div",
       { className: "view series" },
-      h("div", { className: "tools" }, this.choice, button("Save the measures as CSV", "save CSV", () => this.save())),
+      h("div", { className: "tools" }, h("details", { className: "picker" }, h("summary", {}, "measures shown"), this.choice), button("Save the measures as CSV", "save CSV", () => this.save())),
       this.plots,
     );
     app.framed.watch(() => this.update());
