@@ -1,5 +1,7 @@
 import os
 import signal
+import time
+from pathlib import Path
 
 import httpx
 import numpy as np
@@ -9,7 +11,7 @@ from websockets.exceptions import ConnectionClosed, InvalidStatus
 from barchan.simulation import Simulation
 from barchan.studio.guard import LARGEST_UPLOAD
 from barchan.studio.protocol import FRAMES_IN_FLIGHT
-from tests.studio.conftest import serving, small
+from tests.studio.conftest import Browser, serving, small
 
 
 def test_frames_show_the_bits_that_the_simulation_gives(served, scenario):
@@ -32,6 +34,36 @@ def test_a_browser_that_confirms_nothing_gets_two_frames_while_the_run_goes_on(s
         browser.say("confirm", run="a")
         later = browser.until_frame()[0]["status"]["live"]
     assert later > first + 20
+
+
+def memory(pid: int) -> float:
+    """Resident memory of a process (MB)."""
+    text = Path(f"/proc/{pid}/status").read_text()
+    return int(next(line for line in text.splitlines() if line.startswith("VmRSS")).split()[1]) / 1024
+
+
+@pytest.mark.skipif(not Path("/proc/self/status").is_file(), reason="needs /proc")
+def test_a_stalled_browser_neither_slows_the_run_nor_grows_memory(served):
+    def steps_in(browser: Browser, seconds: float) -> int:
+        """Steps that were done while the browser took frames for so long."""
+        first, end = browser.until_frame()[0]["status"]["live"], time.monotonic() + seconds
+        while time.monotonic() < end:
+            last = browser.until_frame()[0]["status"]["live"]
+        return last - first
+
+    with served.browser() as browser:
+        browser.until_frame(lambda status: status["step"] > 3000)
+        lively = steps_in(browser, 1.0)
+        browser.confirms = False
+        last = [browser.until_frame()[0]["status"]["live"] for _ in range(FRAMES_IN_FLIGHT)][-1]
+        pids = os.getpid(), served.session.links["a"].process.pid
+        before = [memory(pid) for pid in pids]
+        time.sleep(3.0)
+        grown = [memory(pid) - known for pid, known in zip(pids, before, strict=True)]
+        browser.say("confirm", run="a")
+        stalled = browser.until_frame()[0]["status"]["live"] - last
+        assert stalled > 3 * lively / 2
+        assert max(grown) < 8.0
 
 
 def test_a_live_parameter_changes_during_the_run(served):

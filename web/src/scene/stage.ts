@@ -55,7 +55,7 @@ export class Stage {
 
   /** Let the camera look from one of the usual places. */
   look(from: "oblique" | "top" | "side"): void {
-    const [x, y, z] = { oblique: [-6.4, 9.6, 17.2], top: [0, 21, 0.001], side: [0, 2.2, 21] }[from] as number[];
+    const [x, y, z] = { oblique: [-5.6, 8.3, 15.0], top: [0, 21, 0.001], side: [0, 2.2, 21] }[from] as number[];
     this.controls.target.set(0, from === "oblique" ? 0.1 : 0, 0);
     this.camera.position.set(x!, y!, z!);
     this.controls.update();
