@@ -1,4 +1,4 @@
-"""A stroke changes the sand in a round patch, and never takes what is not there."""
+"""A brush changes sand, ground and fields in a round patch, and never takes what is not there."""
 
 import math
 
@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from barchan.bed import Bed, Lattice
-from barchan.ground.brush import brushed
+from barchan.ground.brush import brush, brushed, grown, raised
 
 ROWS, COLUMNS, CELL = 10, 14, 2.0
 
@@ -44,6 +44,10 @@ def cell_by_cell(bed, *stroke):
     return [[one_cell(bed, row, col, *stroke) for col in range(COLUMNS)] for row in range(ROWS)]
 
 
+def stroked(bed, x, y, radius, amount, falloff):
+    return brushed(bed, brush(bed.lattice, x, y, radius, falloff), amount)
+
+
 boundaries = st.sampled_from(["periodic", "open"])
 strokes = st.tuples(
     st.floats(0, COLUMNS * CELL),
@@ -57,7 +61,7 @@ strokes = st.tuples(
 @given(strokes, boundaries, boundaries)
 def test_a_stroke_equals_its_definition_cell_by_cell(stroke, boundary_x, boundary_y):
     bed = bed_of(3, boundary_x, boundary_y)
-    change = brushed(bed, *stroke)
+    change = stroked(bed, *stroke)
     differences = np.abs(change - np.array(cell_by_cell(bed, *stroke)))
     halves = _close_to_a_half(bed, *stroke)
     assert (differences[~halves] == 0).all()
@@ -78,16 +82,33 @@ def _close_to_a_half(bed, x, y, radius, amount, falloff):
 
 def test_a_stroke_a_whole_field_away_is_the_same_stroke_where_edges_are_joined():
     bed = bed_of()
-    near = brushed(bed, 27.0, 7.0, 5.0, 4, "smooth")
-    far = brushed(bed, 27.0 + COLUMNS * CELL, 7.0, 5.0, 4, "smooth")
+    near = stroked(bed, 27.0, 7.0, 5.0, 4, "smooth")
+    far = stroked(bed, 27.0 + COLUMNS * CELL, 7.0, 5.0, 4, "smooth")
     np.testing.assert_array_equal(near, far)
 
 
 def test_a_stroke_beside_an_open_edge_stays_on_its_side():
-    change = brushed(bed_of(boundary_x="open"), 0.0, 10.0, 5.0, 4, "none")
+    change = stroked(bed_of(boundary_x="open"), 0.0, 10.0, 5.0, 4, "none")
     assert change[:, :2].sum() > 0
     assert change[:, 4:].sum() == 0
 
 
 def test_a_stroke_takes_no_more_than_there_is():
-    assert brushed(bed_of(mean=3), 14.0, 10.0, 100.0, -50, "none").min() == -3
+    assert stroked(bed_of(mean=3), 14.0, 10.0, 100.0, -50, "none").min() == -3
+
+
+def test_ground_changes_by_whole_slabs_and_stays_above_the_lowest():
+    bed = bed_of()
+    bed.ground[:, 7:] = 2.5
+    strength = brush(bed.lattice, 14.0, 10.0, 9.0, "smooth")
+    steps = raised(bed, strength, 6) / bed.lattice.thickness
+    np.testing.assert_allclose(steps, np.rint(6 * strength))
+    lowered = bed.ground + raised(bed, np.ones(bed.lattice.shape), -100)
+    assert not lowered.any()
+
+
+def test_a_field_is_held_within_its_bounds_and_what_lies_beyond_stays():
+    values = np.array([-0.5, 0.0, 0.4, 1.0, 1.3])
+    ones = np.ones(5)
+    np.testing.assert_allclose(values + grown(values, ones, 0.3, (0.0, 1.0)), [-0.2, 0.3, 0.7, 1.0, 1.3])
+    np.testing.assert_allclose(values + grown(values, ones, -0.6, (0.0, 1.0)), [-0.5, 0.0, 0.0, 0.4, 0.7])
