@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-PROTOCOL = 1
+PROTOCOL = 2
 """Version of the messages; client and server of different versions do not talk."""
 
 MAGIC = b"BRCH"

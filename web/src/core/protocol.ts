@@ -1,6 +1,6 @@
 /** What the server says, and how frames are read. */
 
-export const PROTOCOL = 1;
+export const PROTOCOL = 2;
 
 const MAGIC = 0x48435242; // "BRCH"
 

@@ -2,6 +2,7 @@
 
 import * as THREE from "three";
 import type { Run } from "../core/run";
+import { themeColour } from "../ui/dom";
 import type { Terrain } from "./terrain";
 
 /** How high above the surface the highest path may be drawn, of the field's longer side. */
@@ -10,7 +11,7 @@ const ROOM = 0.22;
 export class PathLines {
   readonly lines = new THREE.LineSegments(
     new THREE.BufferGeometry(),
-    new THREE.LineBasicMaterial({ color: "#1d4f8c", transparent: true, opacity: 0.8 }),
+    new THREE.LineBasicMaterial({ transparent: true, opacity: 0.85 }),
   );
 
   constructor() {
@@ -37,6 +38,7 @@ export class PathLines {
         if (i > 0 && i < path.length - 3) ends.push(...point);
       }
     }
+    this.lines.material.color.set(themeColour("second"));
     this.lines.geometry.dispose();
     this.lines.geometry = new THREE.BufferGeometry().setAttribute("position", new THREE.Float32BufferAttribute(ends, 3));
     this.lines.visible = ends.length > 0;
