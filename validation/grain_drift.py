@@ -1,10 +1,11 @@
-"""Which way ripples of grains travel: against the wind after the published rules, downwind with splash.
+"""Which way waves of sand travel: against the wind after the published rules, downwind with splash.
 
-Waves of 1.5 mm are laid across fields of 256 × 32 cells of 5 mm once the grains in the air have found their
-balance, 3 seeds; they are 8 cm long unless it says otherwise. `wang_hu` has 10 m/s and steps of 0.5 ms. What
-2000 iterations lay down and take, in phase with the wave and a quarter behind it, tells how fast the wave
-grows and travels. Grains of `ripples` count 1/50 of their mass, so the bed changes 50 times as fast as under
-real wind.
+Waves are laid across fields of 256 × 32 cells of 5 mm once the grains in the air have found their balance, 3
+seeds; they are 8 cm long and 3 mm high unless it says otherwise. `wang_hu` has 10 m/s and steps of 0.5 ms.
+What 2000 iterations lay down and take, in phase with the wave and a quarter behind it, tells how fast the wave
+grows and travels, by the wind that the bed sees. A grain's sand is as thick as a grain and lies over a patch
+of nine stacks under `ripples`, and on one under `wang_hu`. On the rough bed it lies on one under `ripples`
+too, and the wind has blown for 250 s before the wave is laid.
 """
 
 import numpy as np
@@ -12,38 +13,42 @@ import numpy as np
 import barchan
 from validation.study import Row, order, over_seeds, spread
 
-TITLE = "Which way ripples of grains travel"
+TITLE = "Which way waves of grains travel"
 
 SEEDS = (1, 2, 3)
-CELL, PARCEL = 0.005, 0.15e-3
-COLUMNS = 256
+CELL, DIAMETER = 0.005, 0.15e-3
+COLUMNS, ROWS = 256, 32
+DEPTH = 0.03
 LENGTHS = {8: "16 cm", 16: "8 cm", 24: "5.3 cm"}
 """Waves in a field, and how long they are."""
 HEIGHT = 1.5e-3
 """Amplitude (m) of the waves."""
-WARM_UP, SPELL, MEASURED = 20, 6, 40
-"""Steps before the waves are laid, until grains have met them, and of the measurement."""
+WARM_UP, ROUGHENING, SPELL, MEASURED = 20, 200, 6, 40
+"""Steps before the waves are laid, or before that on the rough bed; until grains have met them; measured."""
 
 
-def response(model, waves, seed):
-    """Growth (1/s) and speed downwind (mm/s) of the waves, per second of flight."""
+def response(model, waves, warm_up, seed):
+    """Growth (1/s) and speed downwind (mm/s) of the waves, per second of wind."""
+    patch = model["name"] == "ripples" and model.get("footprint") != "stack"
+    parcel = DIAMETER / 16 if patch else DIAMETER
     scenario = barchan.load(
         {
             "barchan": 1,
-            "lattice": {"rows": 32, "columns": COLUMNS, "cell_size": CELL, "slab_height": PARCEL},
-            "sand": {"kind": "flat", "mean": 200},
+            "lattice": {"rows": ROWS, "columns": COLUMNS, "cell_size": CELL, "slab_height": parcel},
+            "sand": {"kind": "flat", "mean": round(DEPTH / parcel)},
             "model": {"iterations_per_step": 50, "time_step": 5e-4, **model},
-            "run": {"steps": WARM_UP + SPELL + MEASURED, "seed": seed},
+            "run": {"steps": warm_up + SPELL + MEASURED, "seed": seed},
         }
     )
     simulation = barchan.Simulation(scenario)
-    simulation.advance(WARM_UP)
+    simulation.advance(warm_up)
     phase = np.arange(COLUMNS) * 2 * np.pi * waves / COLUMNS
-    wave = np.rint(HEIGHT / PARCEL * np.sin(phase)).astype(np.int32)
+    wave = np.rint(HEIGHT / parcel * np.sin(phase)).astype(np.int32)
     simulation.bed.sand[...] = simulation.bed.sand + wave
-    simulation.ledger.entered += int(wave.sum()) * scenario.lattice.rows
+    simulation.ledger.entered += int(wave.sum()) * ROWS
     simulation.advance(SPELL)
     before = simulation.bed.sand.mean(axis=0)
+    slope = np.diff(simulation.bed.sand - before, axis=1).std() * parcel / CELL
     simulation.advance(MEASURED)
     change = simulation.bed.sand.mean(axis=0) - before
     seconds = simulation.model.step_seconds * MEASURED
@@ -52,42 +57,51 @@ def response(model, waves, seed):
     turn = -2 * np.mean(change * np.cos(phase)) / amplitude / seconds
     length = COLUMNS * CELL / waves
     return {
-        "growth": float(growth),
+        "growth": float(growth) * 1e3,
         "speed": float(turn * length / (2 * np.pi) * 1e3),
-        "airborne": simulation.ledger.airborne / scenario.lattice.cells,
+        "rough": float(np.degrees(np.arctan(slope))),
+        "airborne": simulation.model.flying / scenario.lattice.cells,
     }
 
 
 def rows():
     published = {"name": "wang_hu", "wind_speed": 10.0}
     winds = (10.0, 12.0, 15.0)
-    splash = [{"name": "ripples", "wind_speed": speed, "weight": 0.02} for speed in winds]
+    splash = [{"name": "ripples", "wind_speed": speed, "weight": 0.02, "load": 6.0} for speed in winds]
+    whole = [{**model, "footprint": "stack"} for model in splash]
     cases = [
-        ({**published, "lift_from_lee": True}, 16),
-        ({**published, "lift_from_lee": False}, 16),
-        *((model, waves) for waves in LENGTHS for model in splash),
+        ({**published, "lift_from_lee": True}, 16, WARM_UP),
+        ({**published, "lift_from_lee": False}, 16, WARM_UP),
+        *((model, 16, ROUGHENING) for model in whole),
+        *((model, waves, WARM_UP) for waves in LENGTHS for model in splash),
     ]
     anywhere, stoss, *others = over_seeds(response, cases, SEEDS)
-    by_length = dict(zip(LENGTHS, (others[at : at + 3] for at in (0, 3, 6)), strict=True))
+    rough, smooth = others[:3], others[3:]
+    by_length = dict(zip(LENGTHS, (smooth[at : at + 3] for at in (0, 3, 6)), strict=True))
     found = by_length[16]
     yield _speed("`wang_hu`, lift-off from anywhere", "against the wind (seed 000)", anywhere, -1)
     yield _speed("`wang_hu`, not from lee faces", "–", stoss, 1)
     for speed, result in zip(winds, found, strict=True):
         yield _speed(f"`ripples`, {speed:g} m/s", "downwind", result, 1)
     yield order("speed of `ripples`, 15 against 10 m/s", "more", found[2]["speed"], found[0]["speed"], "mm/s")
+    for speed, result in zip(winds, rough, strict=True):
+        yield _speed(f"`ripples` on the rough bed, {speed:g} m/s", "downwind", result, 1)
     for at, speed in enumerate(winds):
         for waves, length in LENGTHS.items():
             growth = spread(by_length[waves][at]["growth"])
-            yield Row(f"growth of `ripples`, {speed:g} m/s, {length}", "–", f"{growth} per second of flight")
+            yield Row(f"growth of `ripples`, {speed:g} m/s, {length}", "–", f"{growth} in 1000 s of wind")
+    for name, results in (("smooth", found), ("rough", rough)):
+        for speed, result in zip(winds, results, strict=True):
+            yield Row(f"slopes along the wind, {name} bed, {speed:g} m/s", "–", f"{spread(result['rough'])}°")
     for speed, result in zip(winds, found, strict=True):
-        yield Row(f"parcels in the air, {speed:g} m/s", "–", f"{spread(result['airborne'])} a cell")
+        yield Row(f"grains in the air, {speed:g} m/s", "–", f"{spread(result['airborne'])} a cell")
 
 
 def _speed(what, published, found, sign):
     values = found["speed"]
     votes = sum(value * sign > 0 for value in values)
     verdict = f"{votes} of {len(values)} seeds {'downwind' if sign > 0 else 'against the wind'}"
-    return Row(f"speed, {what}", published, f"{spread(values)} mm/s of flight", verdict)
+    return Row(f"speed, {what}", published, f"{spread(values)} mm/s", verdict)
 
 
 READING = """

@@ -164,17 +164,45 @@ class ReferenceFlight:
             changes.append((grain, rest, self.lift(grain, derive(key, slot))))
         for grain, rest, source in changes:
             if rest == "out":
-                self.left += 1
+                self.left += self.rules.carried
             elif rest:
-                self.bed.sand[rest] += 1
-            if source and self.bed.sand[source] > 0:
-                self.bed.sand[source] -= 1
-                self.moved += 1
+                self.lay_down(*rest)
+            if source and self.take_up(*source):
+                self.moved += self.rules.carried
             elif source:
                 grain.held = False
 
+    def patch(self, row, col):
+        """The stacks about one that a grain's sand may lie on beside it, and how many parcels each."""
+        (rows, cols), (joined_y, joined_x) = self.bed.lattice.shape, self.bed.lattice.periodic
+        for r in (row - 1, row, row + 1):
+            for c in (col - 1, col, col + 1):
+                inside = (joined_y or 0 <= r < rows) and (joined_x or 0 <= c < cols)
+                if inside and (r, c) != (row, col):
+                    yield (r % rows, c % cols), (2 if r == row or c == col else 1)
+
+    def lay_down(self, row, col):
+        rest = self.rules.carried
+        for cell, parcels in self.patch(row, col) if rest > 1 else ():
+            self.bed.sand[cell] += parcels
+            rest -= parcels
+        self.bed.sand[row, col] += rest
+
+    def take_up(self, row, col):
+        """Whether the sand of a grain was there and was taken."""
+        rest, taken = self.rules.carried, []
+        for cell, parcels in self.patch(row, col) if rest > 1 else ():
+            taken.append((cell, min(parcels, self.bed.sand[cell])))
+            rest -= taken[-1][1]
+        if self.bed.sand[row, col] < rest:
+            return False
+        for cell, parcels in [*taken, ((row, col), rest)]:
+            self.bed.sand[cell] -= parcels
+        return True
+
     def book(self, grain, inside):
-        self.capped += bool(inside and grain.bounces >= self.rules.max_bounces)
+        self.capped += bool(inside and grain.bounces >= self.rules.max_bounces) * self.rules.carried
         for axis, (there, start) in enumerate(zip((grain.x, grain.y), grain.start, strict=True)):
             size = self.bed.lattice.shape[1 - axis]
-            self.travel[axis] += int(np.rint((float(there) - float(start) + grain.laps[axis] * size) * 2**16))
+            way = (float(there) - float(start) + grain.laps[axis] * size) * 2**16
+            self.travel[axis] += int(np.rint(way)) * self.rules.carried

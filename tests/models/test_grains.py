@@ -31,6 +31,7 @@ SMALL = {
         ({"model__grain_density": 100.0, "model__air_density": 90.0}, "grains that fall"),
         ({"model__normal_damping": 1.5}, "≤ 1"),
         ({"model__lift_least": 3.0}, "below lift_least"),
+        ({"model__footprint": "patch", "lattice__rows": 2}, "3 stacks wide, on a field of 2 × 32"),
     ],
 )
 def test_what_keeps_grains_from_flying_is_named(changes, said):
@@ -42,7 +43,9 @@ def test_what_keeps_grains_from_flying_is_named(changes, said):
 def test_the_published_grain_count_of_a_parcel_follows_from_porosity():
     facts = Simulation(barchan.load(SMALL)).model.facts()
     grains = 0.01**2 * 0.15e-3 * 0.6 / (np.pi / 6 * 0.15e-3**3)
-    assert f"{grains:.4g} grains" in facts["parcel"]
+    assert f"{grains:.4g} grains" in facts["a grain in the air"]
+    facts = Simulation(barchan.load(SMALL, model__footprint="patch")).model.facts()
+    assert f"{16 * grains:.4g} grains" in facts["a grain in the air"]
 
 
 def test_a_thick_parcel_is_remarked_on():

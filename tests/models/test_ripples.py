@@ -37,6 +37,33 @@ def test_lighter_parcels_put_more_sand_into_the_air():
     assert light.ledger.airborne > 1.5 * heavy.ledger.airborne
 
 
+def test_the_wind_does_not_depend_on_how_steps_are_cut():
+    short, long = (
+        run(
+            2000 // iterations,
+            model__iterations_per_step=iterations,
+            model__weight=5e-3,
+            model__wind_speed=14.0,
+        )
+        for iterations in (20, 1000)
+    )
+    assert short.model.flying > 200
+    assert long.model.stress == pytest.approx(short.model.stress, rel=0.2)
+    assert long.model.flying == pytest.approx(short.model.flying, rel=0.2)
+
+
+def test_a_step_counts_for_as_much_wind_as_the_bed_sees():
+    assert run(1, model__weight=0.1).model.step_seconds == pytest.approx(20 * 5e-4 / 0.1)
+
+
+def test_a_patch_leaves_a_smoother_bed_than_single_stacks():
+    changes = {"model__weight": 0.02, "sand__mean": 400}
+    whole = run(150, model__footprint="stack", **changes)
+    patch = run(150, lattice__slab_height=0.15e-3 / 16, sand__mean=6400, model__weight=0.02)
+    steps = [np.diff(one.bed.sand * one.lattice.thickness, axis=1).std() for one in (whole, patch)]
+    assert steps[1] < 0.6 * steps[0]
+
+
 def test_nothing_moves_below_the_threshold_and_the_user_is_told():
     simulation = run(5, model__wind_speed=8.0)
     assert simulation.tally.moved == 0

@@ -1,36 +1,100 @@
 """What grains in flight do to the bed: parcels lifted and laid down, and slopes that slide.
 
-A parcel is the sand of one cell, as high as one unit of the bed. Exchange happens one grain after the
-other in the order of slots, so it is the same however the flight was shared among threads.
+A parcel is the sand of one cell, as high as one unit of the bed. A grain takes one along, from the nearest
+stack, or as many as a patch of nine stacks gives. Exchange happens one grain after the other in the order of
+slots, so it is the same however the flight was shared among threads.
 """
 
 import numpy as np
 from numba import njit
 
-from barchan.kernels.avalanche import neighbour
-from barchan.kernels.grain_state import NOWHERE, OUT, free_slot
-from barchan.kernels.grain_surface import renew_mesh, renew_mesh_about
+from barchan.kernels.avalanche import COL_STEP, ROW_STEP, neighbour
+from barchan.kernels.grain_state import NOWHERE, OUT, PATCH, free_slot
+from barchan.kernels.grain_surface import renew_mesh, renew_mesh_about, renew_mesh_of_patch
 from barchan.kernels.settle import CHECKED, let_go, upset
 
 MOVED, LEFT, CAPPED, TRAVEL_X, TRAVEL_Y, FLOWN, LOST = range(7)
-"""What the counts of a step hold; travel in ``TRAVEL_UNIT``."""
+"""What the counts of a step hold, in grains; travel in ``TRAVEL_UNIT``."""
 COUNTS = 7
 
 
 @njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
-def change_sand(cell, parcels, ground, scale, grid):
-    """Lay parcels on a cell, or take them (negative)."""
+def _change(cell, parcels, ground, scale):
     ground.sand[cell] += parcels
     ground.level[cell] += parcels * scale.parcel
     ground.height[cell] = np.float32(ground.level[cell] * scale.part)
+
+
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+def _share(direction):
+    """Parcels of a patch on the neighbour in a direction."""
+    return 2 if ROW_STEP[direction] * COL_STEP[direction] == 0 else 1
+
+
+@njit(cache=True, nogil=True, error_model="numpy")
+def _lay_patch(cell, ground, scale, grid):
+    """Lay a grain's parcels over a cell and its neighbours; missing ones leave their share to the cell."""
+    row, col = cell // grid.cols, cell % grid.cols
+    rest = PATCH
+    for k in range(8):
+        r, c = neighbour(row, col, k, grid)
+        other = r * grid.cols + c
+        if other != cell:
+            _change(other, _share(k), ground, scale)
+            rest -= _share(k)
+    _change(cell, rest, ground, scale)
+    renew_mesh_of_patch(row, col, ground, grid)
+
+
+@njit(cache=True, nogil=True, error_model="numpy")
+def _take_patch(cell, ground, scale, grid):
+    """Take them; the cell gives what its neighbours have not. False: it cannot, and nothing changed."""
+    row, col = cell // grid.cols, cell % grid.cols
+    rest = PATCH
+    for k in range(8):
+        r, c = neighbour(row, col, k, grid)
+        other = r * grid.cols + c
+        if other != cell:
+            rest -= min(_share(k), np.int64(ground.sand[other]))
+    if ground.sand[cell] < rest:
+        return False
+    _change(cell, -rest, ground, scale)
+    for k in range(8):
+        r, c = neighbour(row, col, k, grid)
+        other = r * grid.cols + c
+        if other != cell:
+            _change(other, -min(_share(k), np.int64(ground.sand[other])), ground, scale)
+    renew_mesh_of_patch(row, col, ground, grid)
+    return True
+
+
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+def lay_down(cell, ground, scale, grid):
+    """Lay the sand of a grain on a cell, or over it and its neighbours."""
+    if scale.carried == 1:
+        _change(cell, 1, ground, scale)
+        renew_mesh_about(cell, ground, grid)
+    else:
+        _lay_patch(cell, ground, scale, grid)
+
+
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+def take_up(cell, ground, scale, grid):
+    """Take the sand of a grain from a cell, or from it and its neighbours; False: there is too little."""
+    if scale.carried > 1:
+        return _take_patch(cell, ground, scale, grid)
+    if ground.sand[cell] == 0:
+        return False
+    _change(cell, -1, ground, scale)
     renew_mesh_about(cell, ground, grid)
+    return True
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
 def exchange(first, count, grains, ground, scale, grid, events, counts):
-    """Lay down the parcels that came to rest and take those that were lifted, entry by entry.
+    """Lay down the sand of grains that came to rest and take that of those lifted, entry by entry.
 
-    A cell that has no sand left by then gives none, and the slot stays free.
+    A cell that has too little left by then gives none, and the slot stays free.
     """
     for k in range(first, first + count):
         rest, source = events.rest[k], events.source[k]
@@ -41,10 +105,9 @@ def exchange(first, count, grains, ground, scale, grid, events, counts):
             counts[LEFT] += 1
         elif rest != NOWHERE:
             counts[CAPPED] += events.capped[k]
-            change_sand(rest, 1, ground, scale, grid)
+            lay_down(rest, ground, scale, grid)
         if source != NOWHERE:
-            if ground.sand[source] > 0:
-                change_sand(source, -1, ground, scale, grid)
+            if take_up(source, ground, scale, grid):
                 counts[MOVED] += 1
             else:
                 free_slot(events.slot[k], grains)
@@ -109,14 +172,24 @@ def settle_steep(ground, scale, sequences, key, grid, repose, queue, waiting):
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
+def _upset_about(cell, grid, queue, waiting, length):
+    length = upset(cell, CHECKED, queue, waiting, 0, length)
+    for k in range(8):
+        r, c = neighbour(cell // grid.cols, cell % grid.cols, k, grid)
+        length = upset(r * grid.cols + c, CHECKED, queue, waiting, 0, length)
+    return length
+
+
+@njit(cache=True, nogil=True, error_model="numpy")
 def settle_about(cell, other, ground, scale, sequences, key, grid, repose, queue, waiting):
-    """The same where only two cells changed."""
+    """The same where only one grain was taken from a cell and laid on another."""
     length = 0
     for changed in (cell, other):
-        length = upset(changed, CHECKED, queue, waiting, 0, length)
-        for k in range(8):
-            r, c = neighbour(changed // grid.cols, changed % grid.cols, k, grid)
-            length = upset(r * grid.cols + c, CHECKED, queue, waiting, 0, length)
+        length = _upset_about(changed, grid, queue, waiting, length)
+        if scale.carried > 1:
+            for k in range(8):
+                r, c = neighbour(changed // grid.cols, changed % grid.cols, k, grid)
+                length = _upset_about(r * grid.cols + c, grid, queue, waiting, length)
     return _relax(ground, scale, sequences, key, grid, repose, queue, waiting, length)
 
 

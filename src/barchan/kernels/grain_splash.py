@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 from numba import njit
 
-from barchan.kernels.grain_bed import LOST, MOVED, change_sand
+from barchan.kernels.grain_bed import LOST, MOVED, take_up
 from barchan.kernels.grain_state import FREE, LANDED, draw, launch
 from barchan.kernels.grain_surface import nearest_cell, surface_at
 
@@ -112,18 +112,17 @@ def eject(first, found, grains, ground, scale, grid, rule, events, counts):
         cell = nearest_cell(x, y, grid)
         mean = rule.fastest * (1.0 - math.exp(-speed / rule.scale))
         for one in range(min(np.int64(number), MOST_EJECTA)):
-            if ground.sand[cell] == 0:
-                break
             free = _next_free(free, events, found, grains)
             if free == found:
                 break
-            at = EJECTA_DRAWS + 1 + one * DRAWS_PER_EJECTUM
             surface, east, north = surface_at(x, y, ground.height, scale.cell_size, grid)
+            if not take_up(cell, ground, scale, grid):
+                break
+            at = EJECTA_DRAWS + 1 + one * DRAWS_PER_EJECTUM
             angle = exponential(draw(start, at), rule.eject_angle, _QUARTER_TURN)
             azimuth = rule.spread * (2.0 * draw(start, at + 1) - 1.0)
             fast = exponential(draw(start, at + 2), mean, speed)
             u, v, w = thrown(events.u[k], events.v[k], azimuth, angle, fast, east, north)
-            change_sand(cell, -1, ground, scale, grid)
             counts[MOVED] += 1
             slot = events.slot[free]
             launch(slot, x, y, np.float32(surface), np.float32(u), np.float32(v), np.float32(w), grains)

@@ -99,6 +99,8 @@ class Scale(NamedTuple):
     """Height (m) of one part."""
     cell_size: float
     """Width of a cell (m)."""
+    carried: int
+    """Parcels that a grain takes along: one, or ``PATCH`` where it takes them from nine stacks."""
 
 
 class Bounce(NamedTuple):
@@ -161,6 +163,9 @@ class Events(NamedTuple):
 
 
 NOWHERE, OUT = -1, -2
+
+PATCH = 16
+"""Parcels of a grain over nine stacks: 4 on the middle one, 2 on those at its faces, 1 at its corners."""
 
 TRAVEL_UNIT = 1 << 16
 """Parts of a cell in which travel is counted, so that sums are exact."""

@@ -92,3 +92,14 @@ def renew_mesh_about(cell, ground, grid):
     _renew(south, col, ground, grid)
     _renew(row, west, ground, grid)
     _renew(south, west, ground, grid)
+
+
+@njit(cache=True, nogil=True, error_model="numpy")
+def renew_mesh_of_patch(row, col, ground, grid):
+    """The same for the sixteen mesh cells about a stack and its eight neighbours."""
+    for step_row in range(-2, 2):
+        for step_col in range(-2, 2):
+            r, c = row + step_row, col + step_col
+            r = r + grid.rows if r < 0 else (r - grid.rows if r >= grid.rows else r)
+            c = c + grid.cols if c < 0 else (c - grid.cols if c >= grid.cols else c)
+            _renew(r, c, ground, grid)

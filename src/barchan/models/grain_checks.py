@@ -13,12 +13,23 @@ MOST_DRAG = 0.5
 """Share of a velocity difference that drag may take away in a time step."""
 
 _THIN, _THICK = 0.5, 2.0
-"""Heights of a parcel in grain diameters beyond which a user is told."""
+"""Heights of a grain's sand in grain diameters beyond which a user is told."""
+
+_PATCH_WIDTH = 3
+"""Stacks along a side of a patch."""
 
 
 def problems(rules: GrainFlight, bed: Bed, fastest: float) -> list[Problem]:
     """What keeps grains from flying well; ``fastest`` is the greatest upward speed (m/s) of lift-off."""
     found = []
+    if rules.carried > 1 and min(bed.lattice.shape) < _PATCH_WIDTH:
+        found.append(
+            Problem(
+                "model.footprint",
+                f"is 'patch', {_PATCH_WIDTH} stacks wide, on a field of {bed.lattice.shape[0]} × "
+                f"{bed.lattice.shape[1]}; allowed there: 'stack'",
+            )
+        )
     if bed.slabs == 0:
         found.append(Problem("sand", "lies nowhere: no grain can be lifted; allowed: at least one parcel"))
     speed = _greatest_speed(rules, fastest)
@@ -49,9 +60,9 @@ def _greatest_speed(rules: GrainFlight, fastest: float) -> float:
     return max(float(log_wind(top, friction, rules.roughness_length, rules.displacement)), fastest, 0.1)
 
 
-def grains_in_parcel(rules: GrainFlight, lattice: Lattice) -> float:
-    """How many grains a parcel stands for."""
-    volume = lattice.cell_size**2 * lattice.thickness * (1.0 - rules.porosity)
+def grains_in_flight(rules: GrainFlight, lattice: Lattice) -> float:
+    """How many grains of sand a simulated grain stands for."""
+    volume = lattice.cell_size**2 * lattice.thickness * rules.carried * (1.0 - rules.porosity)
     return volume / (math.pi / 6.0 * rules.grain_diameter**3)
 
 
@@ -59,13 +70,16 @@ def facts(rules: GrainFlight, lattice: Lattice) -> dict[str, str]:
     """What the parameters come to."""
     friction, least = rules.friction_velocity(rules.wind_speed), rules.threshold()
     told = {
-        "parcel": f"{grains_in_parcel(rules, lattice):.4g} grains: {lattice.thickness * 1e3:.3g} mm of sand "
-        f"with {rules.porosity:.0%} pores over a cell",
+        "a grain in the air": f"stands for {grains_in_flight(rules, lattice):.4g} grains: "
+        f"{lattice.thickness * rules.carried * 1e3:.3g} mm of sand with {rules.porosity:.0%} pores over "
+        "a cell",
         "friction velocity": f"{friction:.3f} m/s, threshold {least:.3f} m/s",
         "settling speed": f"{rules.settling_speed():.2f} m/s",
     }
     if rules.step_seconds is not None:
-        told["step"] = f"{rules.step_seconds:g} s of flight"
+        told["step"] = f"{rules.step_seconds:g} s"
+        if rules.step_seconds != rules.flight_seconds:
+            told["step"] += f" of wind over the bed, {rules.flight_seconds:g} s of flight"
     return told
 
 
@@ -78,10 +92,11 @@ def remarks(rules: GrainFlight, lattice: Lattice) -> list[str]:
             f"{rules.friction_velocity(rules.wind_speed):.3f} m/s, and grains lift above "
             f"{rules.threshold():.3f} m/s"
         )
-    heights = lattice.thickness / rules.grain_diameter
-    if not _THIN <= heights <= _THICK:
+    heights = rules.carried * lattice.thickness / rules.grain_diameter
+    if not (_THIN if rules.carried == 1 else 0.0) <= heights <= _THICK:
+        parcels = f"{rules.carried} parcels are" if rules.carried > 1 else "a parcel is"
         found.append(
-            f"a parcel is {heights:.3g} grain diameters high; the sources lift and lay down one "
-            f"(lattice.slab_height {rules.grain_diameter:g})"
+            f"{parcels} {heights:.3g} grain diameters high; the sources lift and lay down one "
+            f"(lattice.slab_height {rules.grain_diameter / rules.carried:g})"
         )
     return found

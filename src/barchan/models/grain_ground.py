@@ -36,7 +36,7 @@ class GrainGround:
         self.frame = WindFrame.of(direction)
         self.grid = Grid(*lattice.shape, periodic_x, periodic_y)
         one = 1 << FRACTION_BITS
-        self.scale = Scale(one, lattice.thickness / one, lattice.cell_size)
+        self.scale = Scale(one, lattice.thickness / one, lattice.cell_size, rules.carried)
         self.repose = _repose(rules, lattice, one)
         self.filter = _filter(rules, lattice, one)
         self.sequences = settling_sequences(True)
@@ -50,6 +50,13 @@ class GrainGround:
         self.waiting = np.zeros(lattice.cells, np.uint8)
         self.counts = np.zeros(COUNTS, np.int64)
         self.events = _room_for_events(slots)
+
+    @property
+    def momentum(self) -> int:
+        """Speed along the wind that impacts took in this step, in ``LOST_UNIT``."""
+        from barchan.kernels.grain_bed import LOST
+
+        return int(self.counts[LOST])
 
     def count_flight(self, slots: int) -> None:
         """Count an iteration of that many slots."""
@@ -120,17 +127,17 @@ class GrainGround:
         from barchan.kernels import grain_bed as at
         from barchan.kernels.grain_state import TRAVEL_UNIT
 
-        counts = self.counts
-        moved = int(counts[at.MOVED])
+        counts, carried = self.counts, self.rules.carried
+        moved = int(counts[at.MOVED]) * carried
         return Tally(
             steps=1,
             polls=int(counts[at.FLOWN]),
             moved=moved,
-            left=int(counts[at.LEFT]),
+            left=int(counts[at.LEFT]) * carried,
             airborne=airborne,
-            capped=int(counts[at.CAPPED]),
-            travel_x=int(counts[at.TRAVEL_X]) / TRAVEL_UNIT,
-            travel_y=int(counts[at.TRAVEL_Y]) / TRAVEL_UNIT,
+            capped=int(counts[at.CAPPED]) * carried,
+            travel_x=int(counts[at.TRAVEL_X]) * carried / TRAVEL_UNIT,
+            travel_y=int(counts[at.TRAVEL_Y]) * carried / TRAVEL_UNIT,
             still=0 if moved or airborne else still + 1,
         )
 

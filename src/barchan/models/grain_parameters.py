@@ -12,6 +12,9 @@ from barchan.parameters import Parameters, parameter
 from barchan.wind.flux import IMPACT_RATIO, KARMAN
 from barchan.wind.grains import GRAVITY, VISCOSITY, shao_lu
 
+PATCH = 16
+"""Parcels of a grain with the footprint ``patch``, as ``kernels.grain_state.PATCH``."""
+
 
 class GrainFlight(Parameters):
     """Sand, air, wind, and how time passes."""
@@ -176,14 +179,24 @@ class GrainFlight(Parameters):
         group="time",
         meaning="Iterations in a step of the run, where that is the clock.",
     )
+    footprint: Literal["stack", "patch"] = parameter(
+        "stack",
+        unit="-",
+        group="bed",
+        meaning="A grain takes one parcel along, from the stack below it, or sixteen, from a patch: four "
+        "from that stack, two from each neighbour at its faces, one from those at its corners; it lays them "
+        "down alike.",
+        source="stack: seed 003, §5.1.2, the nearest vertex; patch: ours, for sand of many grains does not "
+        "start and land as one",
+    )
     load: float = parameter(
         1.0,
-        unit="parcels/cell",
+        unit="grains/cell",
         gt=0,
         le=100,
         scale="log",
         group="time",
-        meaning="Most parcels in the air, for each cell of the field.",
+        meaning="Most simulated grains in the air, for each cell of the field.",
         source="seed 003, ch. 6: 60 to 70 thousand over 256 × 256 cells",
     )
     max_bounces: int = parameter(
@@ -251,13 +264,23 @@ class GrainFlight(Parameters):
         return self
 
     @property
+    def carried(self) -> int:
+        """Parcels that a simulated grain takes along."""
+        return PATCH if self.footprint == "patch" else 1
+
+    @property
     def roughness_length(self) -> float:
         """Height (m) at which the wind's speed is zero."""
         return self.grain_diameter / 30.0 if self.roughness is None else self.roughness
 
     @property
     def step_seconds(self) -> float | None:
-        """Duration (s) of a step of iterations; complete trajectories have none."""
+        """Duration (s) of a step of iterations, as the bed sees it; complete trajectories have none."""
+        return self.flight_seconds
+
+    @property
+    def flight_seconds(self) -> float | None:
+        """How long (s) grains fly in a step of iterations."""
         return self.iterations_per_step * self.time_step if self.clock == "iteration" else None
 
     def friction_velocity(self, speed: float) -> float:

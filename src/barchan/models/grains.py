@@ -87,6 +87,11 @@ class GrainModel(Model):
     @property
     def airborne(self) -> int:
         """Parcels in the air."""
+        return self.flying * self.parameters.carried
+
+    @property
+    def flying(self) -> int:
+        """Simulated grains in the air."""
         return int(self.marks[0].sum())
 
     @abstractmethod
@@ -97,8 +102,13 @@ class GrainModel(Model):
     def lift_off(self, wind: Segment, chance: float = 1.0) -> Any:
         """How free slots lift parcels, each with a ``chance`` in an iteration."""
 
-    def passed(self, counts: NDArray[np.int64]) -> None:
-        """Take note of what happened in a step."""
+    @property
+    def wind_every(self) -> int:
+        """Iterations after which the wind is found anew, within a step; here it blows as it is."""
+        return self.parameters.iterations_per_step
+
+    def feel(self, lost: int, seconds: float) -> None:
+        """Take note of the speed (``LOST_UNIT``) that impacts took from grains in some seconds."""
 
     @property
     def spare_slots(self) -> int:
@@ -127,27 +137,34 @@ class GrainModel(Model):
         grains = self.grains()
         for _ in range(segment.steps):
             ground.counts[:] = 0
-            self._step(segment, stream, grains, self.air(segment), ground)
-            self.passed(ground.counts)
+            self._step(segment, stream, grains, ground)
             total.add(ground.tally(self.airborne, total.still))
             if limit and total.still >= limit:
                 break
         return total
 
-    def _step(self, wind: Segment, stream: Stream, grains: Any, air: Any, ground: GrainGround) -> None:
-        if self.parameters.clock == "step":
+    def _step(self, wind: Segment, stream: Stream, grains: Any, ground: GrainGround) -> None:
+        rules = self.parameters
+        if rules.clock == "step":
             ground.spread_lid()
-            self._follow(derive(stream.key, self.iteration), grains, air, ground, wind)
+            self._follow(derive(stream.key, self.iteration), grains, self.air(wind), ground, wind)
             self.iteration += 1
             return
-        self._choose_slots()
-        for number in range(round(wind.share * self.parameters.iterations_per_step)):
-            if number % self.parameters.shelter_every == 0:
+        iterations = round(wind.share * rules.iterations_per_step)
+        air, taken, felt = self.air(wind), ground.momentum, 0
+        for number in range(iterations):
+            if number == felt + self.wind_every:
+                self.feel(ground.momentum - taken, self.wind_every * rules.time_step)
+                air, taken, felt = self.air(wind), ground.momentum, number
+            if number == felt:
+                self._choose_slots()
+            if number % rules.shelter_every == 0:
                 ground.spread_lid()
-            if number and number % self.parameters.collapse_every == 0:
+            if number and number % rules.collapse_every == 0:
                 ground.settle(derive(stream.key, self.iteration))
             self._iterate(derive(stream.key, self.iteration), grains, air, ground, wind)
             self.iteration += 1
+        self.feel(ground.momentum - taken, (iterations - felt) * rules.time_step)
         ground.settle(derive(stream.key, self.iteration))
 
     def _iterate(self, key: int, grains: Any, air: Any, ground: GrainGround, wind: Segment) -> None:

@@ -27,6 +27,9 @@ class RipplesParameters(GrainFlight):
 
     name: Literal["ripples"] = parameter("ripples", unit="-", meaning="The ripple model.")
     drag: Literal["constant", "reynolds"] = redeclared(GrainFlight, "drag", "reynolds", "Cheng 1997")
+    footprint: Literal["stack", "patch"] = redeclared(
+        GrainFlight, "footprint", "patch", "ours: whole parcels roughen the bed until ripples turn back"
+    )
     shelter_angle: float | None = redeclared(
         GrainFlight, "shelter_angle", 15.0, "Werner 1995; seed 000, §3.2: the shadow zone"
     )
@@ -42,16 +45,25 @@ class RipplesParameters(GrainFlight):
         "threshold, or the law of the wall all the way down.",
         source="slowed: Owen 1964; Ungar & Haff 1987; threshold: Bagnold 1941; log: seed 003, eq. 2.1",
     )
+    wind_every: int = parameter(
+        50,
+        unit="iterations",
+        ge=1,
+        le=1_000_000,
+        group="wind",
+        meaning="How often the wind near the bed is found anew.",
+        source="ours",
+    )
     weight: float = parameter(
         0.1,
         unit="-",
         gt=0,
         le=1,
         scale="log",
-        live=True,
         group="wind",
-        meaning="Share of a parcel's mass that slows the wind. With 1 the air carries as much sand as "
-        "real wind does; with less it carries more, and the bed changes faster by so much.",
+        meaning="Share of a grain's sand that slows the wind. With 1 the air carries as much sand as real "
+        "wind does. With less it carries more and the bed changes faster by so much: a second of flight "
+        "counts for so many seconds of wind over the bed.",
         source="ours",
     )
     focus_height: float = parameter(
@@ -165,6 +177,11 @@ class RipplesParameters(GrainFlight):
         source="ours",
     )
 
+    @property
+    def step_seconds(self) -> float | None:
+        """Duration (s) of a step, as the bed sees it; complete trajectories have none."""
+        return None if self.flight_seconds is None else self.flight_seconds / self.weight
+
 
 class Ripples(GrainModel):
     """Sand ripples by splash: impacts throw grains out, which hop a little downwind.
@@ -180,9 +197,9 @@ class Ripples(GrainModel):
     lifts hardly a grain, enough to start. Sand moves where grains fall, on the faces that look upwind, and
     makes short hops downwind from there: the instability of Anderson (1987).
 
-    Known deviations: a parcel rebounds and is thrown out whole; the wind near the bed is the same over the
-    whole field; ``load`` bounds the number in the air; grains do not collide in the air. ``weight`` below 1
-    makes the bed change faster than real sand would.
+    Known deviations: a simulated grain stands for many, which rebound and are thrown out together, so it
+    roughens the bed the more the thicker its sand is; the wind near the bed is the same over the whole field,
+    and follows it; ``load`` bounds the number in the air; grains do not collide in the air.
     """
 
     name = "ripples"
@@ -212,19 +229,21 @@ class Ripples(GrainModel):
     @property
     def spare_slots(self) -> int:
         """Some to start with, and a sixteenth of those in use."""
-        return 64 + self.airborne // 16
+        return 64 + self.flying // 16
 
-    def passed(self, counts: NDArray[np.int64]) -> None:
-        """Take note of the momentum that impacts took in a step."""
-        from barchan.kernels.grain_bed import LOST
+    @property
+    def wind_every(self) -> int:
+        """Iterations after which the wind near the bed is found anew."""
+        return self.parameters.wind_every
+
+    def feel(self, lost: int, seconds: float) -> None:
+        """Let the wind near the bed adjust to the momentum that impacts took."""
         from barchan.kernels.grain_splash import LOST_UNIT
 
-        rules, seconds = self.parameters, self.parameters.step_seconds
-        if seconds is None:
-            return
-        mass = rules.weight * rules.grain_density * (1.0 - rules.porosity) * self.lattice.thickness
-        lost = float(counts[LOST]) / LOST_UNIT / self.lattice.cells
-        taken = mass * lost / seconds
+        rules = self.parameters
+        thickness = rules.carried * self.lattice.thickness
+        mass = rules.weight * rules.grain_density * (1.0 - rules.porosity) * thickness
+        taken = mass * lost / LOST_UNIT / self.lattice.cells / seconds
         self.stress += (taken - self.stress) * -math.expm1(-seconds / RESPONSE)
 
     def near_bed_friction(self, friction: float) -> float:
