@@ -2,8 +2,8 @@
 
 Waves are laid across fields of 256 × 32 cells of 5 mm once the grains in the air have found their balance, 3
 seeds; they are 8 cm long and 3 mm high unless it says otherwise. `wang_hu` has 10 m/s and steps of 0.5 ms.
-What 2000 iterations lay down and take, in phase with the wave and a quarter behind it, tells how fast the wave
-grows and travels, by the wind that the bed sees. A grain's sand is as thick as a grain and lies over a patch
+What 2000 iterations lay down and take, in phase with the wave and a quarter behind it, tells how fast the
+wave grows and travels, by the wind that the bed sees. A grain's sand is as thick as a grain and lies over a patch
 of nine stacks under `ripples`, and on one under `wang_hu`. On the rough bed it lies on one under `ripples`
 too, and the wind has blown for 250 s before the wave is laid.
 """

@@ -7,6 +7,7 @@ import barchan
 from barchan.analysis.paths import broken_at_edges, hops_of
 from barchan.errors import ScenarioError
 from barchan.models import model
+from barchan.models.grain_ground import GrainGround
 from barchan.simulation import Simulation
 from barchan.streams import Stream
 from barchan.wind.segment import Segment
@@ -60,6 +61,19 @@ def test_the_filter_keeps_the_sand_and_lowers_peaks():
     simulation.advance(3)
     assert simulation.bed.sand[8, 16] < 150
     assert simulation.bed.slabs + simulation.ledger.airborne == 16 * 32 * 20 + 200
+
+
+@pytest.mark.parametrize("along", [(1, 0), (0, 1), (1, 1)])
+def test_the_filter_smooths_a_sawtooth_away(along):
+    simulation = Simulation(barchan.load(SMALL, model__collapse="filter", model__filter_scale=50.0))
+    rows, cols = np.indices((16, 32))
+    simulation.bed.sand[...] = 2000 + 1000 * (-1) ** (rows * along[0] + cols * along[1])
+    before = simulation.bed.slabs
+    ground = GrainGround(simulation.model.parameters, simulation.bed)
+    for _ in range(8):
+        ground.settle(0)
+    assert np.ptp(simulation.bed.sand) < 300
+    assert simulation.bed.slabs == before
 
 
 def test_a_step_of_trajectories_ends_with_no_grain_in_the_air():

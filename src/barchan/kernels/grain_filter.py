@@ -2,7 +2,8 @@
 
 Seed 003, eq. 3.10: h += G Δh where T Δh reaches the slope of repose, Δh being the weighted mean of the
 neighbours less h. That makes or takes sand; here whole parcels go between a cell and each neighbour
-instead, as many as its share of G Δh.
+instead, as many as its share of G Δh, and once between two cells that both are too steep: what the one gains
+by its rule the other loses by its own.
 """
 
 import math
@@ -66,6 +67,8 @@ def smooth_slopes(ground, scale, grid, rule):
         for k in range(8):
             r, c = neighbour(cell // grid.cols, cell % grid.cols, k, grid)
             other = r * grid.cols + c
+            if sharp[other] and other <= cell:
+                continue
             weight = FACE_WEIGHT if k < 4 else CORNER_WEIGHT
             flow = rule.gain * weight * np.float64(before[other] - before[cell]) / scale.parcel
             parcels = np.int64(flow)
