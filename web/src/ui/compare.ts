@@ -29,7 +29,7 @@ export class Compare {
     if (key === this.shown) return;
     this.shown = key;
     this.select.replaceChildren(
-      h("option", { value: "", selected: second === "" }, second ? "alone again" : "compare with …"),
+      h("option", { value: "", selected: second === "" }, second ? "alone again" : "compare …"),
       ...Object.entries(models).map(([name, title]) => h("option", { value: name, selected: name === second }, title)),
     );
   }
