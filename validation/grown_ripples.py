@@ -109,4 +109,23 @@ def rows():
         yield Row(f"simulated grains in the air, {name}", "–", f"{spread(result['airborne'])} a cell")
 
 
-READING = ""
+READING = """
+Ripples that form by themselves travel downwind at 10, 12 and 15 m/s in every seed, and stand the farther
+apart the stronger the wind. With simulated grains of a quarter of a diameter they travel twice as fast
+as with whole ones. Their faces are steeper in the lee at 10 and 12 m/s; at 15 m/s, and where whole
+diameters roughen the bed, they are not, which disagrees.
+
+They are slow: real ripples travel millimetres to centimetres in a minute (from memory) and form within
+minutes. Ours still grow, and relief at 15 m/s more than doubles in the last ten minutes. The ripple
+index falls as they grow and reaches the published 15 to 20 at 15 m/s, on its way to lower values: on
+longer runs of a single seed at 12 m/s with whole diameters over patches, relief and spacing grew on
+together for an hour, to 4.9 mm and beyond 15 cm. Grains of 0.30 mm make ripples that stand closer after
+half an hour, not farther apart; they are also lower, for the same wind moves less of them, so what is
+compared is not one stage.
+
+Two causes are known. The wind follows the bed down to the smallest waves and blows no faster over
+crests, so nothing but avalanches holds crests down; over a wind that does not follow the bed at all,
+waves of all lengths shrink. And the wind is slowed evenly over the field, so that grains, each of which
+replaces itself by impacts, crowd into lanes along the wind: in a field 0.32 m wide a sixteenth of its
+width held from 1 to 21 % of the grains after twenty minutes at 15 m/s.
+"""
