@@ -20,6 +20,7 @@ class Tally:
 
     steps: int = 0
     polls: int = 0
+    """Work done, in what the model ``counts``."""
     moved: int = 0
     """Slabs that the wind took."""
     left: int = 0
@@ -105,6 +106,8 @@ class Model(ABC):
     name: ClassVar[str] = ""
     title: ClassVar[str] = ""
     citation: ClassVar[str] = ""
+    counts: ClassVar[str] = "polls"
+    """What a unit of its work is, for rates that people read."""
     Parameters: ClassVar[type[Parameters]]
     fields: ClassVar[tuple[FieldInfo, ...]] = ()
     """Fields the model keeps on the bed beside ground and sand."""
