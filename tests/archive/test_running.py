@@ -168,7 +168,7 @@ def test_an_outcome_tells_where_and_how_the_run_ended(tmp_path):
     outcome = run(Simulation(tiny()), tmp_path / "run")
     assert outcome.path == tmp_path / "run"
     assert outcome.simulation.steps_done == 20
-    assert outcome.polls_per_second > 0
+    assert outcome.work_per_second > 0
 
 
 def test_there_is_nothing_to_resume_where_there_is_no_run(tmp_path):

@@ -30,6 +30,16 @@ def test_a_run_tells_what_it_does_and_where_it_is(here, barchan):
     assert f"picture: {'tiny'}/last.png\n" in result.out
 
 
+@pytest.mark.parametrize(
+    ("preset", "counts"),
+    [("werner-strip", "polls"), ("szabo-10", "grain updates"), ("coupled-map", "cell updates")],
+)
+def test_a_run_tells_its_rate_in_what_its_model_counts(here, barchan, preset, counts):
+    """The first steps do not count, so there are more."""
+    out = barchan("run", preset, *SMALL, "--run.save-every", 1, "--no-picture", "--out", "rated").out
+    assert f" million {counts}/s)" in out
+
+
 def test_a_run_ends_with_a_table_of_all_measures(here, barchan):
     out = barchan("run", "tiny.json").out
     for measure in MEASURES:

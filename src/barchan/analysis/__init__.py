@@ -8,6 +8,7 @@ from barchan.analysis.heights import bare_fraction, highest_stack, sand_volume
 from barchan.analysis.horns import Horns, horns
 from barchan.analysis.migration import Migration, migration
 from barchan.analysis.orientation import Orientation, crest_orientation
+from barchan.analysis.relief import bedform_height, bedform_index
 from barchan.analysis.slopes import Slopes, streamwise_slopes
 from barchan.analysis.spacing import dominant_spacing
 from barchan.analysis.stars import Summit, summits
@@ -21,6 +22,8 @@ __all__ = [
     "Slopes",
     "Summit",
     "bare_fraction",
+    "bedform_height",
+    "bedform_index",
     "crest_orientation",
     "dominant_spacing",
     "find_dunes",

@@ -13,6 +13,7 @@ from barchan.analysis.fields import as_modelled
 from barchan.analysis.heights import bare_fraction, highest_stack, sand_volume
 from barchan.analysis.migration import Migration, migration
 from barchan.analysis.orientation import Orientation, crest_orientation
+from barchan.analysis.relief import bedform_height, bedform_index
 from barchan.analysis.slopes import Slopes, streamwise_slopes
 from barchan.analysis.spacing import dominant_spacing
 from barchan.analysis.transport import flux
@@ -75,6 +76,13 @@ MEASURES = (
         "dominant spacing",
         "m",
         lambda m: dominant_spacing(m.elevation, m.scenario.lattice.cell_size, m.direction, m.periodic),
+    ),
+    Measure("bedform_height", "bedform height", "m", lambda m: bedform_height(m.elevation, m.periodic)),
+    Measure(
+        "bedform_index",
+        "bedform index",
+        "-",
+        lambda m: bedform_index(m.elevation, m.scenario.lattice.cell_size, m.direction, m.periodic),
     ),
     Measure("crest_azimuth", "crest orientation", "degrees", lambda m: m.orientation.azimuth),
     Measure("straightness", "crest straightness", "-", lambda m: m.orientation.coherence),

@@ -24,8 +24,9 @@ class Outcome:
     simulation: Simulation
     reason: str
     interrupted: bool
-    polls_per_second: float
-    """Polls per second of work, without the first steps (which may compile) and without saving."""
+    work_per_second: float
+    """What the model ``counts`` (polls, grain updates) per second of work, without the first steps (which may
+    compile) and without saving."""
 
 
 Progress = Callable[[Simulation], None]
@@ -109,7 +110,7 @@ def _drive(
     simulation: Simulation, archive: Archive, progress: Progress | None, stop: Callable[[], bool]
 ) -> Outcome:
     saved = time.monotonic()
-    pace, first, polls, worked = 1, True, 0, 0.0
+    pace, first, done, worked = 1, True, 0, 0.0
     try:
         while True:
             if not simulation.framed and (simulation.done or simulation.next_frame == simulation.steps_done):
@@ -123,7 +124,7 @@ def _drive(
             tally = simulation.advance(steps)
             now = time.monotonic()
             if not first:
-                polls += tally.polls
+                done += tally.polls
                 worked += now - before
             first = False
             pace = max(1, min(2 * pace, int(steps * BREATH / max(now - before, 1e-9))))
@@ -132,7 +133,7 @@ def _drive(
                 saved = now
             if progress is not None:
                 progress(simulation)
-        return _finish(simulation, archive, polls / worked if worked else 0.0)
+        return _finish(simulation, archive, done / worked if worked else 0.0)
     finally:
         archive.close()
 
@@ -149,9 +150,9 @@ def _version() -> str:
     return __version__
 
 
-def _finish(simulation: Simulation, archive: Archive, polls_per_second: float) -> Outcome:
+def _finish(simulation: Simulation, archive: Archive, work_per_second: float) -> Outcome:
     interrupted = not simulation.done
     archive.checkpoint(simulation)
     reason = "interrupted" if interrupted else simulation.finished or "all steps done"
     archive.log("interrupted" if interrupted else "stop", step=simulation.steps_done, reason=reason)
-    return Outcome(archive.path, simulation, reason, interrupted, polls_per_second)
+    return Outcome(archive.path, simulation, reason, interrupted, work_per_second)

@@ -40,7 +40,7 @@ def relief_map(
     from matplotlib.colors import Normalize
 
     surface = frame["elevation"].values
-    norm = Normalize(*(limits or _range(surface)))
+    norm = Normalize(*(limits or surface_range(surface)))
     image = shaded(
         frame,
         scenario,
@@ -120,7 +120,7 @@ def contour_map(
 ) -> "Figure":
     """Contours of one frame at a stated interval (m), or so many of them, over its colours."""
     surface = smooth(frame["elevation"].values, smoothing, scenario)
-    low, high = limits or _range(surface)
+    low, high = limits or surface_range(surface)
     if interval is not None:
         if (high - low) / interval > MOST_CONTOURS:
             raise BarchanError(
@@ -143,7 +143,8 @@ def contour_map(
     return figure
 
 
-def _range(surface: NDArray) -> tuple[float, float]:
+def surface_range(surface: NDArray) -> tuple[float, float]:
+    """Lowest and highest of a surface (m), apart also where it is level."""
     low, high = float(surface.min()), float(surface.max())
     return (low, high) if high > low else (low - 0.5, high + 0.5)
 

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from pydantic import Field
 
 from barchan.bed import Lattice
+from barchan.ground.cylinders import Cylinders
 from barchan.ground.fitting import FromFile
 from barchan.ground.landforms import Bump, Cliff, DuneForm, Escarpment, FlatGround, Hump, Ramp, Valley
 from barchan.ground.raster import georeference
@@ -43,6 +44,7 @@ Ground = Annotated[
     | Escarpment
     | Ramp
     | ThreeRocks
+    | Cylinders
     | UnevenGround
     | FileGround,
     Field(discriminator="kind"),

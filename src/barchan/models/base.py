@@ -20,6 +20,7 @@ class Tally:
 
     steps: int = 0
     polls: int = 0
+    """Work done, in what the model ``counts``."""
     moved: int = 0
     """Slabs that the wind took."""
     left: int = 0
@@ -107,6 +108,8 @@ class Model(ABC):
     citation: ClassVar[str] = ""
     material: ClassVar[str] = "sand"
     """What its slabs or parcels are of, in one word; the studio offers models by it."""
+    counts: ClassVar[str] = "polls"
+    """What a unit of its work is, for rates that people read."""
     Parameters: ClassVar[type[Parameters]]
     fields: ClassVar[tuple[FieldInfo, ...]] = ()
     """Fields the model keeps on the bed beside ground and sand."""

@@ -41,6 +41,7 @@ _CALM = 1e-9
 class GrainModel(Model):
     """A model that follows grains through the air, each standing for the parcel that it takes along."""
 
+    counts = "grain updates"
     Parameters = GrainFlight
     parameters: GrainFlight
 

@@ -87,6 +87,7 @@ class NishimoriOuchi(Model):
         "Nishimori, H. and Ouchi, N. (1993). Formation of ripple patterns and dunes by wind-blown sand. "
         "Physical Review Letters 71(1), 197-200."
     )
+    counts = "cell updates"
     Parameters = NishimoriOuchiParameters
     parameters: NishimoriOuchiParameters
 
