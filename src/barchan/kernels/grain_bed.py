@@ -11,11 +11,13 @@ from numba import njit
 from barchan.kernels.avalanche import COL_STEP, ROW_STEP, neighbour
 from barchan.kernels.grain_state import NOWHERE, OUT, PATCH, free_slot
 from barchan.kernels.grain_surface import renew_mesh, renew_mesh_about, renew_mesh_of_patch
+from barchan.kernels.mixture import available, kind_of, put, take
 from barchan.kernels.settle import CHECKED, let_go, upset
 
 MOVED, LEFT, CAPPED, TRAVEL_X, TRAVEL_Y, FLOWN, LOST = range(7)
 """What the counts of a step hold, in grains; travel in ``TRAVEL_UNIT``."""
 COUNTS = 7
+"""How many they are; after them follow those that left, by size."""
 
 
 @njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
@@ -32,7 +34,7 @@ def _share(direction):
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
-def _lay_patch(cell, ground, scale, grid):
+def _lay_patch(cell, kind, ground, scale, grid):
     """Lay a grain's parcels over a cell and its neighbours; missing ones leave their share to the cell."""
     row, col = cell // grid.cols, cell % grid.cols
     rest = PATCH
@@ -41,13 +43,15 @@ def _lay_patch(cell, ground, scale, grid):
         other = r * grid.cols + c
         if other != cell:
             _change(other, _share(k), ground, scale)
+            put(ground.mixture, other, kind, _share(k))
             rest -= _share(k)
     _change(cell, rest, ground, scale)
+    put(ground.mixture, cell, kind, rest)
     renew_mesh_of_patch(row, col, ground, grid)
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
-def _take_patch(cell, ground, scale, grid):
+def _take_patch(cell, kind, ground, scale, grid):
     """Take them; the cell gives what its neighbours have not. False: it cannot, and nothing changed."""
     row, col = cell // grid.cols, cell % grid.cols
     rest = PATCH
@@ -55,37 +59,42 @@ def _take_patch(cell, ground, scale, grid):
         r, c = neighbour(row, col, k, grid)
         other = r * grid.cols + c
         if other != cell:
-            rest -= min(_share(k), np.int64(ground.sand[other]))
-    if ground.sand[cell] < rest:
+            rest -= min(_share(k), available(ground.mixture, ground.sand, kind, other))
+    if available(ground.mixture, ground.sand, kind, cell) < rest:
         return False
     _change(cell, -rest, ground, scale)
+    take(ground.mixture, cell, kind, rest)
     for k in range(8):
         r, c = neighbour(row, col, k, grid)
         other = r * grid.cols + c
         if other != cell:
-            _change(other, -min(_share(k), np.int64(ground.sand[other])), ground, scale)
+            parcels = min(_share(k), available(ground.mixture, ground.sand, kind, other))
+            _change(other, -parcels, ground, scale)
+            take(ground.mixture, other, kind, parcels)
     renew_mesh_of_patch(row, col, ground, grid)
     return True
 
 
 @njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
-def lay_down(cell, ground, scale, grid):
-    """Lay the sand of a grain on a cell, or over it and its neighbours."""
+def lay_down(cell, kind, ground, scale, grid):
+    """Lay the sand of a grain of some size on a cell, or over it and its neighbours."""
     if scale.carried == 1:
         _change(cell, 1, ground, scale)
+        put(ground.mixture, cell, kind, 1)
         renew_mesh_about(cell, ground, grid)
     else:
-        _lay_patch(cell, ground, scale, grid)
+        _lay_patch(cell, kind, ground, scale, grid)
 
 
 @njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
-def take_up(cell, ground, scale, grid):
-    """Take the sand of a grain from a cell, or from it and its neighbours; False: there is too little."""
+def take_up(cell, kind, ground, scale, grid):
+    """Take the sand of a grain of some size from a cell, or from it and its neighbours; False: too little."""
     if scale.carried > 1:
-        return _take_patch(cell, ground, scale, grid)
-    if ground.sand[cell] == 0:
+        return _take_patch(cell, kind, ground, scale, grid)
+    if available(ground.mixture, ground.sand, kind, cell) == 0:
         return False
     _change(cell, -1, ground, scale)
+    take(ground.mixture, cell, kind, 1)
     renew_mesh_about(cell, ground, grid)
     return True
 
@@ -103,11 +112,12 @@ def exchange(first, count, grains, ground, scale, grid, events, counts):
             counts[TRAVEL_Y] += events.way_y[k]
         if rest == OUT:
             counts[LEFT] += 1
+            counts[COUNTS + kind_of(events.kind, k)] += 1
         elif rest != NOWHERE:
             counts[CAPPED] += events.capped[k]
-            lay_down(rest, ground, scale, grid)
+            lay_down(rest, kind_of(events.kind, k), ground, scale, grid)
         if source != NOWHERE:
-            if take_up(source, ground, scale, grid):
+            if take_up(source, kind_of(grains.kind, events.slot[k]), ground, scale, grid):
                 counts[MOVED] += 1
             else:
                 free_slot(events.slot[k], grains)
@@ -148,7 +158,7 @@ def _find_steep(level, rows, cols, repose, grid, steep):
 def _relax(ground, scale, sequences, key, grid, repose, queue, waiting, length):
     slid = let_go(
         *(ground.level, ground.sand, None, None, sequences, queue, waiting, length, key),
-        *(grid, None, repose),
+        *(grid, None, repose, ground.mixture),
     )
     if slid > 0:
         renew_surface(ground, scale, grid)

@@ -14,6 +14,7 @@ from numba import njit
 
 from barchan.kernels.avalanche import neighbour
 from barchan.kernels.grain_bed import renew_surface
+from barchan.kernels.mixture import slide
 
 FACE_WEIGHT = (2.0 - math.sqrt(2.0)) / 4.0
 CORNER_WEIGHT = (math.sqrt(2.0) - 1.0) / 4.0
@@ -77,6 +78,8 @@ def smooth_slopes(ground, scale, grid, rule):
             ground.sand[other] -= parcels
             ground.level[cell] += parcels * scale.parcel
             ground.level[other] -= parcels * scale.parcel
+            slide(ground.mixture, other, cell, parcels)
+            slide(ground.mixture, cell, other, -parcels)
             moved += abs(parcels)
     if moved > 0:
         renew_surface(ground, scale, grid)

@@ -31,7 +31,7 @@ def entry(number, first, last):
 @njit(cache=True, nogil=True, error_model="numpy")
 def _find_wind(start, count, grains, air, base, cols, cell, value):
     """Put the wind speed at each grain of a block into ``value``."""
-    first, last = air.wind.first, np.int32(air.wind.values.size - 1)
+    first, last = air.wind.first, air.wind.last
     x, y, z, w = grains.x, grains.y, grains.z, grains.w
     ahead = air.rise_before
     for j in range(count):
@@ -44,10 +44,18 @@ def _find_wind(start, count, grains, air, base, cols, cell, value):
         value[j] = air.wind.values[np.uint64(cell[j])]
 
 
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+def _turn_to_sizes(start, count, kinds, size, cell):
+    """Move the entries ``cell`` of the first of several tables to those of each grain's size."""
+    if kinds is not None:
+        for j in range(count):
+            cell[j] += kinds[start + j] * size
+
+
 @njit(cache=True, nogil=True, error_model="numpy")
 def _find_drag(start, count, grains, air, wind, cell, share):
     """Put the share of the velocity difference that drag takes away into ``share``."""
-    first, last = air.drag.first, np.int32(air.drag.values.size - 1)
+    first, last = air.drag.first, air.drag.last
     u, v, w = grains.u, grains.v, grains.w
     wind_x, wind_y, early_fall = air.wind_x, air.wind_y, air.early_fall
     for j in range(count):
@@ -55,6 +63,7 @@ def _find_drag(start, count, grains, air, wind, cell, share):
         lag_y = wind[j] * wind_y - v[start + j]
         fall = w[start + j] - early_fall
         cell[j] = entry(lag_x * lag_x + lag_y * lag_y + fall * fall, first, last)
+    _turn_to_sizes(start, count, grains.kind, last + np.int32(1), cell)
     for j in range(count):
         share[j] = air.drag.values[np.uint64(cell[j])]
 

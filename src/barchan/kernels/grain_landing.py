@@ -9,6 +9,7 @@ from barchan.kernels.grain_lift import lift
 from barchan.kernels.grain_splash import rebound
 from barchan.kernels.grain_state import FLYING, GONE, NOWHERE, record_end
 from barchan.kernels.grain_surface import height_at, surface_at
+from barchan.kernels.mixture import kind_of, set_kind
 from barchan.kernels.random import derive
 
 _ZERO = np.float32(0.0)
@@ -49,6 +50,7 @@ def _splash(k, slot, start, x, y, surface, east, north, grains, air, rule, event
     u, v = grains.u[slot], grains.v[slot]
     events.x[k], events.y[k], events.u[k], events.v[k] = x, y, u, v
     events.start[k] = start
+    set_kind(events.kind, k, kind_of(grains.kind, slot))
     events.impact[k] = rebound(slot, start, surface, east, north, grains, rule)
     if grains.held[slot] == FLYING:
         u, v = u - grains.u[slot], v - grains.v[slot]

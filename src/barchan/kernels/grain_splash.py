@@ -1,7 +1,8 @@
 """Splash: a grain that hits the bed rebounds or stays, and throws others out of it.
 
 Rebound with a probability that grows with speed, rebound speed in proportion to it, and a number of low, slow
-ejecta in proportion to it too (Anderson & Haff 1991; Kok & Renno 2009).
+ejecta in proportion to it too (Anderson & Haff 1991; Kok & Renno 2009). Of sand of several sizes each throws
+out parcels of each; sizes too heavy for that are pushed along instead (``grain_creep``).
 """
 
 import math
@@ -11,8 +12,10 @@ import numpy as np
 from numba import njit
 
 from barchan.kernels.grain_bed import LOST, MOVED, take_up
+from barchan.kernels.grain_creep import Creep, push
 from barchan.kernels.grain_state import FREE, LANDED, draw, launch
 from barchan.kernels.grain_surface import nearest_cell, surface_at
+from barchan.kernels.mixture import amount, kind_of, set_kind
 
 LOST_UNIT = 1 << 20
 """Parts of 1 m/s in which the speed that impacts take is counted, so that sums are exact."""
@@ -20,10 +23,21 @@ LOST_UNIT = 1 << 20
 MOST_EJECTA = 8
 """Ejecta of one impact at most."""
 
-REBOUND_DRAWS, EJECTA_DRAWS, DRAWS_PER_EJECTUM = 10, 20, 3
+REBOUND_DRAWS, EJECTA_DRAWS, DRAWS_PER_EJECTUM, KIND_DRAWS = 10, 20, 3, 60
 """Where in a slot's sequence the draws of an impact begin."""
 
 _QUARTER_TURN = math.pi / 2
+
+
+class Sorting(NamedTuple):
+    """How splash differs by size: an impact of one size (rows) on parcels of another (columns)."""
+
+    number: np.ndarray
+    """Parcels thrown out over those of sand that is all alike; 0 of sizes too heavy."""
+    speed: np.ndarray
+    """Their mean speed over that of sand that is all alike."""
+    creep: Creep | None
+    """How sizes too heavy for that are pushed; None: there are none."""
 
 
 class Splash(NamedTuple):
@@ -48,6 +62,8 @@ class Splash(NamedTuple):
     """Half the range of azimuths about the impact's own."""
     most: int
     """Rebounds after which a grain stays where it lands."""
+    sorting: Sorting | None = None
+    """What size changes; None: all grains are alike."""
 
 
 @njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
@@ -86,6 +102,47 @@ def rebound(slot, start, surface, east, north, grains, rule):
     return speed
 
 
+@njit(cache=True, nogil=True, error_model="numpy")
+def _plenty(sorting, kind, cell, mixture):
+    """Ejecta of a cell's sand over those of sand that is all alike."""
+    if sorting is None:
+        return 1.0
+    held = amount(mixture.layer, cell)
+    weight = 0.0
+    for other in range(sorting.number.shape[1]):
+        weight += sorting.number[kind, other] * mixture.layer[other, cell]
+    return weight / held if held > 0 else 0.0
+
+
+@njit(cache=True, nogil=True, error_model="numpy")
+def _thrown_kind(sorting, kind, cell, mixture, part):
+    """The size of the next ejectum, -1 where none can be thrown out any more."""
+    if sorting is None:
+        return 0
+    rest = part * _plenty(sorting, kind, cell, mixture) * amount(mixture.layer, cell)
+    found = -1
+    for other in range(sorting.number.shape[1]):
+        weight = sorting.number[kind, other] * mixture.layer[other, cell]
+        if weight > 0.0 and rest >= 0.0:
+            found = other
+            rest -= weight
+    return found
+
+
+@njit(cache=True, nogil=True, error_model="numpy")
+def _pace(sorting, kind, other):
+    """Mean speed of ejecta of another size over that of sand that is all alike."""
+    if sorting is None:
+        return 1.0
+    return sorting.speed[kind, other]
+
+
+@njit(cache=True, nogil=True, error_model="numpy")
+def _creep(sorting, k, cell, ground, scale, grid, events, counts):
+    if sorting is not None:
+        push(sorting.creep, k, cell, ground, scale, grid, events, counts)
+
+
 @njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
 def _next_free(at, events, found, grains):
     """The next entry from ``at`` on whose slot is free."""
@@ -107,22 +164,29 @@ def eject(first, found, grains, ground, scale, grid, rule, events, counts):
             continue
         counts[LOST] += np.int64(np.rint(events.lost[k] * LOST_UNIT))
         start = events.start[k]
-        number = rule.number * speed + draw(start, EJECTA_DRAWS)
         x, y = events.x[k], events.y[k]
         cell = nearest_cell(x, y, grid)
+        hitting = kind_of(events.kind, k)
+        plenty = _plenty(rule.sorting, hitting, cell, ground.mixture)
+        number = rule.number * speed * plenty + draw(start, EJECTA_DRAWS)
         mean = rule.fastest * (1.0 - math.exp(-speed / rule.scale))
         for one in range(min(np.int64(number), MOST_EJECTA)):
             free = _next_free(free, events, found, grains)
             if free == found:
                 break
             surface, east, north = surface_at(x, y, ground.height, scale.cell_size, grid)
-            if not take_up(cell, ground, scale, grid):
-                break
+            part = draw(start, KIND_DRAWS + one)
+            kind = _thrown_kind(rule.sorting, hitting, cell, ground.mixture, part)
+            if kind < 0 or not take_up(cell, kind, ground, scale, grid):
+                continue
             at = EJECTA_DRAWS + 1 + one * DRAWS_PER_EJECTUM
             angle = exponential(draw(start, at), rule.eject_angle, _QUARTER_TURN)
             azimuth = rule.spread * (2.0 * draw(start, at + 1) - 1.0)
-            fast = exponential(draw(start, at + 2), mean, speed)
+            pace = _pace(rule.sorting, hitting, kind)
+            fast = exponential(draw(start, at + 2), mean * pace, speed)
             u, v, w = thrown(events.u[k], events.v[k], azimuth, angle, fast, east, north)
             counts[MOVED] += 1
             slot = events.slot[free]
             launch(slot, x, y, np.float32(surface), np.float32(u), np.float32(v), np.float32(w), grains)
+            set_kind(grains.kind, slot, kind)
+        _creep(rule.sorting, k, cell, ground, scale, grid, events, counts)

@@ -6,6 +6,7 @@ import numpy as np
 from numba import njit
 
 from barchan.kernels.grain_surface import nearest_cell
+from barchan.kernels.mixture import Mixture, kind_of, set_kind
 from barchan.kernels.random import GOLDEN, mix
 
 FREE, FLYING, LANDED, GONE = (np.int32(number) for number in range(4))
@@ -40,14 +41,19 @@ class Grains(NamedTuple):
     laps_x: np.ndarray
     """How often the grain went round the field eastwards."""
     laps_y: np.ndarray
+    kind: np.ndarray | None = None
+    """Its size (int32), where there are several."""
 
 
 class Table(NamedTuple):
     """Values of a function of a positive number, by the leading bits of that number as a 32-bit float."""
 
     values: np.ndarray
+    """Where there is a function for each size of grain, one after the other."""
     first: np.int32
     """Bits of the number at which the table begins."""
+    last: np.int32
+    """The last entry of a function."""
 
 
 class Air(NamedTuple):
@@ -88,6 +94,8 @@ class Ground(NamedTuple):
     """The highest corner of each mesh cell (m)."""
     base: np.ndarray
     """The mean of the lid over each mesh cell (m), from which the wind's height is counted."""
+    mixture: Mixture | None = None
+    """Where sand of which size lies, where there are several."""
 
 
 class Scale(NamedTuple):
@@ -130,6 +138,8 @@ class LiftOff(NamedTuple):
     wind_y: float
     from_lee: bool
     """Whether faces that look downwind give grains too."""
+    creeps: np.ndarray | None = None
+    """Which sizes are too heavy to be lifted, where there are several."""
 
 
 class Events(NamedTuple):
@@ -160,6 +170,8 @@ class Events(NamedTuple):
     """Speed along the wind that the impact took (m/s)."""
     start: np.ndarray
     """Where the random numbers of the impact start."""
+    kind: np.ndarray | None = None
+    """The grain's size, where there are several."""
 
 
 NOWHERE, OUT = -1, -2
@@ -218,6 +230,7 @@ def record_end(k, slot, most, grains, grid, events):
     events.slot[k] = slot
     events.source[k] = events.rest[k] = NOWHERE
     events.capped[k] = False
+    set_kind(events.kind, k, kind_of(grains.kind, slot))
     if grains.held[slot] != FREE:
         gone = grains.held[slot] == GONE
         events.rest[k] = OUT if gone else nearest_cell(grains.x[slot], grains.y[slot], grid)

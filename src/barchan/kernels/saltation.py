@@ -144,7 +144,9 @@ def _slide_from(
     for k in range(8):
         r, c = neighbour(row, col, k, grid)
         length = upset(r * grid.cols + c, CHECKED, queue, waiting, 0, length)
-    let_go(surface, sand, mobility, levels, sequences, queue, waiting, length, key, grid, speedup, repose)
+    let_go(
+        surface, sand, mobility, levels, sequences, queue, waiting, length, key, grid, speedup, repose, None
+    )
 
 
 @njit(cache=True)

@@ -10,6 +10,7 @@ from numba import njit
 
 from barchan.kernels.avalanche import STABLE, has_sand, neighbour, steepest
 from barchan.kernels.flight import move_level
+from barchan.kernels.mixture import slide
 from barchan.kernels.random import mix
 
 CHECKED, MOVING = 1, 2
@@ -27,12 +28,15 @@ def upset(cell, why, queue, waiting, at, length):
 
 
 @njit(cache=True)
-def let_go(surface, sand, mobility, levels, sequences, queue, waiting, length, key, grid, speedup, repose):
+def let_go(
+    surface, sand, mobility, levels, sequences, queue, waiting, length, key, grid, speedup, repose, mixture
+):
     """Let the first ``length`` cells of the queue slide, and whatever that upsets, until all slopes hold.
 
     Sand at rest lets go above its limit and the release, sand that moves comes to rest at its limit.
     Slabs slide one at a time; ``sequences`` are the orders in which neighbours are checked, one of which is
-    drawn by ``key`` each time. Returns how many slabs slid.
+    drawn by ``key`` each time. Sand of several sizes takes its ``mixture`` along (None: it is alike). Returns
+    how many slabs slid.
     """
     at = 0
     moves = 0
@@ -63,6 +67,7 @@ def let_go(surface, sand, mobility, levels, sequences, queue, waiting, length, k
         if sand is not None:
             sand[cell] -= 1
             sand[lower] += 1
+        slide(mixture, cell, lower, 1)
         moves += 1
         length = upset(lower, MOVING, queue, waiting, at, length)
         for k in range(8):
@@ -73,7 +78,7 @@ def let_go(surface, sand, mobility, levels, sequences, queue, waiting, length, k
 
 
 @njit(cache=True)
-def settle_field(surface, sand, mobility, where, sequences, grid, repose):
+def settle_field(surface, sand, mobility, where, sequences, grid, repose, mixture):
     """Let slopes that are too steep slide until they hold; returns how many slabs slid.
 
     Starts at the cells ``where`` (bool, flat) something changed and their neighbours and goes on wherever
@@ -90,4 +95,6 @@ def settle_field(surface, sand, mobility, where, sequences, grid, repose):
                 r, c = neighbour(cell // grid.cols, cell % grid.cols, k, grid)
                 length = upset(r * grid.cols + c, CHECKED, queue, waiting, 0, length)
     key = np.uint64(0)
-    return let_go(surface, sand, mobility, None, sequences, queue, waiting, length, key, grid, None, repose)
+    return let_go(
+        *(surface, sand, mobility, None, sequences, queue, waiting, length, key, grid, None, repose, mixture)
+    )

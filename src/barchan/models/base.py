@@ -111,8 +111,8 @@ class Model(ABC):
     counts: ClassVar[str] = "polls"
     """What a unit of its work is, for rates that people read."""
     Parameters: ClassVar[type[Parameters]]
-    fields: ClassVar[tuple[FieldInfo, ...]] = ()
-    """Fields the model keeps on the bed beside ground and sand."""
+    fields: tuple[FieldInfo, ...] = ()
+    """Fields the model keeps on the bed beside ground and sand; parameters may ask for more of them."""
     derived: ClassVar[tuple[Derived, ...]] = ()
     """Fields that show how the model sees a bed."""
     measures: ClassVar[tuple[OwnMeasure, ...]] = ()

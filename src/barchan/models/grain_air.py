@@ -35,7 +35,7 @@ def table(of: Callable[[NDArray], NDArray], doublings: tuple[int, int]) -> Any:
     begin = int(np.float32(2.0**first).view(np.int32))
     bits = np.arange((last - first) * _PER_DOUBLING, dtype=np.int64) << TABLE_SHIFT
     middle = (bits + begin + (1 << (TABLE_SHIFT - 1))).astype(np.int32).view(np.float32)
-    return Table(of(middle.astype(np.float64)).astype(np.float32), np.int32(begin))
+    return Table(of(middle.astype(np.float64)).astype(np.float32), np.int32(begin), np.int32(middle.size - 1))
 
 
 def log_wind(height: NDArray, friction: float, roughness: float, displacement: float = 0.0) -> NDArray:

@@ -33,7 +33,7 @@ def problems(rules: GrainFlight, bed: Bed, fastest: float) -> list[Problem]:
     if bed.slabs == 0:
         found.append(Problem("sand", "lies nowhere: no grain can be lifted; allowed: at least one parcel"))
     speed = _greatest_speed(rules, fastest)
-    rate = float(rules.drag_rate(np.array(speed)))
+    rate = float(rules.by_size[0].drag_rate(np.array(speed)))
     if rate * rules.time_step > MOST_DRAG:
         found.append(
             Problem(
@@ -63,7 +63,7 @@ def _greatest_speed(rules: GrainFlight, fastest: float) -> float:
 def grains_in_flight(rules: GrainFlight, lattice: Lattice) -> float:
     """How many grains of sand a simulated grain stands for."""
     volume = lattice.cell_size**2 * lattice.thickness * rules.carried * (1.0 - rules.porosity)
-    return volume / (math.pi / 6.0 * rules.grain_diameter**3)
+    return volume / (math.pi / 6.0 * rules.diameter**3)
 
 
 def facts(rules: GrainFlight, lattice: Lattice) -> dict[str, str]:
@@ -74,7 +74,7 @@ def facts(rules: GrainFlight, lattice: Lattice) -> dict[str, str]:
         f"{lattice.thickness * rules.carried * 1e3:.3g} mm of sand with {rules.porosity:.0%} pores over "
         "a cell",
         "friction velocity": f"{friction:.3f} m/s, threshold {least:.3f} m/s",
-        "settling speed": f"{rules.settling_speed():.2f} m/s",
+        "settling speed": ", ".join(f"{one.settling_speed():.2f}" for one in rules.by_size) + " m/s",
     }
     if rules.step_seconds is not None:
         told["step"] = f"{rules.step_seconds:g} s"
@@ -92,11 +92,11 @@ def remarks(rules: GrainFlight, lattice: Lattice) -> list[str]:
             f"{rules.friction_velocity(rules.wind_speed):.3f} m/s, and grains lift above "
             f"{rules.threshold():.3f} m/s"
         )
-    heights = rules.carried * lattice.thickness / rules.grain_diameter
+    heights = rules.carried * lattice.thickness / rules.diameter
     if not (_THIN if rules.carried == 1 else 0.0) <= heights <= _THICK:
         parcels = f"{rules.carried} parcels are" if rules.carried > 1 else "a parcel is"
         found.append(
             f"{parcels} {heights:.3g} grain diameters high; the sources lift and lay down one "
-            f"(lattice.slab_height {rules.grain_diameter / rules.carried:g})"
+            f"(lattice.slab_height {rules.diameter / rules.carried:g})"
         )
     return found

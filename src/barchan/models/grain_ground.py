@@ -9,9 +9,11 @@ from numpy.typing import NDArray
 from barchan.bed import Bed, Lattice
 from barchan.models.base import Tally
 from barchan.models.grain_parameters import GrainFlight
+from barchan.models.grain_sizes import shuffle_anew
 from barchan.models.slab_heights import FRACTION_BITS
 from barchan.models.slab_tables import settling_sequences
 from barchan.models.wind_frame import WindFrame
+from barchan.streams import derive
 
 
 def repose_limits(angle: float, lattice: Lattice) -> tuple[int, int]:
@@ -23,8 +25,13 @@ def repose_limits(angle: float, lattice: Lattice) -> tuple[int, int]:
 class GrainGround:
     """A bed with what the kernels need beside it. Changes the bed's sand in place."""
 
-    def __init__(self, rules: GrainFlight, bed: Bed, direction: float = 270.0, slots: int = 0) -> None:
-        """Take a bed under a wind from ``direction`` (degrees), for grains in some slots."""
+    def __init__(
+        self, rules: GrainFlight, bed: Bed, direction: float = 270.0, slots: int = 0, mixture: Any = None
+    ) -> None:
+        """Take a bed under a wind from ``direction`` (degrees), for grains in some slots.
+
+        Sand of several sizes comes with its ``mixture``.
+        """
         from barchan.kernels.grain_bed import COUNTS
         from barchan.kernels.grain_state import Ground, Scale
         from barchan.kernels.grain_surface import renew_mesh
@@ -43,13 +50,14 @@ class GrainGround:
         level = _levels(bed, one)
         height = (level * self.scale.part).astype(np.float32)
         lid = height if rules.shelter_angle is None else height.copy()
-        mesh = np.zeros((2, lattice.cells), np.float32)
-        self.arrays = Ground(bed.sand.reshape(-1), level, height, lid, *mesh)
+        top, base = np.zeros((2, lattice.cells), np.float32)
+        self.arrays = Ground(bed.sand.reshape(-1), level, height, lid, top, base, mixture)
         renew_mesh(self.arrays, self.grid)
         self.queue = np.zeros(lattice.cells, np.int64)
         self.waiting = np.zeros(lattice.cells, np.uint8)
-        self.counts = np.zeros(COUNTS, np.int64)
-        self.events = _room_for_events(slots)
+        sizes = 1 if mixture is None else len(mixture.layer)
+        self.counts = np.zeros(COUNTS + sizes, np.int64)
+        self.events = _room_for_events(slots, mixture is not None)
 
     @property
     def momentum(self) -> int:
@@ -70,12 +78,24 @@ class GrainGround:
 
         total = found[0][1]
         for first, count in found[1:]:
-            for entries in self.events:
+            for entries in filter(lambda entries: entries is not None, self.events):
                 entries[total : total + count] = entries[first : first + count].copy()
             total += count
         eject(
             *(0, total, grains, self.arrays, self.scale, self.grid, splash, self.events, self.counts),
         )
+
+    def shuffle_anew(self, key: int) -> None:
+        """Start the draws of sizes anew under a key."""
+        if self.arrays.mixture is not None:
+            shuffle_anew(self.arrays.mixture, key)
+
+    @property
+    def left_by_size(self) -> NDArray[np.int64]:
+        """Parcels of each size that left the field in this step."""
+        from barchan.kernels.grain_bed import COUNTS
+
+        return self.counts[COUNTS:] * self.rules.carried
 
     def spread_lid(self) -> None:
         """Find the sheltered air anew."""
@@ -101,6 +121,7 @@ class GrainGround:
 
     def settle(self, key: int) -> None:
         """Relax slopes that are too steep."""
+        self.shuffle_anew(derive(key, 0))
         from barchan.kernels.grain_bed import settle_steep
         from barchan.kernels.grain_filter import smooth_slopes
 
@@ -119,7 +140,10 @@ class GrainGround:
         arrays = self.arrays
         upset = where.copy()
         return int(
-            settle_field(arrays.level, arrays.sand, None, upset, self.sequences, self.grid, self.repose)
+            settle_field(
+                *(arrays.level, arrays.sand, None, upset, self.sequences, self.grid, self.repose),
+                arrays.mixture,
+            )
         )
 
     def tally(self, airborne: int, still: int) -> Tally:
@@ -142,14 +166,15 @@ class GrainGround:
         )
 
 
-def _room_for_events(slots: int) -> Any:
+def _room_for_events(slots: int, sorted_by_size: bool) -> Any:
     from barchan.kernels.grain_state import Events
 
     near, slot, rest, source, way_x, way_y = np.zeros((6, slots), np.int64)
     x, y = np.zeros((2, slots), np.float32)
     impact, u, v, lost = np.zeros((4, slots))
+    kind = np.zeros(slots, np.int32) if sorted_by_size else None
     capped, start = np.zeros(slots, np.uint8), np.zeros(slots, np.uint64)
-    return Events(near, slot, rest, source, way_x, way_y, capped, impact, x, y, u, v, lost, start)
+    return Events(near, slot, rest, source, way_x, way_y, capped, impact, x, y, u, v, lost, start, kind)
 
 
 def _levels(bed: Bed, one: int) -> NDArray[np.int64]:

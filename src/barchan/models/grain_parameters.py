@@ -264,6 +264,16 @@ class GrainFlight(Parameters):
         return self
 
     @property
+    def diameter(self) -> float:
+        """Mean diameter (m) of the grains."""
+        return self.grain_diameter
+
+    @property
+    def by_size(self) -> list[Self]:
+        """The same rules for the grains of each size alone, finest first."""
+        return [self]
+
+    @property
     def carried(self) -> int:
         """Parcels that a simulated grain takes along."""
         return PATCH if self.footprint == "patch" else 1
@@ -271,7 +281,7 @@ class GrainFlight(Parameters):
     @property
     def roughness_length(self) -> float:
         """Height (m) at which the wind's speed is zero."""
-        return self.grain_diameter / 30.0 if self.roughness is None else self.roughness
+        return self.diameter / 30.0 if self.roughness is None else self.roughness
 
     @property
     def step_seconds(self) -> float | None:
@@ -291,7 +301,7 @@ class GrainFlight(Parameters):
     def threshold(self) -> float:
         """Friction velocity (m/s) at which the wind begins to lift grains."""
         weight = self.grain_density * self.gravity / GRAVITY
-        return float(shao_lu(self.grain_diameter, weight, self.air_density))
+        return float(shao_lu(self.diameter, weight, self.air_density))
 
     def impact_threshold(self) -> float:
         """Friction velocity (m/s) at which impacts keep grains going."""
@@ -301,8 +311,8 @@ class GrainFlight(Parameters):
         """Rate (1/s) at which drag takes a velocity difference ``speed`` (m/s) away."""
         coefficient: NDArray | float = self.drag_coefficient
         if self.drag == "reynolds":
-            coefficient = natural_drag(speed, self.grain_diameter, self.viscosity / self.air_density)
-        return drag_rate(speed, coefficient, self.grain_diameter, self.grain_density, self.air_density)
+            coefficient = natural_drag(speed, self.diameter, self.viscosity / self.air_density)
+        return drag_rate(speed, coefficient, self.diameter, self.grain_density, self.air_density)
 
     def drag_share(self, speed: NDArray[np.float64]) -> NDArray[np.float64]:
         """Share of a velocity difference ``speed`` (m/s) that drag takes away in a time step."""

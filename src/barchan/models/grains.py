@@ -2,6 +2,7 @@
 
 from abc import abstractmethod
 from collections.abc import Hashable
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -14,6 +15,7 @@ from barchan.models.base import Model, Tally
 from barchan.models.grain_air import HEIGHTS, SQUARED_SPEEDS, log_wind, table
 from barchan.models.grain_ground import GrainGround, repose_limits
 from barchan.models.grain_parameters import GrainFlight
+from barchan.models.grain_sizes import SortedSand
 from barchan.streams import Stream, derive
 from barchan.wind.segment import Segment, downwind
 
@@ -29,6 +31,9 @@ PATH_COLUMNS = 7
 
 _PAGE, _STAGGER = 1024, 80
 """Numbers in a page of memory, and by how many rows start apart within it."""
+
+_ANY = 270.0
+"""A wind direction where none matters."""
 
 _TRIES = 20
 """Cells drawn for a path at most before it is given up."""
@@ -49,6 +54,11 @@ class GrainModel(Model):
         """Set the model up with no grain in the air."""
         super().__init__(parameters, lattice)
         self.motion, self.marks = _slots(max(1, round(parameters.load * lattice.cells)))
+        self.sizes = self.sorted_sand()
+        self.kinds = None if self.sizes is None else np.zeros(self.marks.shape[1], np.int32)
+        """The size of the grain in each slot, where there are several."""
+        if self.sizes is not None:
+            self.fields = (*self.fields, *self.sizes.layer, *self.sizes.below)
         self.iteration = 0
         self.slots_in_use = self.marks.shape[1]
 
@@ -57,6 +67,12 @@ class GrainModel(Model):
         found = grain_checks.problems(self.parameters, bed, self.fastest())
         if found:
             raise ScenarioError(found)
+        if self.sizes is not None:
+            self.sizes.lay(bed, seed)
+
+    def sorted_sand(self) -> SortedSand | None:
+        """Sand of several sizes; None: it is all alike."""
+        return None
 
     def fastest(self) -> float:
         """The greatest upward speed (m/s) at which the wind itself lifts grains."""
@@ -77,13 +93,19 @@ class GrainModel(Model):
 
     def state(self) -> dict[str, NDArray | float | int | str]:
         """The grains in the air and how many iterations are done."""
-        return {"motion": self.motion, "marks": self.marks, "iteration": self.iteration}
+        by_size: dict[str, NDArray] = {}
+        if self.sizes is not None and self.kinds is not None:
+            by_size = {"kinds": self.kinds, "left_by_size": self.sizes.left}
+        return {"motion": self.motion, "marks": self.marks, "iteration": self.iteration, **by_size}
 
     def restore(self, state: dict[str, Any]) -> None:
         """Take up grains in the air."""
         self.motion[...] = state["motion"]
         self.marks[...] = state["marks"]
         self.iteration = int(state["iteration"])
+        if self.sizes is not None:
+            self.kinds = np.array(state["kinds"], np.int32)
+            self.sizes.left[...] = state["left_by_size"]
 
     @property
     def airborne(self) -> int:
@@ -124,25 +146,38 @@ class GrainModel(Model):
             order = np.argsort(self.marks[0] == 0, kind="stable")
             self.motion[...] = self.motion[:, order]
             self.marks[...] = self.marks[:, order]
+            if self.kinds is not None:
+                self.kinds[...] = self.kinds[order]
             last = held.size
         self.slots_in_use = min(last + self.spare_slots, self.marks.shape[1])
 
-    def splash(self) -> Any:
+    def splash(self, wind: Segment) -> Any:
         """What impacts throw out; None: nothing, grains bounce."""
         return None
 
     def advance(self, bed: Bed, segment: Segment, stream: Stream, still: int, limit: int) -> Tally:
         """Let the grains in the air fly, land and be replaced."""
         total = Tally(still=still, airborne=self.airborne)
-        ground = GrainGround(self.parameters, bed, segment.direction, self.marks.shape[1])
+        ground = self._ground(bed, segment.direction, self.marks.shape[1])
         grains = self.grains()
         for _ in range(segment.steps):
             ground.counts[:] = 0
             self._step(segment, stream, grains, ground)
             total.add(ground.tally(self.airborne, total.still))
+            if self.sizes is not None:
+                self.sizes.left += ground.left_by_size
             if limit and total.still >= limit:
                 break
+        self._store(bed, ground)
         return total
+
+    def _ground(self, bed: Bed, direction: float, slots: int) -> GrainGround:
+        mixture = None if self.sizes is None else self.sizes.mixture(bed)
+        return GrainGround(self.parameters, bed, direction, slots, mixture)
+
+    def _store(self, bed: Bed, ground: GrainGround) -> None:
+        if self.sizes is not None:
+            self.sizes.store(bed, ground.arrays.mixture)
 
     def _step(self, wind: Segment, stream: Stream, grains: Any, ground: GrainGround) -> None:
         rules = self.parameters
@@ -175,7 +210,7 @@ class GrainModel(Model):
         from barchan.kernels.grain_landing import land
         from barchan.kernels.sharing import shared, thread_count
 
-        arrays, events, splash = ground.arrays, ground.events, self.splash()
+        arrays, events, splash = ground.arrays, ground.events, self.splash(wind)
         rules = self.bounce(), self.lift_off(wind)
         about = grains, air, ground.grid, arrays
 
@@ -185,6 +220,7 @@ class GrainModel(Model):
 
         slots = self.slots_in_use
         found = shared(fly, slots, BLOCK, thread_count())
+        ground.shuffle_anew(derive(key, slots))
         for first, count in found:
             exchange(first, count, grains, arrays, ground.scale, ground.grid, events, ground.counts)
         if splash is not None:
@@ -195,16 +231,17 @@ class GrainModel(Model):
         """As many grains as the field has cells fly from lift-off to rest, one after the other."""
         from barchan.kernels.grain_paths import trajectories
 
+        ground.shuffle_anew(derive(key, self.lattice.cells))
         rules = self.lift_off(wind), (self.bounce(), self.lift_off(wind, 0.0))
         slopes = ground.sequences, ground.repose, ground.queue, ground.waiting
         trajectories(
             *(self.lattice.cells, np.uint64(key), grains, air, ground.arrays, ground.scale, ground.grid),
-            *(rules, self.splash(), slopes, ground.events, ground.counts),
+            *(rules, self.splash(wind), slopes, ground.events, ground.counts),
         )
 
     def grains(self) -> Any:
         """The grains as the kernels take them."""
-        return _grains(self.motion, self.marks)
+        return _grains(self.motion, self.marks, self.kinds)
 
     def paths(
         self, bed: Bed, wind: Segment, stream: Stream, count: int, longest: float = 10.0
@@ -217,7 +254,7 @@ class GrainModel(Model):
         """
         from barchan.kernels.grain_paths import trace
 
-        ground = GrainGround(self.parameters, bed, wind.direction, 1)
+        ground = self._ground(bed, wind.direction, 1)
         ground.spread_lid()
         lifts = self.lift_off(wind)
         surely = lifts._replace(chance=1.0 if lifts.chance > 0.0 else 0.0)
@@ -225,7 +262,7 @@ class GrainModel(Model):
         path = np.zeros((max(2, round(longest / self.parameters.time_step)), PATH_COLUMNS))
         found: list[NDArray[np.float64]] = []
         for number in range(_TRIES * count):
-            grains = _grains(*_slots(1))
+            grains = _grains(*_slots(1), None if self.sizes is None else np.zeros(1, np.int32))
             about = (
                 grains,
                 self.air(wind),
@@ -233,7 +270,7 @@ class GrainModel(Model):
                 ground.scale,
                 ground.grid,
                 rules,
-                self.splash(),
+                self.splash(wind),
                 ground.events,
             )
             places = trace(np.uint64(derive(stream.key, number)), *about, path)
@@ -274,11 +311,18 @@ class GrainModel(Model):
         moves = [share * step for share in (early, late)]
         return Air(
             table(lambda height: self.wind_profile(height, friction), HEIGHTS),
-            table(lambda squared: rules.drag_share(np.sqrt(squared)), SQUARED_SPEEDS),
+            self._drag_table(),
             *(np.float32(number) for number in numbers),
             *(np.float32(move / self.lattice.cell_size) for move in moves),
             *(np.float32(move) for move in moves),
         )
+
+    def _drag_table(self) -> Any:
+        """The share of a velocity difference that drag takes away in a time step, for each size."""
+        tables = [table(partial(_drag_at, one), SQUARED_SPEEDS) for one in self.parameters.by_size]
+        if self.sizes is None:
+            return tables[0]
+        return tables[0]._replace(values=np.concatenate([one.values for one in tables]))
 
     def moves(self, wind: Segment | None = None) -> bool:
         """Whether the wind is above the threshold."""
@@ -286,8 +330,10 @@ class GrainModel(Model):
 
     def settle(self, bed: Bed, where: NDArray[np.bool_] | None = None) -> int:
         """Relax slopes to the angle of repose."""
-        ground = GrainGround(self.parameters, bed)
-        return ground.settle_where(np.ones(bed.sand.size, np.bool_) if where is None else where.ravel())
+        ground = self._ground(bed, _ANY, 0)
+        slid = ground.settle_where(np.ones(bed.sand.size, np.bool_) if where is None else where.ravel())
+        self._store(bed, ground)
+        return slid
 
     def slope_limits(self) -> dict[str, tuple[int, ...]]:
         """The steps (parcels) that stand towards faces and corners; the filter holds none."""
@@ -298,6 +344,10 @@ class GrainModel(Model):
     def slope_rules(self) -> Hashable:
         """The angle of repose."""
         return self.parameters.repose_angle
+
+
+def _drag_at(rules: GrainFlight, squared: NDArray[np.float64]) -> NDArray[np.float64]:
+    return rules.drag_share(np.sqrt(squared))
 
 
 def _slots(count: int) -> tuple[NDArray[np.float32], NDArray[np.int32]]:
@@ -312,7 +362,7 @@ def _slots(count: int) -> tuple[NDArray[np.float32], NDArray[np.int32]]:
     return motion, marks
 
 
-def _grains(motion: NDArray[np.float32], marks: NDArray[np.int32]) -> Any:
+def _grains(motion: NDArray[np.float32], marks: NDArray[np.int32], kinds: NDArray[np.int32] | None) -> Any:
     from barchan.kernels.grain_state import Grains
 
-    return Grains(*motion, *marks)
+    return Grains(*motion, *marks)._replace(kind=kinds)

@@ -1,16 +1,18 @@
 """Ripples: grains in a wind that they slow themselves, that shelter behind crests, and that splash."""
 
 import math
-from typing import Any, ClassVar, Literal
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from barchan.bed import Lattice
+from barchan.bed import Bed, Lattice
+from barchan.models.base import Derived, OwnMeasure
 from barchan.models.grain_air import focused_wind
-from barchan.models.grain_parameters import GrainFlight
+from barchan.models.grain_sizes import SortedSand
+from barchan.models.grain_sorting import sorting
 from barchan.models.grains import GrainModel
-from barchan.parameters import parameter, redeclared
+from barchan.models.ripple_parameters import RipplesParameters
 from barchan.wind.segment import Segment, downwind
 
 RESPONSE = 0.05
@@ -18,169 +20,6 @@ RESPONSE = 0.05
 
 LEAST_SHARE = 0.1
 """Share of the friction velocity that grains leave near the bed at least."""
-
-
-class RipplesParameters(GrainFlight):
-    """Parameters of the ripple model: splash, shelter, a wind that grains slow."""
-
-    kind_key: ClassVar[str] = "name"
-
-    name: Literal["ripples"] = parameter("ripples", unit="-", meaning="The ripple model.")
-    drag: Literal["constant", "reynolds"] = redeclared(GrainFlight, "drag", "reynolds", "Cheng 1997")
-    footprint: Literal["stack", "patch"] = redeclared(
-        GrainFlight, "footprint", "patch", "ours: whole parcels roughen the bed until ripples turn back"
-    )
-    shelter_angle: float | None = redeclared(
-        GrainFlight, "shelter_angle", 15.0, "Werner 1995; seed 000, §3.2: the shadow zone"
-    )
-    repose_angle: float = redeclared(GrainFlight, "repose_angle", 34.0, "seed 003, §3.4: loose sand 34 to 35")
-    time_step: float = redeclared(GrainFlight, "time_step", 5e-4, "ours: for cells of 5 mm")
-    load: float = redeclared(GrainFlight, "load", 4.0, "ours: more than the wind carries")
-    near_bed: Literal["slowed", "threshold", "log"] = parameter(
-        "slowed",
-        unit="-",
-        live=True,
-        group="wind",
-        meaning="Wind below the focus: slowed by the momentum that grains take from it, that of the impact "
-        "threshold, or the law of the wall all the way down.",
-        source="slowed: Owen 1964; Ungar & Haff 1987; threshold: Bagnold 1941; log: seed 003, eq. 2.1",
-    )
-    wind_every: int = parameter(
-        50,
-        unit="iterations",
-        ge=1,
-        le=1_000_000,
-        group="wind",
-        meaning="How often the wind near the bed is found anew.",
-        source="ours",
-    )
-    weight: float = parameter(
-        0.1,
-        unit="-",
-        gt=0,
-        le=1,
-        scale="log",
-        group="wind",
-        meaning="Share of a grain's sand that slows the wind. With 1 the air carries as much sand as real "
-        "wind does. With less it carries more and the bed changes faster by so much: a second of flight "
-        "counts for so many seconds of wind over the bed.",
-        source="ours",
-    )
-    focus_height: float = parameter(
-        0.01,
-        unit="m",
-        gt=0,
-        le=1,
-        live=True,
-        group="wind",
-        meaning="Height of the focus, below which all winds are alike.",
-        source="Bagnold 1941: about a centimetre over sand of mixed sizes",
-    )
-    entrainment: float = parameter(
-        1e-3,
-        unit="-",
-        ge=0,
-        le=1,
-        live=True,
-        group="lift-off",
-        meaning="Chance that the wind itself lifts a parcel into a free slot in an iteration.",
-        source="ours: enough to start, little beside the splash",
-    )
-    rebound_most: float = parameter(
-        0.95,
-        unit="-",
-        ge=0,
-        le=1,
-        live=True,
-        group="splash",
-        meaning="Chance that the fastest grains rebound.",
-        source="Anderson & Haff 1991",
-    )
-    rebound_rate: float = parameter(
-        1.0,
-        unit="s/m",
-        gt=0,
-        le=100,
-        live=True,
-        group="splash",
-        meaning="How fast the chance to rebound grows with impact speed.",
-        source="Kok & Renno 2009, after Anderson & Haff 1991: of the order of 1",
-    )
-    restitution: float = parameter(
-        0.55,
-        unit="-",
-        ge=0,
-        le=1,
-        live=True,
-        group="splash",
-        meaning="Speed after a rebound over the speed of impact.",
-        source="Kok & Renno 2009",
-    )
-    rebound_angle: float = parameter(
-        40.0,
-        unit="degrees",
-        gt=0,
-        le=89,
-        live=True,
-        group="splash",
-        meaning="Mean angle of rebounds to the surface, of an exponential distribution below 90.",
-        source="Kok & Renno 2009",
-    )
-    ejecta: float = parameter(
-        0.02,
-        unit="-",
-        ge=0,
-        le=1,
-        live=True,
-        group="splash",
-        meaning="Grains thrown out by an impact, over impact speed and √(g d).",
-        source="Kok & Renno 2009: 0.01 to 0.03",
-    )
-    ejecta_momentum: float = parameter(
-        0.15,
-        unit="-",
-        ge=0,
-        le=1,
-        live=True,
-        group="splash",
-        meaning="Share of the impact's momentum that the ejecta of fast impacts take.",
-        source="Kok & Renno 2009",
-    )
-    ejecta_scale: float = parameter(
-        40.0,
-        unit="-",
-        gt=0,
-        le=1000,
-        live=True,
-        group="splash",
-        meaning="Impact speed, over √(g d), from which on ejecta grow no faster.",
-        source="Kok & Renno 2009",
-    )
-    ejecta_angle: float = parameter(
-        50.0,
-        unit="degrees",
-        gt=0,
-        le=89,
-        live=True,
-        group="splash",
-        meaning="Mean angle of ejecta to the surface, of an exponential distribution below 90.",
-        source="Kok & Renno 2009",
-    )
-    azimuth_spread: float = parameter(
-        15.0,
-        unit="degrees",
-        ge=0,
-        le=180,
-        live=True,
-        group="splash",
-        meaning="Rebounds and ejecta turn aside by up to this.",
-        source="ours",
-    )
-
-    @property
-    def step_seconds(self) -> float | None:
-        """Duration (s) of a step, as the bed sees it; complete trajectories have none."""
-        return None if self.flight_seconds is None else self.flight_seconds / self.weight
 
 
 class Ripples(GrainModel):
@@ -197,9 +36,18 @@ class Ripples(GrainModel):
     lifts hardly a grain, enough to start. Sand moves where grains fall, on the faces that look upwind, and
     makes short hops downwind from there: the instability of Anderson (1987).
 
+    Sand of several ``sizes`` keeps in each cell how many parcels of each lie in an active layer (Hirano 1971)
+    and below it. An impact of size i at speed v throws out (a v / √(g D)) (d_i / d_s) f_s grains of size s,
+    D being the mean diameter and f_s the share of s in the layer (Kok & Renno 2009), hence (d_s / d_i)² times
+    as many parcels as their share, for a parcel holds the fewer grains the coarser they are. Their speed is
+    that of ejecta in sand of one size, times (d_i / d_s)² where they are coarser: no size takes more than its
+    share of the momentum. Sizes whose impact threshold is above the wind's friction velocity creep: their
+    share of momentum pushes parcels of them along the bed, downwind and downslope.
+
     Known deviations: a simulated grain stands for many, which rebound and are thrown out together, so it
     roughens the bed the more the thicker its sand is; the wind near the bed is the same over the whole field,
-    and follows it; ``load`` bounds the number in the air; grains do not collide in the air.
+    and follows it; ``load`` bounds the number in the air; grains do not collide in the air; rebounds do not
+    depend on size.
     """
 
     name = "ripples"
@@ -210,6 +58,22 @@ class Ripples(GrainModel):
     )
     Parameters = RipplesParameters
     parameters: RipplesParameters
+    derived = (
+        Derived(
+            "surface_diameter",
+            "m",
+            "mean diameter of the grains at the surface",
+            lambda model, bed, _: model.surface_diameter(bed),
+        ),
+    )
+    measures = (
+        OwnMeasure(
+            "coarse_crests",
+            "grain diameter, crests over troughs",
+            "-",
+            lambda model, bed, _: model.coarse_crests(bed),
+        ),
+    )
 
     def __init__(self, parameters: Any, lattice: Lattice) -> None:
         """Set the model up with still air."""
@@ -274,6 +138,7 @@ class Ripples(GrainModel):
             *(0.8 * friction, 2.0 * friction, math.radians(21.0), math.radians(89.0)),
             *downwind(wind.direction),
             False,
+            None if self.sizes is None else self.creeping(wind),
         )
 
     def bounce(self) -> Any:
@@ -282,16 +147,42 @@ class Ripples(GrainModel):
 
         return Bounce(0.0, 0.0, 0.0, self.parameters.max_bounces)
 
-    def splash(self) -> Any:
+    def splash(self, wind: Segment) -> Any:
         """Rebounds and ejecta, in SI units."""
         from barchan.kernels.grain_splash import Splash
 
         rules = self.parameters
-        unit = math.sqrt(rules.gravity * rules.grain_diameter)
+        unit = math.sqrt(rules.gravity * rules.diameter)
         return Splash(
             *(rules.rebound_most, rules.rebound_rate, rules.restitution, math.radians(rules.rebound_angle)),
             rules.ejecta / unit,
             rules.ejecta_momentum / rules.ejecta * unit if rules.ejecta else 0.0,
             *(rules.ejecta_scale * unit, math.radians(rules.ejecta_angle)),
             *(math.radians(rules.azimuth_spread), rules.max_bounces),
+            None if self.sizes is None else sorting(rules, self.lattice, self.creeping(wind)),
         )
+
+    def creeping(self, wind: Segment) -> NDArray[np.bool_]:
+        """Which sizes the wind cannot keep in the air: it is below the threshold that impacts leave them."""
+        friction = self.parameters.friction_velocity(self.speed(wind))
+        return np.array([one.impact_threshold() > friction for one in self.parameters.by_size])
+
+    def sorted_sand(self) -> SortedSand | None:
+        """Sand of several sizes, where the scenario has it."""
+        rules = self.parameters
+        if not rules.sizes:
+            return None
+        thickness = rules.active_layer * rules.sizes[-1].diameter
+        return SortedSand(rules.sizes, max(1, round(thickness / self.lattice.thickness)))
+
+    def surface_diameter(self, bed: Bed) -> NDArray[np.float64]:
+        """Mean diameter (m) of the grains in the active layer."""
+        if self.sizes is None:
+            return np.full(self.lattice.shape, self.parameters.diameter)
+        return self.sizes.surface(bed)
+
+    def coarse_crests(self, bed: Bed) -> float:
+        """Mean diameter at the surface of the upper third of the bed over that of the lower third."""
+        low, high = np.quantile(bed.elevation, (1 / 3, 2 / 3))
+        diameter = self.surface_diameter(bed)
+        return float(diameter[bed.elevation >= high].mean() / diameter[bed.elevation <= low].mean())

@@ -168,7 +168,7 @@ class SlabModel(Model):
         tables, surface, sand, mobile = self._enter(bed, frame, self.parameters.hop_length, mobility)
         sequences = settling_sequences(self.parameters.neighbourhood == "moore")
         upset = np.ones(bed.sand.size, np.bool_) if where is None else where.ravel().copy()
-        moved = int(settle_field(surface, sand, mobile, upset, sequences, tables.grid, tables.repose))
+        moved = int(settle_field(surface, sand, mobile, upset, sequences, tables.grid, tables.repose, None))
         self._leave(bed, frame, surface if sand is None else sand)
         return moved
 

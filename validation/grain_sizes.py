@@ -1,0 +1,99 @@
+"""Sand of two sizes under `ripples`: where the coarse grains gather.
+
+Fields of 16 × 128 cells of 5 mm, twenty minutes of wind from a flat, mixed bed, 3 seeds; three tenths of the
+sand are coarse, of 0.40 mm in 0.15 mm, or two tenths of 1 mm, which creep at 12 m/s. The surface is the
+active layer, two coarse diameters thick; upper and lower third are those of the bed's cells by elevation.
+Heights are smoothed over three cells along the wind for the correlation: single parcels roughen the bed.
+"""
+
+import numpy as np
+
+import barchan
+from validation.study import Row, over_seeds, spread
+
+TITLE = "Where coarse grains gather"
+
+SEEDS = (1, 2, 3)
+FINE, DEPTH = 0.15e-3, 2400
+ROWS, COLUMNS = 16, 128
+MINUTE, EARLY, LATE = 60.0, 10, 20
+"""Seconds of wind between looks, and the looks (minutes) that are told."""
+CASES = {
+    "0.40 mm, 12 m/s": (0.40e-3, 0.3, 12.0),
+    "0.40 mm, 15 m/s": (0.40e-3, 0.3, 15.0),
+    "1 mm that creeps, 12 m/s": (1e-3, 0.2, 12.0),
+}
+"""Coarse diameter, its share, wind speed."""
+
+
+def sorted_bed(coarse, share, speed, seed):
+    """What the wind makes of a flat bed of mixed sand."""
+    scenario = barchan.load(
+        {
+            "barchan": 1,
+            "lattice": {"rows": ROWS, "columns": COLUMNS, "cell_size": 0.005, "slab_height": FINE / 16},
+            "sand": {"kind": "flat", "mean": DEPTH},
+            "model": {
+                "name": "ripples",
+                "wind_speed": speed,
+                "sizes": [{"diameter": FINE, "share": 1.0 - share}, {"diameter": coarse, "share": share}],
+                "iterations_per_step": 50,
+                "weight": 0.02,
+                "load": 8.0,
+            },
+            "run": {"steps": 10**6, "seed": seed},
+        }
+    )
+    simulation = barchan.Simulation(scenario)
+    model = simulation.model
+    start = model.sizes.on_bed(simulation.bed)
+    per_minute = round(MINUTE / model.step_seconds)
+    found = {}
+    for minutes in (EARLY, LATE):
+        simulation.advance(minutes * per_minute - simulation.steps_done)
+        found |= {f"{name} {minutes}": value for name, value in _look(simulation).items()}
+    held = np.bincount(model.kinds[model.marks[0] > 0], minlength=2)
+    missing = start - model.sizes.on_bed(simulation.bed) - held * model.parameters.carried
+    return {
+        **found,
+        "missing": float(np.abs(missing).max()),
+        "coarse in the air": float(held[1] / held.sum()),
+    }
+
+
+def _look(simulation):
+    bed, model = simulation.bed, simulation.model
+    diameter = model.surface_diameter(bed)
+    smooth = sum(np.roll(bed.elevation, shift, axis=1) for shift in (-1, 0, 1)) / 3.0
+    return {
+        "ratio": model.coarse_crests(bed),
+        "alike": float(np.corrcoef(smooth.ravel(), diameter.ravel())[0, 1]),
+        "relief": float(bed.elevation.std()) * 1e3,
+        "surface": float(diameter.mean()) * 1e3,
+    }
+
+
+def rows():
+    results = dict(zip(CASES, over_seeds(sorted_bed, CASES.values(), SEEDS), strict=True))
+    for name, found in results.items():
+        for minutes in (EARLY, LATE):
+            values = found[f"ratio {minutes}"]
+            votes = sum(value > 1.0 for value in values)
+            yield Row(
+                f"diameter at the surface, upper over lower third, {name}, {minutes} min",
+                "above 1: coarse grains gather at crests",
+                spread(values),
+                f"{votes} of {len(values)} seeds above 1",
+            )
+    for name, found in results.items():
+        alike = spread(found[f"alike {LATE}"], 2)
+        yield Row(f"correlation of height and diameter, {name}, {LATE} min", "positive", alike)
+        reliefs = ", ".join(spread(found[f"relief {at}"], 2) for at in (EARLY, LATE))
+        yield Row(f"relief after {EARLY}, {LATE} min, {name}", "–", f"{reliefs} mm")
+        yield Row(f"mean diameter at the surface, {name}", "–", f"{spread(found[f'surface {LATE}'])} mm")
+        yield Row(f"share of coarse grains in the air, {name}", "–", spread(found["coarse in the air"], 2))
+    missing = max(max(found["missing"]) for found in results.values())
+    yield Row("parcels of any size that went missing", "0", f"{missing:g}")
+
+
+READING = ""
