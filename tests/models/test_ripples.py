@@ -5,7 +5,10 @@ import pytest
 
 import barchan
 from barchan.models import model
+from barchan.models.slowed_wind import SlowedWind
 from barchan.simulation import Simulation
+from barchan.streams import Stream
+from barchan.wind.segment import Segment
 
 SMALL = {
     "barchan": 1,
@@ -62,6 +65,44 @@ def test_a_patch_leaves_a_smoother_bed_than_single_stacks():
     patch = run(150, lattice__slab_height=0.15e-3 / 16, sand__mean=6400, model__weight=0.02)
     steps = [np.diff(one.bed.sand * one.lattice.thickness, axis=1).std() for one in (whole, patch)]
     assert steps[1] < 0.6 * steps[0]
+
+
+def test_grains_slow_the_wind_where_they_land():
+    ripples = model("ripples")
+    lattice = barchan.load(SMALL).lattice
+    wind = SlowedWind(ripples.Parameters(sharing_width=0.02), lattice)
+    lost = np.zeros(lattice.shape)
+    lost[8, 32] = 1e4
+    wind.feel(lost, 0.025)
+    near = wind.friction(0.4)
+    assert near[8, 32] == near.min() < 0.399
+    assert near[8, 0] == pytest.approx(0.4)
+    alike = SlowedWind(ripples.Parameters(), lattice)
+    alike.feel(lost, 0.025)
+    assert float(alike.stress) == pytest.approx(wind.stress.mean())
+
+
+def test_wind_by_place_is_the_same_wind_where_it_has_none():
+    ripples = model("ripples")
+    bed = Simulation(barchan.load(SMALL)).bed
+    wind = Segment(0, 1, 0, bed.lattice.cells, 270.0)
+    paths = []
+    for width in (None, 0.02):
+        flight = ripples(ripples.Parameters(sharing_width=width, wind_speed=14.0), bed.lattice)
+        flight.near_bed.stress[...] = 0.05
+        paths.append(flight.paths(bed, wind, Stream(1, "paths"), 3))
+    for one, other in zip(*paths, strict=True):
+        np.testing.assert_allclose(one[:20, :6], other[:20, :6], rtol=2e-3, atol=1e-5)
+
+
+def test_wind_by_place_survives_a_checkpoint():
+    simulation = run(40, model__sharing_width=0.02)
+    again = Simulation.from_state(simulation.state())
+    np.testing.assert_array_equal(again.model.near_bed.stress, simulation.model.near_bed.stress)
+    for one in (simulation, again):
+        one.advance(20)
+    np.testing.assert_array_equal(again.bed.sand, simulation.bed.sand)
+    assert np.ptp(simulation.model.near_bed.stress) > 0
 
 
 def test_nothing_moves_below_the_threshold_and_the_user_is_told():

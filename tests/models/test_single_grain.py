@@ -86,7 +86,7 @@ def test_a_falling_grain_reaches_its_settling_speed():
     ground = GrainGround(
         flight.parameters, Bed(LATTICE, np.zeros(LATTICE.shape), np.ones(LATTICE.shape)), slots=1
     )
-    grains = _grains(*_slots(1))
+    grains = _grains(*_slots(1), None)
     grains.z[0], grains.held[0] = 100.0, 1
     rules = flight.bounce(), flight.lift_off(WIND)
     about = flight.air(WIND), ground.grid, ground.arrays, ground.scale, rules, None

@@ -28,9 +28,26 @@ def entry(number, first, last):
     return min(max((np.float32(number).view(np.int32) - first) >> _SHIFT, _NONE), last)
 
 
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+def _find_near(count, near, cell, slowed):
+    """Put the friction velocity near the bed at each grain of a block into ``slowed``, if it has places."""
+    if near is not None:
+        for j in range(count):
+            slowed[j] = near[np.uint64(cell[j])]
+
+
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+def _slow_wind(count, near, above, cell, slowed, value):
+    """Make wind speeds of those for a friction velocity of 1 m/s near the bed, if it has places."""
+    if near is not None:
+        for j in range(count):
+            value[j] = slowed[j] * value[j] + above.values[np.uint64(cell[j])]
+
+
 @njit(cache=True, nogil=True, error_model="numpy")
-def _find_wind(start, count, grains, air, base, cols, cell, value):
+def _find_wind(start, count, grains, air, ground, cols, cell, value, slowed):
     """Put the wind speed at each grain of a block into ``value``."""
+    base = ground.base
     first, last = air.wind.first, air.wind.last
     x, y, z, w = grains.x, grains.y, grains.z, grains.w
     ahead = air.rise_before
@@ -38,10 +55,12 @@ def _find_wind(start, count, grains, air, base, cols, cell, value):
         cell[j] = mesh_cell(x[start + j], y[start + j], cols)
     for j in range(count):
         value[j] = base[np.uint64(cell[j])]
+    _find_near(count, ground.near, cell, slowed)
     for j in range(count):
         cell[j] = entry(z[start + j] + ahead * w[start + j] - value[j], first, last)
     for j in range(count):
         value[j] = air.wind.values[np.uint64(cell[j])]
+    _slow_wind(count, ground.near, air.above, cell, slowed, value)
 
 
 @njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
@@ -111,7 +130,7 @@ def move(first, last, grains, air, grid, ground, near):
     found = first
     for start in range(first, last, BLOCK):
         count = min(last - start, BLOCK)
-        _find_wind(start, count, grains, air, ground.base, grid.cols, cell, wind)
+        _find_wind(start, count, grains, air, ground, grid.cols, cell, wind, share)
         _find_drag(start, count, grains, air, wind, cell, share)
         _push(start, count, grains, air, wind, share)
         _find_cells(start, count, grains, grid, cell)

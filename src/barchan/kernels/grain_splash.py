@@ -151,6 +151,13 @@ def _next_free(at, events, found, grains):
     return at
 
 
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+def _note_lost(speed, cell, lost, counts):
+    counts[LOST] += speed
+    if lost is not None:
+        lost[cell] += speed
+
+
 @njit(cache=True, nogil=True, error_model="numpy")
 def eject(first, found, grains, ground, scale, grid, rule, events, counts):
     """Throw grains out where others hit the bed, for the entries ``first`` to before ``found``.
@@ -162,10 +169,10 @@ def eject(first, found, grains, ground, scale, grid, rule, events, counts):
         speed = events.impact[k]
         if speed == 0.0:
             continue
-        counts[LOST] += np.int64(np.rint(events.lost[k] * LOST_UNIT))
         start = events.start[k]
         x, y = events.x[k], events.y[k]
         cell = nearest_cell(x, y, grid)
+        _note_lost(np.int64(np.rint(events.lost[k] * LOST_UNIT)), cell, ground.lost, counts)
         hitting = kind_of(events.kind, k)
         plenty = _plenty(rule.sorting, hitting, cell, ground.mixture)
         number = rule.number * speed * plenty + draw(start, EJECTA_DRAWS)

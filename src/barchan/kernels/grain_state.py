@@ -77,6 +77,9 @@ class Air(NamedTuple):
     rise_before: np.float32
     """Height (m) that a step makes of each m/s before it; the wind is looked up after so much of it."""
     rise_after: np.float32
+    above: Table | None = None
+    """Where the wind near the bed has places: what comes to it above the focus (m/s). ``wind`` is then the
+    wind for a friction velocity of 1 m/s near the bed."""
 
 
 class Ground(NamedTuple):
@@ -96,6 +99,10 @@ class Ground(NamedTuple):
     """The mean of the lid over each mesh cell (m), from which the wind's height is counted."""
     mixture: Mixture | None = None
     """Where sand of which size lies, where there are several."""
+    near: np.ndarray | None = None
+    """Friction velocity (m/s, float32) near the bed, where it has places."""
+    lost: np.ndarray | None = None
+    """Speed along the wind that impacts took (int64), where it is counted by place."""
 
 
 class Scale(NamedTuple):

@@ -54,8 +54,17 @@ def focused_wind(
     """
     near = log_wind(height, min(least, friction), roughness, displacement)
     at_focus = float(log_wind(np.array(focus), min(least, friction), roughness, displacement))
+    return np.where(
+        height < focus, near, at_focus + above_focus(height, friction, roughness, focus, displacement)
+    )
+
+
+def above_focus(
+    height: NDArray, friction: float, roughness: float, focus: float, displacement: float
+) -> NDArray:
+    """What the wind speed (m/s) gains above the focus (m)."""
     ratio = np.maximum((height - displacement) / max(focus - displacement, roughness), 1.0)
-    return np.where(height < focus, near, at_focus + friction / KARMAN * np.log(ratio))
+    return friction / KARMAN * np.log(ratio)
 
 
 def natural_drag(speed: NDArray, diameter: float, viscosity: float) -> NDArray:

@@ -59,12 +59,24 @@ class GrainGround:
         self.counts = np.zeros(COUNTS + sizes, np.int64)
         self.events = _room_for_events(slots, mixture is not None)
 
-    @property
-    def momentum(self) -> int:
-        """Speed along the wind that impacts took in this step, in ``LOST_UNIT``."""
+    def lost_speed(self) -> NDArray[np.float64]:
+        """Speed (m/s) along the wind that impacts took since last asked: by cell, or a cell's mean."""
         from barchan.kernels.grain_bed import LOST
+        from barchan.kernels.grain_splash import LOST_UNIT
 
-        return int(self.counts[LOST])
+        if self.arrays.lost is None:
+            lost = np.asarray(self.counts[LOST] / self.lattice.cells)
+        else:
+            lost = self.arrays.lost.reshape(self.lattice.shape).astype(np.float64)
+            self.arrays.lost[:] = 0
+        self.counts[LOST] = 0
+        return lost / LOST_UNIT
+
+    def slow(self, friction: NDArray[np.float64]) -> None:
+        """Let the wind near the bed have a friction velocity (m/s) for each cell."""
+        near = friction.reshape(-1).astype(np.float32)
+        lost = np.zeros(near.size, np.int64) if self.arrays.lost is None else self.arrays.lost
+        self.arrays = self.arrays._replace(near=near, lost=lost)
 
     def count_flight(self, slots: int) -> None:
         """Count an iteration of that many slots."""

@@ -130,8 +130,12 @@ class GrainModel(Model):
         """Iterations after which the wind is found anew, within a step; here it blows as it is."""
         return self.parameters.iterations_per_step
 
-    def feel(self, lost: int, seconds: float) -> None:
-        """Take note of the speed (``LOST_UNIT``) that impacts took from grains in some seconds."""
+    def feel(self, ground: GrainGround, seconds: float) -> None:
+        """Take note of the speed that impacts took from grains in some seconds."""
+
+    def blow(self, ground: GrainGround, wind: Segment) -> Any:
+        """What the air does to grains over the ground as it is now."""
+        return self.air(wind)
 
     @property
     def spare_slots(self) -> int:
@@ -183,15 +187,15 @@ class GrainModel(Model):
         rules = self.parameters
         if rules.clock == "step":
             ground.spread_lid()
-            self._follow(derive(stream.key, self.iteration), grains, self.air(wind), ground, wind)
+            self._follow(derive(stream.key, self.iteration), grains, self.blow(ground, wind), ground, wind)
             self.iteration += 1
             return
         iterations = round(wind.share * rules.iterations_per_step)
-        air, taken, felt = self.air(wind), ground.momentum, 0
+        air, felt = self.blow(ground, wind), 0
         for number in range(iterations):
             if number == felt + self.wind_every:
-                self.feel(ground.momentum - taken, self.wind_every * rules.time_step)
-                air, taken, felt = self.air(wind), ground.momentum, number
+                self.feel(ground, self.wind_every * rules.time_step)
+                air, felt = self.blow(ground, wind), number
             if number == felt:
                 self._choose_slots()
             if number % rules.shelter_every == 0:
@@ -200,7 +204,7 @@ class GrainModel(Model):
                 ground.settle(derive(stream.key, self.iteration))
             self._iterate(derive(stream.key, self.iteration), grains, air, ground, wind)
             self.iteration += 1
-        self.feel(ground.momentum - taken, (iterations - felt) * rules.time_step)
+        self.feel(ground, (iterations - felt) * rules.time_step)
         ground.settle(derive(stream.key, self.iteration))
 
     def _iterate(self, key: int, grains: Any, air: Any, ground: GrainGround, wind: Segment) -> None:
@@ -256,6 +260,7 @@ class GrainModel(Model):
 
         ground = self._ground(bed, wind.direction, 1)
         ground.spread_lid()
+        air = self.blow(ground, wind)
         lifts = self.lift_off(wind)
         surely = lifts._replace(chance=1.0 if lifts.chance > 0.0 else 0.0)
         rules = surely, (self.bounce(), self.lift_off(wind, 0.0))
@@ -265,7 +270,7 @@ class GrainModel(Model):
             grains = _grains(*_slots(1), None if self.sizes is None else np.zeros(1, np.int32))
             about = (
                 grains,
-                self.air(wind),
+                air,
                 ground.arrays,
                 ground.scale,
                 ground.grid,
@@ -296,6 +301,10 @@ class GrainModel(Model):
         speed = log_wind(height, friction, rules.roughness_length, rules.displacement)
         return speed + np.where(speed > 0.0, rules.stability, 0.0)
 
+    def wind_tables(self, friction: float) -> tuple[Any, Any]:
+        """The wind by height over the surface as the kernels take it, and nothing to come to it."""
+        return table(lambda height: self.wind_profile(height, friction), HEIGHTS), None
+
     def air(self, wind: Segment) -> Any:
         """What the air does to grains in one time step."""
         from barchan.kernels.grain_state import Air
@@ -309,13 +318,10 @@ class GrainModel(Model):
         fall = rules.gravity * step
         numbers = (x, y, fall, fall * early)
         moves = [share * step for share in (early, late)]
-        return Air(
-            table(lambda height: self.wind_profile(height, friction), HEIGHTS),
-            self._drag_table(),
-            *(np.float32(number) for number in numbers),
-            *(np.float32(move / self.lattice.cell_size) for move in moves),
-            *(np.float32(move) for move in moves),
-        )
+        profile, above = self.wind_tables(friction)
+        lengths = [move / self.lattice.cell_size for move in moves]
+        found: tuple[Any, ...] = tuple(np.float32(number) for number in (*numbers, *lengths, *moves))
+        return Air(profile, self._drag_table(), *found)._replace(above=above)
 
     def _drag_table(self) -> Any:
         """The share of a velocity difference that drag takes away in a time step, for each size."""

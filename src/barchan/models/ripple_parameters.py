@@ -43,6 +43,16 @@ class RipplesParameters(GrainFlight):
         meaning="How often the wind near the bed is found anew.",
         source="ours",
     )
+    sharing_width: float | None = parameter(
+        None,
+        unit="m",
+        gt=0,
+        le=10,
+        group="wind",
+        meaning="Width (standard deviation) over which the air shares the momentum that grains take from it; "
+        "over the whole field where not given, and then grains crowd into lanes.",
+        source="ours",
+    )
     weight: float = parameter(
         0.1,
         unit="-",

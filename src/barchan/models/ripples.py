@@ -8,18 +8,14 @@ from numpy.typing import NDArray
 
 from barchan.bed import Bed, Lattice
 from barchan.models.base import Derived, OwnMeasure
-from barchan.models.grain_air import focused_wind
+from barchan.models.grain_air import HEIGHTS, above_focus, focused_wind, table
+from barchan.models.grain_ground import GrainGround
 from barchan.models.grain_sizes import SortedSand
 from barchan.models.grain_sorting import sorting
 from barchan.models.grains import GrainModel
 from barchan.models.ripple_parameters import RipplesParameters
+from barchan.models.slowed_wind import SlowedWind
 from barchan.wind.segment import Segment, downwind
-
-RESPONSE = 0.05
-"""Time (s) over which the wind near the bed adjusts to the grains: about a hop."""
-
-LEAST_SHARE = 0.1
-"""Share of the friction velocity that grains leave near the bed at least."""
 
 
 class Ripples(GrainModel):
@@ -45,9 +41,9 @@ class Ripples(GrainModel):
     share of momentum pushes parcels of them along the bed, downwind and downslope.
 
     Known deviations: a simulated grain stands for many, which rebound and are thrown out together, so it
-    roughens the bed the more the thicker its sand is; the wind near the bed is the same over the whole field,
-    and follows it; ``load`` bounds the number in the air; grains do not collide in the air; rebounds do not
-    depend on size.
+    roughens the bed the more the thicker its sand is; the wind near the bed follows it, and is slowed alike
+    over the whole field unless ``sharing_width`` is given; ``load`` bounds the number in the air; grains do
+    not collide in the air; rebounds do not depend on size.
     """
 
     name = "ripples"
@@ -78,17 +74,21 @@ class Ripples(GrainModel):
     def __init__(self, parameters: Any, lattice: Lattice) -> None:
         """Set the model up with still air."""
         super().__init__(parameters, lattice)
-        self.stress = 0.0
-        """Stress (Pa) that grains take from the wind, as of late."""
+        self.near_bed = SlowedWind(self.parameters, lattice)
 
     def state(self) -> dict[str, NDArray | float | int | str]:
         """The grains in the air, and the stress that they take from the wind."""
-        return {**super().state(), "stress": self.stress}
+        return {**super().state(), "stress": self.near_bed.stress}
 
     def restore(self, state: dict[str, Any]) -> None:
         """Take up grains in the air."""
         super().restore(state)
-        self.stress = float(state["stress"])
+        self.near_bed.stress[...] = state["stress"]
+
+    @property
+    def stress(self) -> float:
+        """Stress (Pa) that grains take from the wind, as of late: its mean over the field."""
+        return float(self.near_bed.stress.mean())
 
     @property
     def spare_slots(self) -> int:
@@ -100,22 +100,34 @@ class Ripples(GrainModel):
         """Iterations after which the wind near the bed is found anew."""
         return self.parameters.wind_every
 
-    def feel(self, lost: int, seconds: float) -> None:
+    def feel(self, ground: GrainGround, seconds: float) -> None:
         """Let the wind near the bed adjust to the momentum that impacts took."""
-        from barchan.kernels.grain_splash import LOST_UNIT
+        self.near_bed.feel(ground.lost_speed(), seconds)
 
-        rules = self.parameters
-        thickness = rules.carried * self.lattice.thickness
-        mass = rules.weight * rules.grain_density * (1.0 - rules.porosity) * thickness
-        taken = mass * lost / LOST_UNIT / self.lattice.cells / seconds
-        self.stress += (taken - self.stress) * -math.expm1(-seconds / RESPONSE)
+    def blow(self, ground: GrainGround, wind: Segment) -> Any:
+        """Slow the wind over the ground, and find what it does to grains."""
+        if self.near_bed.by_place:
+            friction = self.parameters.friction_velocity(self.speed(wind))
+            ground.slow(self.near_bed.friction(friction))
+        return self.air(wind)
 
     def near_bed_friction(self, friction: float) -> float:
-        """Friction velocity (m/s) of the wind below the focus."""
-        if self.parameters.near_bed == "threshold":
-            return self.parameters.impact_threshold()
-        left = friction**2 - self.stress / self.parameters.air_density
-        return math.sqrt(max(left, (LEAST_SHARE * friction) ** 2))
+        """Friction velocity (m/s) of the wind below the focus; its mean over the field."""
+        return float(self.near_bed.friction(friction).mean())
+
+    def wind_tables(self, friction: float) -> tuple[Any, Any]:
+        """The wind by height, or where it has places its shape below the focus and what comes to it above."""
+        if not self.near_bed.by_place:
+            return super().wind_tables(friction)
+        rules = self.parameters
+        about = rules.roughness_length, rules.focus_height, rules.displacement
+        return (
+            table(
+                lambda height: focused_wind(height, 1.0, 1.0, *about) - above_focus(height, 1.0, *about),
+                HEIGHTS,
+            ),
+            table(lambda height: above_focus(height, friction, *about), HEIGHTS),
+        )
 
     def wind_profile(self, height: NDArray[np.float64], friction: float) -> NDArray[np.float64]:
         """Wind speed (m/s) at heights (m) above the surface."""
