@@ -2,7 +2,7 @@
 
 from abc import abstractmethod
 from collections.abc import Hashable
-from functools import partial
+from functools import cached_property, partial
 from typing import Any
 
 import numpy as np
@@ -53,14 +53,32 @@ class GrainModel(Model):
     def __init__(self, parameters: Any, lattice: Lattice) -> None:
         """Set the model up with no grain in the air."""
         super().__init__(parameters, lattice)
-        self.motion, self.marks = _slots(max(1, round(parameters.load * lattice.cells)))
+        self.slots = max(1, round(parameters.load * lattice.cells))
         self.sizes = self.sorted_sand()
-        self.kinds = None if self.sizes is None else np.zeros(self.marks.shape[1], np.int32)
-        """The size of the grain in each slot, where there are several."""
         if self.sizes is not None:
             self.fields = (*self.fields, *self.sizes.layer, *self.sizes.below)
         self.iteration = 0
-        self.slots_in_use = self.marks.shape[1]
+        self.slots_in_use = self.slots
+
+    @cached_property
+    def _flight(self) -> tuple[NDArray[np.float32], NDArray[np.int32]]:
+        """Motion and marks, made when they are needed: a scenario may be looked at that no memory holds."""
+        return _slots(self.slots)
+
+    @property
+    def motion(self) -> NDArray[np.float32]:
+        """Where the grain in each slot is, and how fast."""
+        return self._flight[0]
+
+    @property
+    def marks(self) -> NDArray[np.int32]:
+        """What each slot holds."""
+        return self._flight[1]
+
+    @cached_property
+    def kinds(self) -> NDArray[np.int32] | None:
+        """The size of the grain in each slot, where there are several."""
+        return None if self.sizes is None else np.zeros(self.slots, np.int32)
 
     def prepare(self, bed: Bed, seed: int) -> None:
         """Look whether grains can fly here; raises ScenarioError with everything that keeps them from it."""
@@ -103,8 +121,8 @@ class GrainModel(Model):
         self.motion[...] = state["motion"]
         self.marks[...] = state["marks"]
         self.iteration = int(state["iteration"])
-        if self.sizes is not None:
-            self.kinds = np.array(state["kinds"], np.int32)
+        if self.sizes is not None and self.kinds is not None:
+            self.kinds[...] = state["kinds"]
             self.sizes.left[...] = state["left_by_size"]
 
     @property
@@ -140,7 +158,7 @@ class GrainModel(Model):
     @property
     def spare_slots(self) -> int:
         """Free slots to keep in flight for grains that start within a step; all where not given."""
-        return self.marks.shape[1]
+        return self.slots
 
     def _choose_slots(self) -> None:
         """Leave free slots but the spare ones out of flight; grains move up where too many lie between."""
@@ -153,7 +171,7 @@ class GrainModel(Model):
             if self.kinds is not None:
                 self.kinds[...] = self.kinds[order]
             last = held.size
-        self.slots_in_use = min(last + self.spare_slots, self.marks.shape[1])
+        self.slots_in_use = min(last + self.spare_slots, self.slots)
 
     def splash(self, wind: Segment) -> Any:
         """What impacts throw out; None: nothing, grains bounce."""
@@ -162,7 +180,7 @@ class GrainModel(Model):
     def advance(self, bed: Bed, segment: Segment, stream: Stream, still: int, limit: int) -> Tally:
         """Let the grains in the air fly, land and be replaced."""
         total = Tally(still=still, airborne=self.airborne)
-        ground = self._ground(bed, segment.direction, self.marks.shape[1])
+        ground = self._ground(bed, segment.direction, self.slots)
         grains = self.grains()
         for _ in range(segment.steps):
             ground.counts[:] = 0
