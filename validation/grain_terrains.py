@@ -171,19 +171,18 @@ On flat ground spacing agrees: twice as wide at 15 as at 10 m/s. Height does not
 wind, but at equal times it is lower in stronger wind, in every seed. Whether the order turns round once
 heights have saturated was not followed. At 10 m/s spacing is that of the first 1000 iterations.
 
-On sloping ground the presets' filter is not to be trusted. A cell that it finds too sharp exchanges sand with
-all its neighbours, so on a slope it hands sand on from the neighbour above to the one below, tens of parcels
-at a time and in a fixed order of cells: after 3000 iterations the sand about the hump has moved by
-centimetres, more to the south-west than elsewhere, although hump and wind are alike to both sides. Without
-wind nothing moves. The rows of hump, steep hump, dune and valley without "steepest" show this rather than
-grains.
+With the published filter sand settles behind the hump and before it, more on the lee side; the steep hump
+sheds its sand, which gathers at its feet, more at the windward one; ripples in the valley are flatter high
+up: as the seed describes. Only the crests on the sides of the dune are no more oblique than on its top. How
+much of the millimetres at the foot of slopes the wind brought was not separated from what the filter
+brings: a cell that it finds too sharp exchanges sand with the neighbours above and below it on the slope.
 
-With sand that slides to the steepest neighbour, symmetric as it should be, most of what the seed describes
-comes out. Behind the hump sand stays that its windward foot loses; a band up to 3 mm deep settles just behind
-the crest (seen in seed 1; the rows begin a width behind it, where the bed has hardly changed). Sand gathers
-on the hump's windward side, not at its windward foot. The steep hump is bare, with more sand at its windward
-foot than anywhere else. Crests lean more on the sides of the dune than on its top, by 2° only. In the valley
-ripples are lower on the shoulders than on the floor, and lowest on the slopes between.
+With sand that slides to the steepest neighbour amounts are smaller, and some turn round. Behind the hump
+sand stays that its windward foot loses; a band up to 3 mm deep settles just behind the crest (seen in seed
+1; the rows begin a width behind it, where the bed has hardly changed). Sand gathers on the hump's windward
+side, not at its windward foot. The steep hump is bare, with more sand at its windward foot than anywhere
+else. Crests lean more on the sides of the dune than on its top, by 2° only. In the valley ripples are lower
+on the shoulders than on the floor, and lowest on the slopes between.
 
 The sizes of the seed's ground, the damping of bounces, the time step and the filter's factors are not
 published; those here are ours and were left as they were.
