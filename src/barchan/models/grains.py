@@ -386,7 +386,9 @@ def _slots(count: int) -> tuple[NDArray[np.float32], NDArray[np.int32]]:
     return motion, marks
 
 
-def _grains(motion: NDArray[np.float32], marks: NDArray[np.int32], kinds: NDArray[np.int32] | None) -> Any:
+def _grains(
+    motion: NDArray[np.float32], marks: NDArray[np.int32], kinds: NDArray[np.int32] | None = None
+) -> Any:
     from barchan.kernels.grain_state import Grains
 
     return Grains(*motion, *marks)._replace(kind=kinds)
