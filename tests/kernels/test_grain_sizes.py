@@ -51,18 +51,18 @@ def test_grains_of_each_size_fly_as_if_there_were_no_others():
     ground = GrainGround(model.parameters, made.bed, 270.0, 300)
     random = np.random.default_rng(1)
     motion, marks = _slots(300)
-    motion[:2] = random.uniform(0.0, 5.0, (2, 300))
+    motion[:2] = random.uniform(1.5, 4.0, (2, 300))
     motion[2] = random.uniform(0.003, 0.05, 300)
     motion[3:6] = random.uniform(-1.0, 2.0, (3, 300))
     kinds = random.integers(0, 3, 300).astype(np.int32)
     air, alone = model.air(wind), motion.copy()
-    for _ in range(20):
+    for _ in range(5):
         move(0, 300, _grains(motion, marks, kinds), air, ground.grid, ground.arrays, ground.events.near)
     size = air.drag.values.size // 3
     for kind in range(3):
         own = air.drag._replace(values=air.drag.values[kind * size : (kind + 1) * size])
         apart = alone.copy()
-        for _ in range(20):
+        for _ in range(5):
             grains = _grains(apart, marks, None)
             move(0, 300, grains, air._replace(drag=own), ground.grid, ground.arrays, ground.events.near)
         np.testing.assert_array_equal(motion[:, kinds == kind], apart[:, kinds == kind])

@@ -91,7 +91,7 @@ def test_the_text_of_a_scenario_leaves_nothing_to_defaults():
     assert set(text["run"]) == {"steps", "seed", "save_every", "until"}
 
 
-REASONS = ("so thicker slabs", "no grain can be lifted", "model.time_step: is")
+REASONS = ("so thicker slabs", "no grain can be lifted", "model.time_step: is", "model.footprint: is")
 """What is only known of a bed once it is made."""
 
 
