@@ -209,6 +209,7 @@ class GrainModel(Model):
             self.iteration += 1
             return
         iterations = round(wind.share * rules.iterations_per_step)
+        landing = self._rules(wind)
         air, felt = self.blow(ground, wind), 0
         for number in range(iterations):
             if number == felt + self.wind_every:
@@ -220,20 +221,25 @@ class GrainModel(Model):
                 ground.spread_lid()
             if number and number % rules.collapse_every == 0:
                 ground.settle(derive(stream.key, self.iteration))
-            self._iterate(derive(stream.key, self.iteration), grains, air, ground, wind)
+            self._iterate(derive(stream.key, self.iteration), grains, air, ground, *landing)
             self.iteration += 1
         self.feel(ground, (iterations - felt) * rules.time_step)
         ground.settle(derive(stream.key, self.iteration))
 
-    def _iterate(self, key: int, grains: Any, air: Any, ground: GrainGround, wind: Segment) -> None:
+    def _rules(self, wind: Segment) -> tuple[Any, Any]:
+        """How grains bounce and are lifted, and what impacts throw out, under a wind."""
+        return (self.bounce(), self.lift_off(wind)), self.splash(wind)
+
+    def _iterate(
+        self, key: int, grains: Any, air: Any, ground: GrainGround, rules: tuple[Any, Any], splash: Any
+    ) -> None:
         """All grains fly for one time step, then those that touched down meet the bed."""
         from barchan.kernels.grain_bed import exchange
         from barchan.kernels.grain_flight import BLOCK, move
         from barchan.kernels.grain_landing import land
         from barchan.kernels.sharing import shared, thread_count
 
-        arrays, events, splash = ground.arrays, ground.events, self.splash(wind)
-        rules = self.bounce(), self.lift_off(wind)
+        arrays, events = ground.arrays, ground.events
         about = grains, air, ground.grid, arrays
 
         def fly(first: int, last: int) -> int:
