@@ -1,11 +1,11 @@
 """Which way waves of sand travel: against the wind after the published rules, downwind with splash.
 
-Waves are laid across fields of 256 × 32 cells of 5 mm once the grains in the air have found their balance, 3
-seeds; they are 8 cm long and 3 mm high unless it says otherwise. `wang_hu` has 10 m/s and steps of 0.5 ms.
-What 2000 iterations lay down and take, in phase with the wave and a quarter behind it, tells how fast the
-wave grows and travels, by the wind that the bed sees. A grain's sand is as thick as a grain and lies over a
-patch of nine stacks under `ripples`, and on one under `wang_hu`. On the rough bed it lies on one under
-`ripples` too, and the wind has blown for 250 s before the wave is laid.
+Waves are laid across fields of 256 × 32 cells of 5 mm once the grains in the air have found their balance,
+after 3 s of flight, 3 seeds; they are 8 cm long and 3 mm high unless it says otherwise. `wang_hu` has 10 m/s
+and steps of 0.5 ms. What 4000 iterations lay down and take, in phase with the wave and a quarter behind it,
+tells how fast the wave grows and travels, by the wind that the bed sees. A grain's sand is a quarter of a
+grain thick and lies over a patch of nine stacks under `ripples`; under `wang_hu`, and on the rough bed, it
+is as thick as a grain and lies on one stack. The rough bed has had 250 s of wind before the wave is laid.
 """
 
 import numpy as np
@@ -19,18 +19,18 @@ SEEDS = (1, 2, 3)
 CELL, DIAMETER = 0.005, 0.15e-3
 COLUMNS, ROWS = 256, 32
 DEPTH = 0.03
-LENGTHS = {8: "16 cm", 16: "8 cm", 24: "5.3 cm"}
+LENGTHS = {4: "32 cm", 8: "16 cm", 16: "8 cm", 24: "5.3 cm", 32: "4 cm"}
 """Waves in a field, and how long they are."""
 HEIGHT = 1.5e-3
 """Amplitude (m) of the waves."""
-WARM_UP, ROUGHENING, SPELL, MEASURED = 20, 200, 6, 40
+WARM_UP, ROUGHENING, SPELL, MEASURED = 120, 200, 6, 80
 """Steps before the waves are laid, or before that on the rough bed; until grains have met them; measured."""
 
 
 def response(model, waves, warm_up, seed):
     """Growth (1/s) and speed downwind (mm/s) of the waves, per second of wind."""
     patch = model["name"] == "ripples" and model.get("footprint") != "stack"
-    parcel = DIAMETER / 16 if patch else DIAMETER
+    parcel = DIAMETER / 64 if patch else DIAMETER
     scenario = barchan.load(
         {
             "barchan": 1,
@@ -67,17 +67,19 @@ def response(model, waves, warm_up, seed):
 def rows():
     published = {"name": "wang_hu", "wind_speed": 10.0}
     winds = (10.0, 12.0, 15.0)
-    splash = [{"name": "ripples", "wind_speed": speed, "weight": 0.02, "load": 6.0} for speed in winds]
-    whole = [{**model, "footprint": "stack"} for model in splash]
+    splash = [{"name": "ripples", "wind_speed": speed, "weight": 0.08, "load": 8.0} for speed in winds]
+    whole = [{**model, "footprint": "stack", "weight": 0.02} for model in splash]
+    level = {**splash[2], "streamline_height": None}
     cases = [
         ({**published, "lift_from_lee": True}, 16, WARM_UP),
         ({**published, "lift_from_lee": False}, 16, WARM_UP),
         *((model, 16, ROUGHENING) for model in whole),
+        *((level, waves, WARM_UP) for waves in LENGTHS),
         *((model, waves, WARM_UP) for waves in LENGTHS for model in splash),
     ]
     anywhere, stoss, *others = over_seeds(response, cases, SEEDS)
-    rough, smooth = others[:3], others[3:]
-    by_length = dict(zip(LENGTHS, (smooth[at : at + 3] for at in (0, 3, 6)), strict=True))
+    rough, straight, smooth = others[:3], others[3 : 3 + len(LENGTHS)], others[3 + len(LENGTHS) :]
+    by_length = {waves: smooth[3 * at : 3 * at + 3] for at, waves in enumerate(LENGTHS)}
     found = by_length[16]
     yield _speed("`wang_hu`, lift-off from anywhere", "against the wind (seed 000)", anywhere, -1)
     yield _speed("`wang_hu`, not from lee faces", "–", stoss, 1)
@@ -86,15 +88,21 @@ def rows():
     yield order("speed of `ripples`, 15 against 10 m/s", "more", found[2]["speed"], found[0]["speed"], "mm/s")
     for speed, result in zip(winds, rough, strict=True):
         yield _speed(f"`ripples` on the rough bed, {speed:g} m/s", "downwind", result, 1)
+    yield from _by_length("15 m/s, wind that blows level", dict(zip(LENGTHS, straight, strict=True)))
     for at, speed in enumerate(winds):
-        for waves, length in LENGTHS.items():
-            growth = spread(by_length[waves][at]["growth"])
-            yield Row(f"growth of `ripples`, {speed:g} m/s, {length}", "–", f"{growth} in 1000 s of wind")
+        yield from _by_length(f"{speed:g} m/s", {waves: by_length[waves][at] for waves in LENGTHS})
     for name, results in (("smooth", found), ("rough", rough)):
         for speed, result in zip(winds, results, strict=True):
             yield Row(f"slopes along the wind, {name} bed, {speed:g} m/s", "–", f"{spread(result['rough'])}°")
     for speed, result in zip(winds, found, strict=True):
         yield Row(f"grains in the air, {speed:g} m/s", "–", f"{spread(result['airborne'])} a cell")
+
+
+def _by_length(name, found):
+    for waves, length in LENGTHS.items():
+        growth, speed = spread(found[waves]["growth"]), spread(found[waves]["speed"])
+        what = f"waves of {length}, `ripples`, {name}"
+        yield Row(what, "–", f"grow {growth} in 1000 s of wind, travel {speed} mm/s")
 
 
 def _speed(what, published, found, sign):

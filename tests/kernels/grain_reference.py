@@ -30,9 +30,13 @@ class Grain:
 
 
 class ReferenceFlight:
-    """A bed and its grains, one iteration at a time, for the published rules."""
+    """A bed and its grains, one iteration at a time, for the published rules.
 
-    def __init__(self, model, bed, wind):
+    ``stream`` are slope and speed-up of the wind over each mesh cell; level and alike unless given.
+    """
+
+    def __init__(self, model, bed, wind, stream=None):
+        self.stream = stream
         self.model, self.rules, self.bed, self.wind = model, model.parameters, bed, wind
         self.air = model.air(wind)
         self.lift_off = model.lift_off(wind)
@@ -78,6 +82,12 @@ class ReferenceFlight:
         air = self.air
         height = grain.z + air.rise_before * grain.w - self.base(grain.x, grain.y)
         wind = look_up(air.wind, height)
+        climb = F(0.0)
+        if self.stream is not None:
+            rise, gain = (part[int(grain.y), int(grain.x)] for part in self.stream)
+            wind = wind * gain
+            climb = rise * wind
+        grain.w -= climb
         lag_x, lag_y = wind * air.wind_x - grain.u, wind * air.wind_y - grain.v
         share = look_up(
             air.drag, lag_x * lag_x + lag_y * lag_y + (grain.w - air.early_fall) * (grain.w - air.early_fall)
@@ -88,7 +98,8 @@ class ReferenceFlight:
         grain.x += air.before * grain.u + air.after * u
         grain.y += air.before * grain.v + air.after * v
         grain.z += air.rise_before * grain.w + air.rise_after * w
-        grain.u, grain.v, grain.w = u, v, w
+        grain.z += air.step * climb
+        grain.u, grain.v, grain.w = u, v, w + climb
 
     def over_edges(self, grain):
         (rows, cols), (joined_y, joined_x) = self.bed.lattice.shape, self.bed.lattice.periodic

@@ -29,11 +29,13 @@ def small_bed(seed, boundary="periodic", uneven=False, depth=6):
     return Bed(lattice, ground, random.integers(0, depth, lattice.shape))
 
 
-def fly_both(bed, wind, iterations, **rules):
+def fly_both(bed, wind, iterations, stream=None, **rules):
     flight = model("wang_hu")
     rules = flight.Parameters(collapse_every=10**6, iterations_per_step=iterations, repose_angle=89, **rules)
     fast = flight(rules, bed.lattice)
-    slow = ReferenceFlight(fast, Bed(bed.lattice, bed.ground, bed.sand), wind)
+    slow = ReferenceFlight(fast, Bed(bed.lattice, bed.ground, bed.sand), wind, stream)
+    if stream is not None:
+        fast.blow = lambda ground, wind: ground.bend_wind(*stream) or fast.air(wind)
     tally = fast.advance(bed, wind, STREAM, 0, 0)
     for iteration in range(iterations):
         slow.iterate(derive(STREAM.key, iteration))
@@ -50,14 +52,18 @@ def fly_both(bed, wind, iterations, **rules):
     st.sampled_from(["euler", "trapezoid"]),
     st.sampled_from(["constant", "reynolds"]),
     st.sampled_from(["stack", "patch"]),
+    st.booleans(),
 )
 def test_kernels_equal_the_obvious_flight_bit_for_bit(
-    seed, direction, boundary, uneven, lee, scheme, drag, footprint
+    seed, direction, boundary, uneven, lee, scheme, drag, footprint, bent
 ):
     bed = small_bed(seed, boundary, uneven, depth=6 if footprint == "stack" else 12)
     wind = Segment(0, 1, 0, bed.lattice.cells, direction)
     rules = {"scheme": scheme, "drag": drag, "lift_from_lee": lee, "max_bounces": 3, "load": 0.5}
     rules["footprint"] = footprint
+    if bent:
+        stream = np.random.default_rng(seed).uniform(-0.3, 0.3, (2, *bed.lattice.shape)).astype(np.float32)
+        rules["stream"] = stream[0], 1 + stream[1]
     fast, slow, tally = fly_both(bed, wind, 40, **rules)
     np.testing.assert_array_equal(bed.sand, slow.bed.sand)
     assert fast.flying == sum(grain.held for grain in slow.grains)

@@ -44,9 +44,39 @@ def _slow_wind(count, near, above, cell, slowed, value):
             value[j] = slowed[j] * value[j] + above.values[np.uint64(cell[j])]
 
 
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+def _find_stream(count, rise, gain, cell, climb, faster):
+    """Put slope and speed-up of the wind at each grain of a block into ``climb`` and ``faster``, if any."""
+    if rise is not None:
+        for j in range(count):
+            climb[j] = rise[np.uint64(cell[j])]
+            faster[j] = gain[np.uint64(cell[j])]
+
+
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+def _enter_rising_air(start, count, rise, wind, grains, climb, faster):
+    """Speed the wind up, turn its slopes into upward speeds, and those of grains into ones relative to it."""
+    if rise is not None:
+        w = grains.w
+        for j in range(count):
+            wind[j] *= faster[j]
+            climb[j] *= wind[j]
+            w[start + j] -= climb[j]
+
+
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+def _leave_rising_air(start, count, rise, step, grains, climb):
+    """Turn upward speeds back, and carry the grains of a block along with the air."""
+    if rise is not None:
+        z, w = grains.z, grains.w
+        for j in range(count):
+            z[start + j] += step * climb[j]
+            w[start + j] += climb[j]
+
+
 @njit(cache=True, nogil=True, error_model="numpy")
-def _find_wind(start, count, grains, air, ground, cols, cell, value, slowed):
-    """Put the wind speed at each grain of a block into ``value``."""
+def _find_wind(start, count, grains, air, ground, cols, cell, value, slowed, climb, faster):
+    """Put the wind speed at each grain of a block into ``value``, its slope and speed-up beside it."""
     base = ground.base
     first, last = air.wind.first, air.wind.last
     x, y, z, w = grains.x, grains.y, grains.z, grains.w
@@ -56,6 +86,7 @@ def _find_wind(start, count, grains, air, ground, cols, cell, value, slowed):
     for j in range(count):
         value[j] = base[np.uint64(cell[j])]
     _find_near(count, ground.near, cell, slowed)
+    _find_stream(count, ground.rise, ground.gain, cell, climb, faster)
     for j in range(count):
         cell[j] = entry(z[start + j] + ahead * w[start + j] - value[j], first, last)
     for j in range(count):
@@ -127,12 +158,16 @@ def move(first, last, grains, air, grid, ground, near):
     cell = np.empty(BLOCK, np.int32)
     wind = np.empty(BLOCK, np.float32)
     share = np.empty(BLOCK, np.float32)
+    climb = np.empty(BLOCK, np.float32)
+    faster = np.empty(BLOCK, np.float32)
     found = first
     for start in range(first, last, BLOCK):
         count = min(last - start, BLOCK)
-        _find_wind(start, count, grains, air, ground, grid.cols, cell, wind, share)
+        _find_wind(start, count, grains, air, ground, grid.cols, cell, wind, share, climb, faster)
+        _enter_rising_air(start, count, ground.rise, wind, grains, climb, faster)
         _find_drag(start, count, grains, air, wind, cell, share)
         _push(start, count, grains, air, wind, share)
+        _leave_rising_air(start, count, ground.rise, air.step, grains, climb)
         _find_cells(start, count, grains, grid, cell)
         for j in range(count):
             if cell[j] == OUTSIDE or grains.z[start + j] < ground.top[np.uint64(cell[j])]:

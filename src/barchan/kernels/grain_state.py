@@ -77,6 +77,8 @@ class Air(NamedTuple):
     rise_before: np.float32
     """Height (m) that a step makes of each m/s before it; the wind is looked up after so much of it."""
     rise_after: np.float32
+    step: np.float32
+    """The time step (s)."""
     above: Table | None = None
     """Where the wind near the bed has places: what comes to it above the focus (m/s). ``wind`` is then the
     wind for a friction velocity of 1 m/s near the bed."""
@@ -103,6 +105,10 @@ class Ground(NamedTuple):
     """Friction velocity (m/s, float32) near the bed, where it has places."""
     lost: np.ndarray | None = None
     """Speed along the wind that impacts took (int64), where it is counted by place."""
+    rise: np.ndarray | None = None
+    """Slope of the wind along its way over each mesh cell (float32), where it follows the bed."""
+    gain: np.ndarray | None = None
+    """Wind speed over that above a level bed (float32), there too."""
 
 
 class Scale(NamedTuple):

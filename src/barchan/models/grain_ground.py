@@ -78,6 +78,11 @@ class GrainGround:
         lost = np.zeros(near.size, np.int64) if self.arrays.lost is None else self.arrays.lost
         self.arrays = self.arrays._replace(near=near, lost=lost)
 
+    def bend_wind(self, rise: NDArray[np.float64], gain: NDArray[np.float64]) -> None:
+        """Let the wind have a slope along its way and a speed-up over each mesh cell."""
+        rise32, gain32 = (part.reshape(-1).astype(np.float32) for part in (rise, gain))
+        self.arrays = self.arrays._replace(rise=rise32, gain=gain32)
+
     def count_flight(self, slots: int) -> None:
         """Count an iteration of that many slots."""
         from barchan.kernels.grain_bed import FLOWN

@@ -44,14 +44,36 @@ class RipplesParameters(GrainFlight):
         source="ours",
     )
     sharing_width: float | None = parameter(
-        None,
+        0.05,
         unit="m",
         gt=0,
         le=10,
         group="wind",
         meaning="Width (standard deviation) over which the air shares the momentum that grains take from it; "
-        "over the whole field where not given, and then grains crowd into lanes.",
+        "over the whole field if null, and then grains crowd into lanes.",
         source="ours",
+    )
+    streamline_height: float | None = parameter(
+        0.01,
+        unit="m",
+        gt=0,
+        le=10,
+        group="wind",
+        meaning="Height whose streamlines tell how the air rises, falls and speeds up over waves; the wind "
+        "blows level and alike where not given.",
+        source="frictionless flow over waves (Lamb 1932); the height, that of the focus, is ours",
+    )
+    wave_speedup: float = parameter(
+        2.0,
+        unit="-",
+        ge=0,
+        le=10,
+        live=True,
+        group="wind",
+        meaning="How much faster the wind blows over crests, and slower over troughs, over what it would "
+        "without friction; 0: alike.",
+        source="1: the same flow as the streamlines; 2: near the bed of a turbulent one, whose shear stress "
+        "is about 4 k h higher on waves of height h and wave number k (Fourrière et al. 2010; from memory)",
     )
     weight: float = parameter(
         0.1,

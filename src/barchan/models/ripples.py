@@ -14,16 +14,19 @@ from barchan.models.grain_sizes import SortedSand
 from barchan.models.grain_sorting import sorting
 from barchan.models.grains import GrainModel
 from barchan.models.ripple_parameters import RipplesParameters
-from barchan.models.slowed_wind import SlowedWind
+from barchan.models.slowed_wind import LEAST_SHARE, SlowedWind
+from barchan.models.streamlines import streamlines
 from barchan.wind.segment import Segment, downwind
 
 
 class Ripples(GrainModel):
     """Sand ripples by splash: impacts throw grains out, which hop a little downwind.
 
-    Grains fly as in ``wang_hu``, with drag that depends on the Reynolds number. Four closures are added:
+    Grains fly as in ``wang_hu``, with drag that depends on the Reynolds number. Five closures are added:
 
     * near the bed, below the focus, the wind is slowed by the momentum that grains take from it;
+    * over waves the air rises and falls along the streamlines of ``streamline_height``, and is faster over
+      crests by ``wave_speedup``;
     * behind crests the wind blows above a line that falls at ``shelter_angle``;
     * a grain that hits the bed rebounds with a probability that grows with its speed, or stays;
     * it throws others out, more and faster ones the faster it was.
@@ -41,9 +44,9 @@ class Ripples(GrainModel):
     share of momentum pushes parcels of them along the bed, downwind and downslope.
 
     Known deviations: a simulated grain stands for many, which rebound and are thrown out together, so it
-    roughens the bed the more the thicker its sand is; the wind near the bed follows it, and is slowed alike
-    over the whole field unless ``sharing_width`` is given; ``load`` bounds the number in the air; grains do
-    not collide in the air; rebounds do not depend on size.
+    roughens the bed the more the thicker its sand is; the wind over waves is that of one height for all
+    heights; ``load`` bounds the number in the air; grains do not collide in the air; rebounds do not depend
+    on size.
     """
 
     name = "ripples"
@@ -105,7 +108,12 @@ class Ripples(GrainModel):
         self.near_bed.feel(ground.lost_speed(), seconds)
 
     def blow(self, ground: GrainGround, wind: Segment) -> Any:
-        """Slow the wind over the ground, and find what it does to grains."""
+        """Slow the wind over the ground, let it follow that, and find what it does to grains."""
+        height = self.parameters.streamline_height
+        if height is not None:
+            surface = ground.arrays.height.reshape(self.lattice.shape)
+            slope, faster = streamlines(surface, self.lattice, wind.direction, height)
+            ground.bend_wind(slope, np.maximum(1.0 + self.parameters.wave_speedup * faster, LEAST_SHARE))
         if self.near_bed.by_place:
             friction = self.parameters.friction_velocity(self.speed(wind))
             ground.slow(self.near_bed.friction(friction))
