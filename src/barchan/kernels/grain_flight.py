@@ -9,6 +9,7 @@ import numpy as np
 from numba import njit
 
 from barchan.kernels.grain_state import mesh_cell
+from barchan.kernels.uncounted import uncounted, uncounted_inline
 
 BLOCK = 256
 """Grains that pass through the loops together: their work space stays in the fastest cache."""
@@ -22,7 +23,7 @@ OUTSIDE = np.int32(-1)
 _ZERO = np.float32(0.0)
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@uncounted
 def entry(number, first, last):
     """The table's entry for a number: its leading bits, within the table."""
     return min(max((np.float32(number).view(np.int32) - first) >> _SHIFT, _NONE), last)
@@ -63,7 +64,7 @@ def _find_wind(start, count, grains, air, ground, cols, cell, value, slowed):
     _slow_wind(count, ground.near, air.above, cell, slowed, value)
 
 
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+@uncounted_inline
 def _turn_to_sizes(start, count, kinds, size, cell):
     """Move the entries ``cell`` of the first of several tables to those of each grain's size."""
     if kinds is not None:
@@ -71,7 +72,7 @@ def _turn_to_sizes(start, count, kinds, size, cell):
             cell[j] += kinds[start + j] * size
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@uncounted
 def _find_drag(start, count, grains, air, wind, cell, share):
     """Put the share of the velocity difference that drag takes away into ``share``."""
     first, last = air.drag.first, air.drag.last
@@ -87,7 +88,7 @@ def _find_drag(start, count, grains, air, wind, cell, share):
         share[j] = air.drag.values[np.uint64(cell[j])]
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@uncounted
 def _push(start, count, grains, air, wind, share):
     """Move a block of grains by one time step."""
     x, y, z, u, v, w = grains.x, grains.y, grains.z, grains.u, grains.v, grains.w
@@ -106,7 +107,7 @@ def _push(start, count, grains, air, wind, share):
         w[i] = up
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@uncounted
 def _find_cells(start, count, grains, grid, cell):
     """Put the mesh cell below each grain into ``cell``, or that it is outside the field."""
     x, y = grains.x, grains.y
@@ -117,16 +118,8 @@ def _find_cells(start, count, grains, grid, cell):
         cell[j] = mesh_cell(there_x, there_y, grid.cols) if inside else OUTSIDE
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
-def move(first, last, grains, air, grid, ground, near):
-    """Let the slots from ``first`` to before ``last`` fly for one time step.
-
-    Writes those that left the field or lie below the highest corner of their mesh cell into ``near``, from
-    ``first`` on, and returns how many they are. The rest is for ``land``.
-    """
-    cell = np.empty(BLOCK, np.int32)
-    wind = np.empty(BLOCK, np.float32)
-    share = np.empty(BLOCK, np.float32)
+@uncounted
+def _move_blocks(first, last, grains, air, grid, ground, near, cell, wind, share):
     found = first
     for start in range(first, last, BLOCK):
         count = min(last - start, BLOCK)
@@ -139,3 +132,16 @@ def move(first, last, grains, air, grid, ground, near):
                 near[found] = start + j
                 found += 1
     return found - first
+
+
+@njit(cache=True, nogil=True, error_model="numpy")
+def move(first, last, grains, air, grid, ground, near):
+    """Let the slots from ``first`` to before ``last`` fly for one time step.
+
+    Writes those that left the field or lie below the highest corner of their mesh cell into ``near``, from
+    ``first`` on, and returns how many they are. The rest is for ``land``.
+    """
+    cell = np.empty(BLOCK, np.int32)
+    wind = np.empty(BLOCK, np.float32)
+    share = np.empty(BLOCK, np.float32)
+    return _move_blocks(first, last, grains, air, grid, ground, near, cell, wind, share)
