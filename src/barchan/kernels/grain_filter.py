@@ -15,6 +15,7 @@ from numba import njit
 from barchan.kernels.avalanche import neighbour
 from barchan.kernels.grain_bed import renew_surface
 from barchan.kernels.mixture import slide
+from barchan.kernels.uncounted import uncounted, uncounted_inline
 
 FACE_WEIGHT = (2.0 - math.sqrt(2.0)) / 4.0
 CORNER_WEIGHT = (math.sqrt(2.0) - 1.0) / 4.0
@@ -28,7 +29,7 @@ class Filter(NamedTuple):
     """Difference to the neighbours' mean (parts) from which on it works."""
 
 
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+@uncounted_inline
 def _beside(place, size, wrap):
     """The places before and after one; the place itself beyond an open edge."""
     before = place - 1 if place > 0 else (size - 1 if wrap else place)
@@ -36,7 +37,7 @@ def _beside(place, size, wrap):
     return before, after
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@uncounted
 def _find_sharp(level, grid, rule, sharp):
     """Mark the cells that differ too much from the weighted mean of their neighbours."""
     cols = grid.cols

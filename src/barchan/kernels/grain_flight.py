@@ -2,13 +2,15 @@
 
 All grains take the same time step. A pass over a block of grains does one thing, so that the compiler
 turns it into vector instructions; wind and drag are read from tables by the leading bits of a number,
-so that no logarithm and no root is taken in flight.
+so that no logarithm and no root is taken in flight. Loops go over slices of a block: of a sum of two numbers
+the compiler does not know that it is not negative, and an index that may count from the end it reads alone.
 """
 
 import numpy as np
 from numba import njit
 
 from barchan.kernels.grain_state import mesh_cell
+from barchan.kernels.uncounted import uncounted, uncounted_inline
 
 BLOCK = 256
 """Grains that pass through the loops together: their work space stays in the fastest cache."""
@@ -22,7 +24,7 @@ OUTSIDE = np.int32(-1)
 _ZERO = np.float32(0.0)
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@uncounted
 def entry(number, first, last):
     """The table's entry for a number: its leading bits, within the table."""
     return min(max((np.float32(number).view(np.int32) - first) >> _SHIFT, _NONE), last)
@@ -57,21 +59,24 @@ def _find_stream(count, rise, gain, cell, climb, faster):
 def _enter_rising_air(start, count, rise, wind, grains, climb, faster):
     """Speed the wind up, turn its slopes into upward speeds, and those of grains into ones relative to it."""
     if rise is not None:
-        w = grains.w
+        w = grains.w[start : start + count]
         for j in range(count):
             wind[j] *= faster[j]
             climb[j] *= wind[j]
-            w[start + j] -= climb[j]
+        for j in range(count):
+            w[j] -= climb[j]
 
 
 @njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
 def _leave_rising_air(start, count, rise, step, grains, climb):
     """Turn upward speeds back, and carry the grains of a block along with the air."""
     if rise is not None:
-        z, w = grains.z, grains.w
+        end = start + count
+        z, w = grains.z[start:end], grains.w[start:end]
         for j in range(count):
-            z[start + j] += step * climb[j]
-            w[start + j] += climb[j]
+            z[j] += step * climb[j]
+        for j in range(count):
+            w[j] += climb[j]
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
@@ -94,58 +99,100 @@ def _find_wind(start, count, grains, air, ground, cols, cell, value, slowed, cli
     _slow_wind(count, ground.near, air.above, cell, slowed, value)
 
 
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+@uncounted_inline
 def _turn_to_sizes(start, count, kinds, size, cell):
     """Move the entries ``cell`` of the first of several tables to those of each grain's size."""
     if kinds is not None:
+        kinds = kinds[start : start + count]
         for j in range(count):
-            cell[j] += kinds[start + j] * size
+            cell[j] += kinds[j] * size
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@uncounted
 def _find_drag(start, count, grains, air, wind, cell, share):
     """Put the share of the velocity difference that drag takes away into ``share``."""
+    end = start + count
     first, last = air.drag.first, air.drag.last
-    u, v, w = grains.u, grains.v, grains.w
+    u, v, w = grains.u[start:end], grains.v[start:end], grains.w[start:end]
     wind_x, wind_y, early_fall = air.wind_x, air.wind_y, air.early_fall
     for j in range(count):
-        lag_x = wind[j] * wind_x - u[start + j]
-        lag_y = wind[j] * wind_y - v[start + j]
-        fall = w[start + j] - early_fall
+        lag_x = wind[j] * wind_x - u[j]
+        lag_y = wind[j] * wind_y - v[j]
+        fall = w[j] - early_fall
         cell[j] = entry(lag_x * lag_x + lag_y * lag_y + fall * fall, first, last)
     _turn_to_sizes(start, count, grains.kind, last + np.int32(1), cell)
     for j in range(count):
         share[j] = air.drag.values[np.uint64(cell[j])]
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
-def _push(start, count, grains, air, wind, share):
-    """Move a block of grains by one time step."""
-    x, y, z, u, v, w = grains.x, grains.y, grains.z, grains.u, grains.v, grains.w
-    wind_x, wind_y, fall, early_fall = air.wind_x, air.wind_y, air.fall, air.early_fall
-    before, after, rise_before, rise_after = air.before, air.after, air.rise_before, air.rise_after
+@uncounted_inline
+def _push_along(count, place, velocity, part, wind, share, air):
+    """Move a block of grains by one time step along one axis, of which the wind has its ``part``."""
+    before, after = air.before, air.after
     for j in range(count):
-        i = start + j
-        east = u[i] + share[j] * (wind[j] * wind_x - u[i])
-        north = v[i] + share[j] * (wind[j] * wind_y - v[i])
-        up = w[i] - share[j] * (w[i] - early_fall) - fall
-        x[i] += before * u[i] + after * east
-        y[i] += before * v[i] + after * north
-        z[i] += rise_before * w[i] + rise_after * up
-        u[i] = east
-        v[i] = north
-        w[i] = up
+        old = velocity[j]
+        new = old + share[j] * (wind[j] * part - old)
+        place[j] += before * old + after * new
+        velocity[j] = new
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
-def _find_cells(start, count, grains, grid, cell):
-    """Put the mesh cell below each grain into ``cell``, or that it is outside the field."""
-    x, y = grains.x, grains.y
+@uncounted_inline
+def _push_up(count, z, w, share, air):
+    """The same upwards."""
+    fall, early_fall = air.fall, air.early_fall
+    before, after = air.rise_before, air.rise_after
+    for j in range(count):
+        old = w[j]
+        new = old - share[j] * (old - early_fall) - fall
+        z[j] += before * old + after * new
+        w[j] = new
+
+
+@uncounted
+def _push(start, count, grains, air, wind, share):
+    """Move a block of grains by one time step.
+
+    One axis after the other: a loop that writes to more arrays would not become vector instructions, for
+    the compiler asks first whether any two of them overlap, and asks only so often.
+    """
+    end = start + count
+    _push_along(count, grains.x[start:end], grains.u[start:end], air.wind_x, wind, share, air)
+    _push_along(count, grains.y[start:end], grains.v[start:end], air.wind_y, wind, share, air)
+    _push_up(count, grains.z[start:end], grains.w[start:end], share, air)
+
+
+@uncounted
+def _find_low(start, count, grains, grid, top, cell, value):
+    """Put into ``cell`` whether (1 or 0) a grain is outside the field or below the top of its mesh cell."""
+    end = start + count
+    x, y, z = grains.x[start:end], grains.y[start:end], grains.z[start:end]
     east, north = np.float32(grid.cols), np.float32(grid.rows)
     for j in range(count):
-        there_x, there_y = x[start + j], y[start + j]
-        inside = (there_x >= _ZERO) & (there_x < east) & (there_y >= _ZERO) & (there_y < north)
-        cell[j] = mesh_cell(there_x, there_y, grid.cols) if inside else OUTSIDE
+        inside = (x[j] >= _ZERO) & (x[j] < east) & (y[j] >= _ZERO) & (y[j] < north)
+        cell[j] = mesh_cell(x[j], y[j], grid.cols) if inside else OUTSIDE
+    for j in range(count):
+        value[j] = top[np.uint64(max(cell[j], _NONE))]
+    for j in range(count):
+        cell[j] = (cell[j] == OUTSIDE) | (z[j] < value[j])
+
+
+@uncounted
+def _move_blocks(first, last, grains, air, grid, ground, near, work):
+    cell, wind, share, climb, faster = work
+    found = first
+    for start in range(first, last, BLOCK):
+        count = min(last - start, BLOCK)
+        _find_wind(start, count, grains, air, ground, grid.cols, cell, wind, share, climb, faster)
+        _enter_rising_air(start, count, ground.rise, wind, grains, climb, faster)
+        _find_drag(start, count, grains, air, wind, cell, share)
+        _push(start, count, grains, air, wind, share)
+        _leave_rising_air(start, count, ground.rise, air.step, grains, climb)
+        _find_low(start, count, grains, grid, ground.top, cell, share)
+        for j in range(count):
+            # written whether it counts or not: a branch here would be foretold wrongly again and again
+            near[found] = start + j
+            found += cell[j]
+    return found - first
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
@@ -160,17 +207,5 @@ def move(first, last, grains, air, grid, ground, near):
     share = np.empty(BLOCK, np.float32)
     climb = np.empty(BLOCK, np.float32)
     faster = np.empty(BLOCK, np.float32)
-    found = first
-    for start in range(first, last, BLOCK):
-        count = min(last - start, BLOCK)
-        _find_wind(start, count, grains, air, ground, grid.cols, cell, wind, share, climb, faster)
-        _enter_rising_air(start, count, ground.rise, wind, grains, climb, faster)
-        _find_drag(start, count, grains, air, wind, cell, share)
-        _push(start, count, grains, air, wind, share)
-        _leave_rising_air(start, count, ground.rise, air.step, grains, climb)
-        _find_cells(start, count, grains, grid, cell)
-        for j in range(count):
-            if cell[j] == OUTSIDE or grains.z[start + j] < ground.top[np.uint64(cell[j])]:
-                near[found] = start + j
-                found += 1
-    return found - first
+    work = cell, wind, share, climb, faster
+    return _move_blocks(first, last, grains, air, grid, ground, near, work)

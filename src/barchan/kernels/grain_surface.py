@@ -6,12 +6,13 @@ cell let flight leave the interpolation to grains that are about to land.
 """
 
 import numpy as np
-from numba import njit
+
+from barchan.kernels.uncounted import uncounted, uncounted_inline
 
 _QUARTER = np.float32(0.25)
 
 
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+@uncounted_inline
 def beyond(row, col, grid):
     """The next row to the north and column to the east; the same ones at an open edge."""
     north = row + 1
@@ -23,7 +24,7 @@ def beyond(row, col, grid):
     return north, east
 
 
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+@uncounted_inline
 def nearest_cell(x, y, grid):
     """The cell whose stack is nearest to a place."""
     row, col = np.int64(y), np.int64(x)
@@ -33,7 +34,7 @@ def nearest_cell(x, y, grid):
     return row * grid.cols + col
 
 
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+@uncounted_inline
 def surface_at(x, y, height, cell_size, grid):
     """Height (m) of the surface at a place, and its slopes eastwards and northwards."""
     row, col = np.int64(y), np.int64(x)
@@ -47,7 +48,7 @@ def surface_at(x, y, height, cell_size, grid):
     return south_side + part_y * (north_side - south_side), slope_x, (north_side - south_side) / cell_size
 
 
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+@uncounted_inline
 def height_at(x, y, height, grid):
     """The height alone, by the same arithmetic as ``surface_at``."""
     row, col = np.int64(np.int32(y)), np.int64(np.int32(x))
@@ -63,7 +64,7 @@ def height_at(x, y, height, grid):
     return south_side + part_y * (north_side - south_side)
 
 
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+@uncounted_inline
 def _renew(row, col, ground, grid):
     north, east = beyond(row, col, grid)
     sw, se = row * grid.cols + col, row * grid.cols + east
@@ -73,7 +74,7 @@ def _renew(row, col, ground, grid):
     ground.base[sw] = _QUARTER * ((lid[sw] + lid[se]) + (lid[nw] + lid[ne]))
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@uncounted
 def renew_mesh(ground, grid):
     """Compute bound and mean of every mesh cell."""
     for row in range(grid.rows):
@@ -81,7 +82,7 @@ def renew_mesh(ground, grid):
             _renew(row, col, ground, grid)
 
 
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+@uncounted_inline
 def renew_mesh_about(cell, ground, grid):
     """Compute bound and mean of the four mesh cells that a stack is a corner of."""
     row = cell // grid.cols
@@ -94,7 +95,7 @@ def renew_mesh_about(cell, ground, grid):
     _renew(south, west, ground, grid)
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@uncounted
 def renew_mesh_of_patch(row, col, ground, grid):
     """The same for the sixteen mesh cells about a stack and its eight neighbours."""
     for step_row in range(-2, 2):
