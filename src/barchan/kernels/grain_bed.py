@@ -6,13 +6,14 @@ slots, so it is the same however the flight was shared among threads.
 """
 
 import numpy as np
+from numba import njit
 
 from barchan.kernels.avalanche import COL_STEP, ROW_STEP, neighbour
 from barchan.kernels.grain_state import NOWHERE, OUT, PATCH, free_slot
 from barchan.kernels.grain_surface import renew_mesh, renew_mesh_about, renew_mesh_of_patch
+from barchan.kernels.lending import lent
 from barchan.kernels.mixture import available, kind_of, put, take
 from barchan.kernels.settle import CHECKED, let_go, upset
-from barchan.kernels.uncounted import uncounted, uncounted_inline
 
 MOVED, LEFT, CAPPED, TRAVEL_X, TRAVEL_Y, FLOWN, LOST = range(7)
 """What the counts of a step hold, in grains; travel in ``TRAVEL_UNIT``."""
@@ -20,20 +21,20 @@ COUNTS = 7
 """How many they are; after them follow those that left, by size."""
 
 
-@uncounted_inline
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
 def _change(cell, parcels, ground, scale):
     ground.sand[cell] += parcels
     ground.level[cell] += parcels * scale.parcel
     ground.height[cell] = np.float32(ground.level[cell] * scale.part)
 
 
-@uncounted_inline
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
 def _share(direction):
     """Parcels of a patch on the neighbour in a direction."""
     return 2 if ROW_STEP[direction] * COL_STEP[direction] == 0 else 1
 
 
-@uncounted
+@njit(cache=True, nogil=True, error_model="numpy")
 def _lay_patch(cell, kind, ground, scale, grid):
     """Lay a grain's parcels over a cell and its neighbours; missing ones leave their share to the cell."""
     row, col = cell // grid.cols, cell % grid.cols
@@ -50,7 +51,7 @@ def _lay_patch(cell, kind, ground, scale, grid):
     renew_mesh_of_patch(row, col, ground, grid)
 
 
-@uncounted
+@njit(cache=True, nogil=True, error_model="numpy")
 def _take_patch(cell, kind, ground, scale, grid):
     """Take them; the cell gives what its neighbours have not. False: it cannot, and nothing changed."""
     row, col = cell // grid.cols, cell % grid.cols
@@ -75,7 +76,7 @@ def _take_patch(cell, kind, ground, scale, grid):
     return True
 
 
-@uncounted_inline
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
 def lay_down(cell, kind, ground, scale, grid):
     """Lay the sand of a grain of some size on a cell, or over it and its neighbours."""
     if scale.carried == 1:
@@ -86,7 +87,7 @@ def lay_down(cell, kind, ground, scale, grid):
         _lay_patch(cell, kind, ground, scale, grid)
 
 
-@uncounted_inline
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
 def take_up(cell, kind, ground, scale, grid):
     """Take the sand of a grain of some size from a cell, or from it and its neighbours; False: too little."""
     if scale.carried > 1:
@@ -99,12 +100,13 @@ def take_up(cell, kind, ground, scale, grid):
     return True
 
 
-@uncounted
+@njit(cache=True, nogil=True, error_model="numpy")
 def exchange(first, count, grains, ground, scale, grid, events, counts):
     """Lay down the sand of grains that came to rest and take that of those lifted, entry by entry.
 
     A cell that has too little left by then gives none, and the slot stays free.
     """
+    grains, ground, events, counts = lent((grains, ground, events, counts))
     for k in range(first, first + count):
         rest, source = events.rest[k], events.source[k]
         if rest != NOWHERE:
@@ -123,7 +125,7 @@ def exchange(first, count, grains, ground, scale, grid, events, counts):
                 free_slot(events.slot[k], grains)
 
 
-@uncounted
+@njit(cache=True, nogil=True, error_model="numpy")
 def _find_steep(level, rows, cols, repose, grid, steep):
     """Mark the cells that stand too high over one of their eight neighbours."""
     steep[:] = 0
@@ -154,7 +156,7 @@ def _find_steep(level, rows, cols, repose, grid, steep):
                 theirs[cols - 1 - col] |= step < -limit
 
 
-@uncounted
+@njit(cache=True, nogil=True, error_model="numpy")
 def _relax(ground, scale, sequences, key, grid, repose, queue, waiting, length):
     slid = let_go(
         *(ground.level, ground.sand, None, None, sequences, queue, waiting, length, key),
@@ -165,12 +167,13 @@ def _relax(ground, scale, sequences, key, grid, repose, queue, waiting, length):
     return slid
 
 
-@uncounted
+@njit(cache=True, nogil=True, error_model="numpy")
 def settle_steep(ground, scale, sequences, key, grid, repose, queue, waiting):
     """Let every slope slide that is too steep, until all hold; how many parcels slid.
 
     ``queue`` and ``waiting`` (both over the cells) are work space; ``waiting`` is all zero before and after.
     """
+    ground, sequences, queue, waiting = lent((ground, sequences, queue, waiting))
     _find_steep(ground.level, grid.rows, grid.cols, repose, grid, waiting)
     length = 0
     for cell in range(waiting.size):
@@ -181,7 +184,7 @@ def settle_steep(ground, scale, sequences, key, grid, repose, queue, waiting):
     return _relax(ground, scale, sequences, key, grid, repose, queue, waiting, length)
 
 
-@uncounted
+@njit(cache=True, nogil=True, error_model="numpy")
 def _upset_about(cell, grid, queue, waiting, length):
     length = upset(cell, CHECKED, queue, waiting, 0, length)
     for k in range(8):
@@ -190,9 +193,10 @@ def _upset_about(cell, grid, queue, waiting, length):
     return length
 
 
-@uncounted
+@njit(cache=True, nogil=True, error_model="numpy")
 def settle_about(cell, other, ground, scale, sequences, key, grid, repose, queue, waiting):
     """The same where only one grain was taken from a cell and laid on another."""
+    ground, sequences, queue, waiting = lent((ground, sequences, queue, waiting))
     length = 0
     for changed in (cell, other):
         length = _upset_about(changed, grid, queue, waiting, length)
@@ -203,7 +207,7 @@ def settle_about(cell, other, ground, scale, sequences, key, grid, repose, queue
     return _relax(ground, scale, sequences, key, grid, repose, queue, waiting, length)
 
 
-@uncounted
+@njit(cache=True, nogil=True, error_model="numpy")
 def renew_surface(ground, scale, grid):
     """Compute every stack's height (m, float32) from its level, and the mesh."""
     for cell in range(ground.level.size):

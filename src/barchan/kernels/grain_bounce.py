@@ -3,12 +3,12 @@
 import math
 
 import numpy as np
+from numba import njit
 
 from barchan.kernels.grain_state import LANDED
-from barchan.kernels.uncounted import uncounted_inline
 
 
-@uncounted_inline
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
 def bounce(slot, surface, east, north, grains, rule):
     """Throw a grain back off a surface with slopes, or leave it where it is (seed 003, eq. 3.9)."""
     length = math.sqrt(1.0 + east * east + north * north)

@@ -4,12 +4,12 @@ import math
 from typing import NamedTuple
 
 import numpy as np
+from numba import njit
 
 from barchan.kernels.grain_bed import COUNTS, LEFT, MOVED, TRAVEL_X, TRAVEL_Y, lay_down, take_up
 from barchan.kernels.grain_state import TRAVEL_UNIT, draw
 from barchan.kernels.grain_surface import surface_at
 from barchan.kernels.mixture import amount
-from barchan.kernels.uncounted import uncounted, uncounted_inline
 
 MOST_PUSHES = 8
 """Parcels of one size that an impact pushes at most."""
@@ -27,7 +27,7 @@ class Creep(NamedTuple):
     """Slope (rise over run) that brings a pushed grain to a stop at once."""
 
 
-@uncounted_inline
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
 def _step(place, way, size, wrap):
     """The row or column one step along ``way``, and whether that is within the field."""
     there = place + way
@@ -36,7 +36,7 @@ def _step(place, way, size, wrap):
     return (there + size if there < 0 else there - size), wrap
 
 
-@uncounted_inline
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
 def _whole(part, chance):
     """1 in the direction of ``part`` with a probability as large as that, up to 1; else 0."""
     if chance >= abs(part):
@@ -44,7 +44,7 @@ def _whole(part, chance):
     return 1 if part > 0.0 else -1
 
 
-@uncounted
+@njit(cache=True, nogil=True, error_model="numpy")
 def _move(cell, kind, way_x, way_y, ground, scale, grid, counts):
     """Move a grain's sand to the next cell, or out of the field, where there is enough of its size."""
     row, inside_y = _step(cell // grid.cols, way_y, grid.rows, grid.wrap_across)
@@ -61,7 +61,7 @@ def _move(cell, kind, way_x, way_y, ground, scale, grid, counts):
         counts[COUNTS + kind] += 1
 
 
-@uncounted
+@njit(cache=True, nogil=True, error_model="numpy")
 def push(creep, k, cell, ground, scale, grid, events, counts):
     """Push sand that creeps where the impact of entry ``k`` hit the bed: along its way, and downslope."""
     if creep is not None:

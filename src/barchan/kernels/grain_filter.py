@@ -14,8 +14,8 @@ from numba import njit
 
 from barchan.kernels.avalanche import neighbour
 from barchan.kernels.grain_bed import renew_surface
+from barchan.kernels.lending import lent
 from barchan.kernels.mixture import slide
-from barchan.kernels.uncounted import uncounted, uncounted_inline
 
 FACE_WEIGHT = (2.0 - math.sqrt(2.0)) / 4.0
 CORNER_WEIGHT = (math.sqrt(2.0) - 1.0) / 4.0
@@ -29,7 +29,7 @@ class Filter(NamedTuple):
     """Difference to the neighbours' mean (parts) from which on it works."""
 
 
-@uncounted_inline
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
 def _beside(place, size, wrap):
     """The places before and after one; the place itself beyond an open edge."""
     before = place - 1 if place > 0 else (size - 1 if wrap else place)
@@ -37,7 +37,7 @@ def _beside(place, size, wrap):
     return before, after
 
 
-@uncounted
+@njit(cache=True, nogil=True, error_model="numpy")
 def _find_sharp(level, grid, rule, sharp):
     """Mark the cells that differ too much from the weighted mean of their neighbours."""
     cols = grid.cols
@@ -59,6 +59,7 @@ def smooth_slopes(ground, scale, grid, rule):
     Where the filter works is found on the surface as it was; sand then moves cell by cell from the southwest
     corner on, and no cell gives more than it has.
     """
+    ground = lent(ground)
     before = ground.level.copy()
     sharp = np.zeros(before.size, np.bool_)
     _find_sharp(before, grid, rule, sharp)

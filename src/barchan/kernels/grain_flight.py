@@ -10,7 +10,7 @@ import numpy as np
 from numba import njit
 
 from barchan.kernels.grain_state import mesh_cell
-from barchan.kernels.uncounted import uncounted, uncounted_inline
+from barchan.kernels.lending import lent
 
 BLOCK = 256
 """Grains that pass through the loops together: their work space stays in the fastest cache."""
@@ -24,7 +24,7 @@ OUTSIDE = np.int32(-1)
 _ZERO = np.float32(0.0)
 
 
-@uncounted
+@njit(cache=True, nogil=True, error_model="numpy")
 def entry(number, first, last):
     """The table's entry for a number: its leading bits, within the table."""
     return min(max((np.float32(number).view(np.int32) - first) >> _SHIFT, _NONE), last)
@@ -99,7 +99,7 @@ def _find_wind(start, count, grains, air, ground, cols, cell, value, slowed, cli
     _slow_wind(count, ground.near, air.above, cell, slowed, value)
 
 
-@uncounted_inline
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
 def _turn_to_sizes(start, count, kinds, size, cell):
     """Move the entries ``cell`` of the first of several tables to those of each grain's size."""
     if kinds is not None:
@@ -108,7 +108,7 @@ def _turn_to_sizes(start, count, kinds, size, cell):
             cell[j] += kinds[j] * size
 
 
-@uncounted
+@njit(cache=True, nogil=True, error_model="numpy")
 def _find_drag(start, count, grains, air, wind, cell, share):
     """Put the share of the velocity difference that drag takes away into ``share``."""
     end = start + count
@@ -125,7 +125,7 @@ def _find_drag(start, count, grains, air, wind, cell, share):
         share[j] = air.drag.values[np.uint64(cell[j])]
 
 
-@uncounted_inline
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
 def _push_along(count, place, velocity, part, wind, share, air):
     """Move a block of grains by one time step along one axis, of which the wind has its ``part``."""
     before, after = air.before, air.after
@@ -136,7 +136,7 @@ def _push_along(count, place, velocity, part, wind, share, air):
         velocity[j] = new
 
 
-@uncounted_inline
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
 def _push_up(count, z, w, share, air):
     """The same upwards."""
     fall, early_fall = air.fall, air.early_fall
@@ -148,7 +148,7 @@ def _push_up(count, z, w, share, air):
         w[j] = new
 
 
-@uncounted
+@njit(cache=True, nogil=True, error_model="numpy")
 def _push(start, count, grains, air, wind, share):
     """Move a block of grains by one time step.
 
@@ -161,7 +161,7 @@ def _push(start, count, grains, air, wind, share):
     _push_up(count, grains.z[start:end], grains.w[start:end], share, air)
 
 
-@uncounted
+@njit(cache=True, nogil=True, error_model="numpy")
 def _find_low(start, count, grains, grid, top, cell, value):
     """Put into ``cell`` whether (1 or 0) a grain is outside the field or below the top of its mesh cell."""
     end = start + count
@@ -176,7 +176,7 @@ def _find_low(start, count, grains, grid, top, cell, value):
         cell[j] = (cell[j] == OUTSIDE) | (z[j] < value[j])
 
 
-@uncounted
+@njit(cache=True, nogil=True, error_model="numpy")
 def _move_blocks(first, last, grains, air, grid, ground, near, work):
     cell, wind, share, climb, faster = work
     found = first
@@ -202,6 +202,7 @@ def move(first, last, grains, air, grid, ground, near):
     Writes those that left the field or lie below the highest corner of their mesh cell into ``near``, from
     ``first`` on, and returns how many they are. The rest is for ``land``.
     """
+    grains, air, ground, near = lent((grains, air, ground, near))
     cell = np.empty(BLOCK, np.int32)
     wind = np.empty(BLOCK, np.float32)
     share = np.empty(BLOCK, np.float32)

@@ -9,14 +9,14 @@ from barchan.kernels.grain_lift import lift
 from barchan.kernels.grain_splash import rebound
 from barchan.kernels.grain_state import FLYING, GONE, NOWHERE, record_end
 from barchan.kernels.grain_surface import height_at, surface_at
+from barchan.kernels.lending import lent
 from barchan.kernels.mixture import kind_of, set_kind
 from barchan.kernels.random import derive
-from barchan.kernels.uncounted import uncounted, uncounted_inline
 
 _ZERO = np.float32(0.0)
 
 
-@uncounted_inline
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
 def _over_edge(slot, place, laps, size, wrap, grains):
     """Bring a coordinate that left the field in again from the other side, or take the grain out."""
     end = np.float32(size)
@@ -33,19 +33,19 @@ def _over_edge(slot, place, laps, size, wrap, grains):
     place[slot] = p
 
 
-@uncounted_inline
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
 def _inside(x, y, grid):
     return x >= _ZERO and x < np.float32(grid.cols) and y >= _ZERO and y < np.float32(grid.rows)
 
 
-@uncounted
+@njit(cache=True, nogil=True, error_model="numpy")
 def _come_in(slot, grains, grid):
     """Bring a grain in over the edges it crossed, or take it out."""
     _over_edge(slot, grains.x, grains.laps_x, grid.cols, grid.wrap_along, grains)
     _over_edge(slot, grains.y, grains.laps_y, grid.rows, grid.wrap_across, grains)
 
 
-@uncounted_inline
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
 def _splash(k, slot, start, x, y, surface, east, north, grains, air, rule, events):
     """Let a grain rebound or stay, and put what the impact was like into entry ``k``."""
     u, v = grains.u[slot], grains.v[slot]
@@ -58,7 +58,7 @@ def _splash(k, slot, start, x, y, surface, east, north, grains, air, rule, event
     events.lost[k] = np.float64(u) * air.wind_x + np.float64(v) * air.wind_y
 
 
-@uncounted
+@njit(cache=True, nogil=True, error_model="numpy")
 def land(first, count, key, grains, air, grid, ground, scale, rules, splash, events):
     """Look after the ``count`` slots in ``events.near`` from ``first`` on.
 
@@ -67,6 +67,7 @@ def land(first, count, key, grains, air, grid, ground, scale, rules, splash, eve
     entry of ``events``, from ``first`` on; returns how many. The bed is only read: what becomes of it is for
     ``exchange``. So slots may be shared among threads.
     """
+    grains, air, ground, rules, events = lent((grains, air, ground, rules, events))
     bounce_rule, lift_rule = rules
     found = first
     for k in range(first, first + count):

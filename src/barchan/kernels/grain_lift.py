@@ -3,21 +3,21 @@
 import math
 
 import numpy as np
+from numba import njit
 
 from barchan.kernels.grain_state import NOWHERE, draw, launch
 from barchan.kernels.grain_surface import nearest_cell, surface_at
 from barchan.kernels.mixture import amount, nth, set_kind
-from barchan.kernels.uncounted import uncounted, uncounted_inline
 
 
-@uncounted_inline
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
 def place(part, size):
     """A coordinate (cells, float32) within the field from a number from 0 to below 1."""
     coordinate = np.float32(part * size)
     return coordinate if coordinate < np.float32(size) else np.float32(size - 0.5)
 
 
-@uncounted
+@njit(cache=True, nogil=True, error_model="numpy")
 def _kind_at(mixture, cell, part, creeps):
     """The size of a parcel drawn from a cell's active layer; -1: too heavy."""
     if mixture is None:
@@ -26,7 +26,7 @@ def _kind_at(mixture, cell, part, creeps):
     return -1 if creeps[kind] else kind
 
 
-@uncounted_inline
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
 def lift(slot, start, grains, ground, scale, grid, rule):
     """Let a slot start from a cell drawn at random, if that can give a parcel; the cell, or ``NOWHERE``."""
     if draw(start, 1) >= rule.chance:

@@ -9,13 +9,14 @@ import math
 from typing import NamedTuple
 
 import numpy as np
+from numba import njit
 
 from barchan.kernels.grain_bed import LOST, MOVED, take_up
 from barchan.kernels.grain_creep import Creep, push
 from barchan.kernels.grain_state import FREE, LANDED, draw, launch
 from barchan.kernels.grain_surface import nearest_cell, surface_at
+from barchan.kernels.lending import lent
 from barchan.kernels.mixture import amount, kind_of, set_kind
-from barchan.kernels.uncounted import uncounted, uncounted_inline
 
 LOST_UNIT = 1 << 20
 """Parts of 1 m/s in which the speed that impacts take is counted, so that sums are exact."""
@@ -66,13 +67,13 @@ class Splash(NamedTuple):
     """What size changes; None: all grains are alike."""
 
 
-@uncounted_inline
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
 def exponential(part, mean, most):
     """A number up to ``most`` of an exponential distribution cut off there, from a part of 1."""
     return -mean * math.log(1.0 - part * (1.0 - math.exp(-most / mean)))
 
 
-@uncounted_inline
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
 def thrown(u, v, azimuth, angle, speed, east, north):
     """Velocity of a grain thrown at an ``angle`` to a surface with slopes, turned from (u, v)."""
     length = math.sqrt(u * u + v * v)
@@ -84,7 +85,7 @@ def thrown(u, v, azimuth, angle, speed, east, north):
     return along * x - across * east, along * y - across * north, along * rise + across
 
 
-@uncounted_inline
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
 def rebound(slot, start, surface, east, north, grains, rule):
     """Throw a grain back off the surface, or leave it where it is; its speed of impact."""
     u, v, w = np.float64(grains.u[slot]), np.float64(grains.v[slot]), np.float64(grains.w[slot])
@@ -102,7 +103,7 @@ def rebound(slot, start, surface, east, north, grains, rule):
     return speed
 
 
-@uncounted
+@njit(cache=True, nogil=True, error_model="numpy")
 def _plenty(sorting, kind, cell, mixture):
     """Ejecta of a cell's sand over those of sand that is all alike."""
     if sorting is None:
@@ -114,7 +115,7 @@ def _plenty(sorting, kind, cell, mixture):
     return weight / held if held > 0 else 0.0
 
 
-@uncounted
+@njit(cache=True, nogil=True, error_model="numpy")
 def _thrown_kind(sorting, kind, cell, mixture, part):
     """The size of the next ejectum, -1 where none can be thrown out any more."""
     if sorting is None:
@@ -129,7 +130,7 @@ def _thrown_kind(sorting, kind, cell, mixture, part):
     return found
 
 
-@uncounted
+@njit(cache=True, nogil=True, error_model="numpy")
 def _pace(sorting, kind, other):
     """Mean speed of ejecta of another size over that of sand that is all alike."""
     if sorting is None:
@@ -137,13 +138,13 @@ def _pace(sorting, kind, other):
     return sorting.speed[kind, other]
 
 
-@uncounted
+@njit(cache=True, nogil=True, error_model="numpy")
 def _creep(sorting, k, cell, ground, scale, grid, events, counts):
     if sorting is not None:
         push(sorting.creep, k, cell, ground, scale, grid, events, counts)
 
 
-@uncounted_inline
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
 def _next_free(at, events, found, grains):
     """The next entry from ``at`` on whose slot is free."""
     while at < found and (events.slot[at] < 0 or grains.held[events.slot[at]] != FREE):
@@ -151,19 +152,20 @@ def _next_free(at, events, found, grains):
     return at
 
 
-@uncounted_inline
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
 def _note_lost(speed, cell, lost, counts):
     counts[LOST] += speed
     if lost is not None:
         lost[cell] += speed
 
 
-@uncounted
+@njit(cache=True, nogil=True, error_model="numpy")
 def eject(first, found, grains, ground, scale, grid, rule, events, counts):
     """Throw grains out where others hit the bed, for the entries ``first`` to before ``found``.
 
     They take free slots. Where none is left the air carries all it can, and nothing more is thrown out.
     """
+    grains, ground, rule, events, counts = lent((grains, ground, rule, events, counts))
     free = _next_free(first, events, found, grains)
     for k in range(first, found):
         speed = events.impact[k]

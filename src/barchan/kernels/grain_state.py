@@ -3,11 +3,11 @@
 from typing import NamedTuple
 
 import numpy as np
+from numba import njit
 
 from barchan.kernels.grain_surface import nearest_cell
 from barchan.kernels.mixture import Mixture, kind_of, set_kind
 from barchan.kernels.random import GOLDEN, mix
-from barchan.kernels.uncounted import uncounted_inline
 
 FREE, FLYING, LANDED, GONE = (np.int32(number) for number in range(4))
 """What a slot holds: nothing, a grain in the air, one that has come to rest, one that has left the field."""
@@ -196,19 +196,19 @@ TRAVEL_UNIT = 1 << 16
 """Parts of a cell in which travel is counted, so that sums are exact."""
 
 
-@uncounted_inline
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
 def mesh_cell(x, y, cols):
     """The mesh cell that a place lies in."""
     return np.int32(y) * np.int32(cols) + np.int32(x)
 
 
-@uncounted_inline
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
 def draw(start, number):
     """Draw ``number`` (from 1 on) of a sequence, from 0 to below 1."""
     return np.float64(mix(start + GOLDEN * np.uint64(number)) >> np.uint64(11)) * _FRACTION
 
 
-@uncounted_inline
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
 def free_slot(slot, grains):
     """Take the grain out of a slot; the slot stays below the ground until it is used again."""
     grains.held[slot] = FREE
@@ -217,7 +217,7 @@ def free_slot(slot, grains):
     grains.u[slot] = grains.v[slot] = grains.w[slot] = _ZERO
 
 
-@uncounted_inline
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
 def launch(slot, x, y, z, u, v, w, grains):
     """Let a grain start from a slot at a place (cells, m) with a velocity (m/s)."""
     grains.x[slot] = grains.from_x[slot] = x
@@ -231,13 +231,13 @@ def launch(slot, x, y, z, u, v, w, grains):
     grains.held[slot] = FLYING
 
 
-@uncounted_inline
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
 def _way(there, start, laps, size):
     way = np.float64(there) - np.float64(start) + np.float64(laps) * size
     return np.int64(np.rint(way * TRAVEL_UNIT))
 
 
-@uncounted_inline
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
 def record_end(k, slot, most, grains, grid, events):
     """Put into entry ``k`` how the flight of a slot ended, if there was one, and free the slot."""
     events.slot[k] = slot

@@ -6,13 +6,12 @@ cell let flight leave the interpolation to grains that are about to land.
 """
 
 import numpy as np
-
-from barchan.kernels.uncounted import uncounted, uncounted_inline
+from numba import njit
 
 _QUARTER = np.float32(0.25)
 
 
-@uncounted_inline
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
 def beyond(row, col, grid):
     """The next row to the north and column to the east; the same ones at an open edge."""
     north = row + 1
@@ -24,7 +23,7 @@ def beyond(row, col, grid):
     return north, east
 
 
-@uncounted_inline
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
 def nearest_cell(x, y, grid):
     """The cell whose stack is nearest to a place."""
     row, col = np.int64(y), np.int64(x)
@@ -34,7 +33,7 @@ def nearest_cell(x, y, grid):
     return row * grid.cols + col
 
 
-@uncounted_inline
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
 def surface_at(x, y, height, cell_size, grid):
     """Height (m) of the surface at a place, and its slopes eastwards and northwards."""
     row, col = np.int64(y), np.int64(x)
@@ -48,7 +47,7 @@ def surface_at(x, y, height, cell_size, grid):
     return south_side + part_y * (north_side - south_side), slope_x, (north_side - south_side) / cell_size
 
 
-@uncounted_inline
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
 def height_at(x, y, height, grid):
     """The height alone, by the same arithmetic as ``surface_at``."""
     row, col = np.int64(np.int32(y)), np.int64(np.int32(x))
@@ -64,7 +63,7 @@ def height_at(x, y, height, grid):
     return south_side + part_y * (north_side - south_side)
 
 
-@uncounted_inline
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
 def _renew(row, col, ground, grid):
     north, east = beyond(row, col, grid)
     sw, se = row * grid.cols + col, row * grid.cols + east
@@ -74,7 +73,7 @@ def _renew(row, col, ground, grid):
     ground.base[sw] = _QUARTER * ((lid[sw] + lid[se]) + (lid[nw] + lid[ne]))
 
 
-@uncounted
+@njit(cache=True, nogil=True, error_model="numpy")
 def renew_mesh(ground, grid):
     """Compute bound and mean of every mesh cell."""
     for row in range(grid.rows):
@@ -82,7 +81,7 @@ def renew_mesh(ground, grid):
             _renew(row, col, ground, grid)
 
 
-@uncounted_inline
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
 def renew_mesh_about(cell, ground, grid):
     """Compute bound and mean of the four mesh cells that a stack is a corner of."""
     row = cell // grid.cols
@@ -95,7 +94,7 @@ def renew_mesh_about(cell, ground, grid):
     _renew(south, west, ground, grid)
 
 
-@uncounted
+@njit(cache=True, nogil=True, error_model="numpy")
 def renew_mesh_of_patch(row, col, ground, grid):
     """The same for the sixteen mesh cells about a stack and its eight neighbours."""
     for step_row in range(-2, 2):

@@ -9,9 +9,9 @@ from, parcel by parcel. Without a mixture (None) all sand is alike, and nothing 
 from typing import NamedTuple
 
 import numpy as np
+from numba import njit
 
 from barchan.kernels.random import GOLDEN, below, high, mix
-from barchan.kernels.uncounted import uncounted
 
 
 class Mixture(NamedTuple):
@@ -27,7 +27,7 @@ class Mixture(NamedTuple):
     """Where the sequence of draws has come to (one uint64)."""
 
 
-@uncounted
+@njit(cache=True, nogil=True, error_model="numpy")
 def kind_of(kinds, at):
     """The size at a place of ``kinds``, or the only one."""
     if kinds is not None:
@@ -35,14 +35,14 @@ def kind_of(kinds, at):
     return 0
 
 
-@uncounted
+@njit(cache=True, nogil=True, error_model="numpy")
 def set_kind(kinds, at, kind):
     """Put a size there, where there are several."""
     if kinds is not None:
         kinds[at] = kind
 
 
-@uncounted
+@njit(cache=True, nogil=True, error_model="numpy")
 def available(mixture, sand, kind, cell):
     """Parcels of a size that a cell can give."""
     if mixture is not None:
@@ -50,7 +50,7 @@ def available(mixture, sand, kind, cell):
     return np.int64(sand[cell])
 
 
-@uncounted
+@njit(cache=True, nogil=True, error_model="numpy")
 def amount(counts, cell):
     """Parcels of all sizes."""
     total = np.int64(0)
@@ -59,7 +59,7 @@ def amount(counts, cell):
     return total
 
 
-@uncounted
+@njit(cache=True, nogil=True, error_model="numpy")
 def nth(counts, cell, at):
     """The size of the parcel that comes ``at`` many others, sorted by size."""
     for kind in range(counts.shape[0] - 1):
@@ -69,18 +69,18 @@ def nth(counts, cell, at):
     return counts.shape[0] - 1
 
 
-@uncounted
+@njit(cache=True, nogil=True, error_model="numpy")
 def _next(mixture):
     mixture.turn[0] += GOLDEN
     return mix(mixture.turn[0])
 
 
-@uncounted
+@njit(cache=True, nogil=True, error_model="numpy")
 def _drawn(counts, cell, total, mixture):
     return nth(counts, cell, below(high(_next(mixture)), total))
 
 
-@uncounted
+@njit(cache=True, nogil=True, error_model="numpy")
 def put(mixture, cell, kind, parcels):
     """Lay parcels of a size on a cell."""
     if mixture is not None:
@@ -93,7 +93,7 @@ def put(mixture, cell, kind, parcels):
             held -= 1
 
 
-@uncounted
+@njit(cache=True, nogil=True, error_model="numpy")
 def take(mixture, cell, kind, parcels):
     """Take parcels of a size, which lie there, from a cell's active layer."""
     if mixture is not None:
@@ -107,14 +107,14 @@ def take(mixture, cell, kind, parcels):
             rest -= 1
 
 
-@uncounted
+@njit(cache=True, nogil=True, error_model="numpy")
 def _take_any(mixture, cell):
     kind = _drawn(mixture.layer, cell, amount(mixture.layer, cell), mixture)
     take(mixture, cell, kind, 1)
     return kind
 
 
-@uncounted
+@njit(cache=True, nogil=True, error_model="numpy")
 def slide(mixture, cell, other, parcels):
     """Let parcels of any size slide from one cell to another."""
     if mixture is not None:
@@ -122,7 +122,7 @@ def slide(mixture, cell, other, parcels):
             put(mixture, other, _take_any(mixture, cell), 1)
 
 
-@uncounted
+@njit(cache=True, nogil=True, error_model="numpy")
 def follow(mixture, sand, shares, entered):
     """Let the sizes follow a bed that was painted; adds to ``entered`` what came (or went) of each.
 
