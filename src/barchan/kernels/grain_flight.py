@@ -44,6 +44,17 @@ def _slow_wind(count, near, above, cell, slowed, value):
             value[j] = slowed[j] * value[j] + above.values[np.uint64(cell[j])]
 
 
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+def _take_wind(start, count, grains, taken, cols, cell, value):
+    """Take off the wind what plants below each grain of a block take, at most all of it."""
+    if taken is not None:
+        x, y = grains.x, grains.y
+        for j in range(count):
+            cell[j] = mesh_cell(x[start + j], y[start + j], cols)
+        for j in range(count):
+            value[j] -= min(taken[np.uint64(cell[j])], max(value[j], _ZERO))
+
+
 @njit(cache=True, nogil=True, error_model="numpy")
 def _find_wind(start, count, grains, air, ground, cols, cell, value, slowed):
     """Put the wind speed at each grain of a block into ``value``."""
@@ -61,6 +72,7 @@ def _find_wind(start, count, grains, air, ground, cols, cell, value, slowed):
     for j in range(count):
         value[j] = air.wind.values[np.uint64(cell[j])]
     _slow_wind(count, ground.near, air.above, cell, slowed, value)
+    _take_wind(start, count, grains, ground.taken, cols, cell, value)
 
 
 @njit(cache=True, nogil=True, error_model="numpy", forceinline=True)

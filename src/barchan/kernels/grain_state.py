@@ -96,13 +96,18 @@ class Ground(NamedTuple):
     top: np.ndarray
     """The highest corner of each mesh cell (m)."""
     base: np.ndarray
-    """The mean of the lid over each mesh cell (m), from which the wind's height is counted."""
+    """The mean of the lid over each mesh cell (m) and what plants lift it by: the wind's height counts from
+    there."""
     mixture: Mixture | None = None
     """Where sand of which size lies, where there are several."""
     near: np.ndarray | None = None
     """Friction velocity (m/s, float32) near the bed, where it has places."""
     lost: np.ndarray | None = None
     """Speed along the wind that impacts took (int64), where it is counted by place."""
+    lift: np.ndarray | None = None
+    """Height (m, float32) by which plants lift the wind over each mesh cell, where there are any."""
+    taken: np.ndarray | None = None
+    """Wind speed (m/s, float32) that they take over each mesh cell."""
 
 
 class Scale(NamedTuple):

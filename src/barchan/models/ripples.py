@@ -109,7 +109,7 @@ class Ripples(GrainModel):
         if self.near_bed.by_place:
             friction = self.parameters.friction_velocity(self.speed(wind))
             ground.slow(self.near_bed.friction(friction))
-        return self.air(wind)
+        return super().blow(ground, wind)
 
     def near_bed_friction(self, friction: float) -> float:
         """Friction velocity (m/s) of the wind below the focus; its mean over the field."""
