@@ -39,6 +39,7 @@ class ReferenceFlight:
         self.stream = stream
         self.model, self.rules, self.bed, self.wind = model, model.parameters, bed, wind
         self.air = model.air(wind)
+        self.friction = self.rules.friction_velocity(model.speed(wind))
         self.lift_off = model.lift_off(wind)
         self.grains = [Grain() for _ in range(model.marks.shape[1])]
         self.left = self.moved = self.capped = 0
@@ -76,12 +77,29 @@ class ReferenceFlight:
     def base(self, x, y):
         row, north, col, east, _, _ = self.corners(x, y)
         sw, se, nw, ne = (self.height(r, c) for r in (row, north) for c in (col, east))
-        return F(0.25) * ((sw + se) + (nw + ne))
+        mean = F(0.25) * ((sw + se) + (nw + ne))
+        if not self.rules.plants:
+            return mean
+        return mean + F(max(self.rules.plant_displacement * self.plants(x, y) - self.rules.displacement, 0.0))
+
+    def plants(self, x, y):
+        """Height of the plants about a place."""
+        row, north, col, east, _, _ = self.corners(x, y)
+        height = self.bed.arrays["plant_height"]
+        return 0.25 * ((height[row, col] + height[north, col]) + (height[row, east] + height[north, east]))
+
+    def taken(self, x, y):
+        """Wind speed that these take."""
+        if not self.rules.plants:
+            return F(0.0)
+        ratio = max(self.rules.plant_roughness * self.plants(x, y) / self.rules.roughness_length, 1.0)
+        return F(self.friction / 0.4 * np.log(ratio))
 
     def fly(self, grain):
         air = self.air
         height = grain.z + air.rise_before * grain.w - self.base(grain.x, grain.y)
         wind = look_up(air.wind, height)
+        wind -= min(self.taken(grain.x, grain.y), max(wind, F(0.0)))
         climb = F(0.0)
         if self.stream is not None:
             rise, gain = (part[int(grain.y), int(grain.x)] for part in self.stream)

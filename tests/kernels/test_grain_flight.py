@@ -14,6 +14,8 @@ from tests.kernels.grain_reference import ReferenceFlight
 
 STREAM = Stream(3, "transport")
 
+STAND = {"west": 0.2, "east": 0.8, "south": 0.3, "height": 0.03}
+
 
 def small_bed(seed, boundary="periodic", uneven=False, depth=6):
     random = np.random.default_rng(seed)
@@ -33,9 +35,12 @@ def fly_both(bed, wind, iterations, stream=None, **rules):
     flight = model("wang_hu")
     rules = flight.Parameters(collapse_every=10**6, iterations_per_step=iterations, repose_angle=89, **rules)
     fast = flight(rules, bed.lattice)
-    slow = ReferenceFlight(fast, Bed(bed.lattice, bed.ground, bed.sand), wind, stream)
+    fast.prepare(bed, 1)
+    same = Bed.from_fields(bed.lattice, bed.frame(), fast.fields)
+    slow = ReferenceFlight(fast, same, wind, stream)
     if stream is not None:
-        fast.blow = lambda ground, wind: ground.bend_wind(*stream) or fast.air(wind)
+        level = fast.blow
+        fast.blow = lambda ground, wind: ground.bend_wind(*stream) or level(ground, wind)
     tally = fast.advance(bed, wind, STREAM, 0, 0)
     for iteration in range(iterations):
         slow.iterate(derive(STREAM.key, iteration))
@@ -52,15 +57,18 @@ def fly_both(bed, wind, iterations, stream=None, **rules):
     st.sampled_from(["euler", "trapezoid"]),
     st.sampled_from(["constant", "reynolds"]),
     st.sampled_from(["stack", "patch"]),
+    st.sampled_from([[], [STAND], [STAND, {**STAND, "west": 0.5, "height": 0.002}]]),
+    st.sampled_from([0.0, 0.005, -0.5]),
     st.booleans(),
 )
 def test_kernels_equal_the_obvious_flight_bit_for_bit(
-    seed, direction, boundary, uneven, lee, scheme, drag, footprint, bent
+    seed, direction, boundary, uneven, lee, scheme, drag, footprint, plants, lifted, bent
 ):
     bed = small_bed(seed, boundary, uneven, depth=6 if footprint == "stack" else 12)
     wind = Segment(0, 1, 0, bed.lattice.cells, direction)
     rules = {"scheme": scheme, "drag": drag, "lift_from_lee": lee, "max_bounces": 3, "load": 0.5}
-    rules["footprint"] = footprint
+    rules |= {"footprint": footprint, "plants": plants}
+    rules |= {"displacement": lifted} if lifted >= 0 else {"stability": lifted}
     if bent:
         stream = np.random.default_rng(seed).uniform(-0.3, 0.3, (2, *bed.lattice.shape)).astype(np.float32)
         rules["stream"] = stream[0], 1 + stream[1]
@@ -80,6 +88,8 @@ def test_kernels_equal_the_obvious_flight_bit_for_bit(
     [
         ("wang_hu", {}),
         ("wang_hu", {"footprint": "patch", "max_bounces": 5}),
+        ("wang_hu", {"plants": [STAND]}),
+        ("ripples", {"plants": [STAND], "sharing_width": 0.03, "weight": 0.02, "entrainment": 0.05}),
         ("ripples", {"time_step": 1e-3, "weight": 0.02, "entrainment": 0.05, "load": 2.0}),
     ],
 )
@@ -91,6 +101,7 @@ def test_bits_do_not_depend_on_the_number_of_threads(monkeypatch, name, rules):
         lattice = Lattice(rows=40, columns=50, cell_size=0.01, slab_height=0.15e-3)
         bed = Bed(lattice, np.zeros(lattice.shape), np.full(lattice.shape, 20))
         flight = model(name)(model(name).Parameters(**rules), lattice)
+        flight.prepare(bed, 1)
         tally = flight.advance(bed, Segment(0, 200, 0, lattice.cells, 200.0), STREAM, 0, 0)
         beds.append((bed.sand.copy(), flight.motion.copy(), tally))
     for sand, motion, tally in beds[1:]:

@@ -20,13 +20,19 @@ class Pair(NamedTuple):
 
 
 @njit
+def add(values, at, step):
+    """Add to a value, where there are any."""
+    if values is not None:
+        values[at] += step
+
+
+@njit
 def turn(pair, at):
     """Change one or the other, on ways that leave in several places."""
     if pair.left[at] > 0.0:
         pair.left[at] = -pair.left[at]
         return
-    if pair.right is not None:
-        pair.right[at] += pair.step
+    add(pair.right, at, pair.step)
 
 
 @njit

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 import barchan
 from barchan.errors import ScenarioError
 from barchan.kernels import sharing
-from barchan.models.grain_sizes import mixed
+from barchan.models.grain_sizes import lognormal, mixed
 from barchan.simulation import SetParameter, Simulation, Stroke
 
 FINE, COARSE, HEAVY = 0.15e-3, 0.4e-3, 1e-3
@@ -193,6 +193,72 @@ def test_the_surface_tells_its_grains():
 def test_what_is_wrong_with_sizes_is_named(sizes, said):
     with pytest.raises(ScenarioError) as caught:
         sorted_sand(sizes)
+    assert said in str(caught.value)
+
+
+spreads = st.floats(1.0, 3.0, exclude_min=True)
+
+
+@given(st.floats(0.05e-3, 5e-3), spreads, st.sampled_from([2, 3, 4]))
+def test_classes_of_a_spread_hold_equal_shares_about_the_median(median, spread, count):
+    classes = lognormal(median, spread, count)
+    assert sum(one.share for one in classes) == pytest.approx(1.0, abs=1e-12)
+    diameters = np.array([one.diameter for one in classes])
+    assert np.exp(np.log(diameters).mean()) == pytest.approx(median)
+    np.testing.assert_allclose(diameters * diameters[::-1], median**2)
+    assert (np.diff(diameters) >= 0).all()
+
+
+@given(spreads, spreads, st.sampled_from([2, 3, 4]))
+def test_the_wider_the_spread_the_farther_apart_its_classes(one, other, count):
+    narrow, wide = (lognormal(1e-3, spread, count) for spread in sorted((one, other)))
+    assert wide[0].diameter <= narrow[0].diameter
+    assert wide[-1].diameter >= narrow[-1].diameter
+
+
+@pytest.mark.parametrize("count", [2, 3, 4])
+def test_the_class_of_a_spread_is_the_mean_of_its_part_of_the_distribution(count):
+    drawn = np.sort(np.random.default_rng(1).normal(size=400_000)) * np.log(1.5)
+    parts = np.exp([part.mean() for part in np.array_split(drawn, count)])
+    found = [one.diameter for one in lognormal(1.0, 1.5, count)]
+    np.testing.assert_allclose(found, parts, rtol=3e-3)
+
+
+def test_spread_sand_flies_as_its_classes_would():
+    stated = [one.model_dump() for one in lognormal(FINE, 1.4, 3)]
+    runs = sorted_sand(stated), sorted_sand([], model__size_spread=1.4, model__grain_diameter=FINE)
+    for one in runs:
+        one.advance(10)
+    assert runs[1].ledger.airborne > 0
+    for name, values in runs[0].bed.arrays.items():
+        np.testing.assert_array_equal(values, runs[1].bed.arrays[name])
+    again = Simulation.from_state(runs[1].state())
+    for one in (runs[1], again):
+        one.advance(5)
+    np.testing.assert_array_equal(again.bed.arrays["layer_3"], runs[1].bed.arrays["layer_3"])
+    assert len(again.model.facts()["settling speed"].split(",")) == 3
+
+
+@pytest.mark.parametrize(
+    ("rules", "said"),
+    [
+        (
+            {"sizes": TWO, "size_spread": 1.5},
+            "model.size_spread: is 1.5, and sizes are given too; leave one of them out",
+        ),
+        (
+            {"size_spread": 3.0, "grain_diameter": 0.1e-3},
+            "model.size_spread: is 3, which makes grains of 3.02e-05 to 0.000331 m about grain_diameter",
+        ),
+        ({"size_spread": 1.0}, "model.size_spread"),
+        ({"size_spread": 3.1}, "≤ 3"),
+        ({"size_spread": 1.5, "size_classes": 5}, "≤ 4"),
+        ({"size_classes": 1}, "≥ 2"),
+    ],
+)
+def test_what_is_wrong_with_a_spread_is_named(rules, said):
+    with pytest.raises(ScenarioError) as caught:
+        barchan.load({**SMALL, "model": {**SMALL["model"], **rules}})
     assert said in str(caught.value)
 
 

@@ -116,12 +116,15 @@ def _lets_go_above_rest(data: dict[str, Any]) -> dict[str, Any]:
 
 
 def _flies(data: dict[str, Any]) -> dict[str, Any]:
-    """Grains heavier than air, ranges in order, and sizes that increase and make up all sand."""
+    """Grains heavier than air, ranges in order, sizes that make up all sand or a spread."""
     if data.get("sizes"):
         share = 1.0 / len(data["sizes"])
         data["sizes"] = [
             {**one, "diameter": (at + 1) * 1e-3, "share": share} for at, one in enumerate(data["sizes"])
         ]
+        data = {name: value for name, value in data.items() if name != "size_spread"}
+    if data.get("size_spread"):
+        data |= {"grain_diameter": 0.5e-3}
     for least, most in (("lift_least", "lift_most"), ("flattest", "steepest")):
         if least in data or most in data:
             data |= {least: data.get(least, data.get(most)), most: data.get(least, data.get(most))}

@@ -65,7 +65,7 @@ def field_of(frame: "xr.Dataset", scenario: Scenario, name: str) -> "xr.DataArra
 
 
 def _derived(scenario: Scenario) -> dict[str, Derived]:
-    return {field.name: field for field in (*PLAIN, *models()[scenario.model.name].derived)}
+    return {field.name: field for field in (*PLAIN, *scenario.new_model().derived)}
 
 
 def _kept(frame: "xr.Dataset", scenario: Scenario, name: str) -> "xr.DataArray":

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from barchan.analysis.fields import field_of
-from barchan.models import Layer, models
+from barchan.models import Layer
 from barchan.scenario import Scenario
 
 if TYPE_CHECKING:
@@ -26,7 +26,7 @@ OPACITY = 0.75
 
 def layers_of(scenario: Scenario) -> tuple[Layer, ...]:
     """The layers that the scenario's model declares."""
-    return models()[scenario.model.name].layers
+    return scenario.new_model().layers
 
 
 def overlaid(base: NDArray[np.float64], frame: "xr.Dataset", scenario: Scenario) -> NDArray[np.float64]:

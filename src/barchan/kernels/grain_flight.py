@@ -31,6 +31,14 @@ def entry(number, first, last):
 
 
 @njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+def _find_mesh(start, count, grains, cols, cell):
+    """Put the mesh cell below each grain of a block into ``cell``."""
+    x, y = grains.x[start : start + count], grains.y[start : start + count]
+    for j in range(count):
+        cell[j] = mesh_cell(x[j], y[j], cols)
+
+
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
 def _find_near(count, near, cell, slowed):
     """Put the friction velocity near the bed at each grain of a block into ``slowed``, if it has places."""
     if near is not None:
@@ -47,9 +55,10 @@ def _slow_wind(count, near, above, cell, slowed, value):
 
 
 @njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
-def _find_stream(count, rise, gain, cell, climb, faster):
+def _find_stream(start, count, grains, rise, gain, cols, cell, climb, faster):
     """Put slope and speed-up of the wind at each grain of a block into ``climb`` and ``faster``, if any."""
     if rise is not None:
+        _find_mesh(start, count, grains, cols, cell)
         for j in range(count):
             climb[j] = rise[np.uint64(cell[j])]
             faster[j] = gain[np.uint64(cell[j])]
@@ -79,24 +88,32 @@ def _leave_rising_air(start, count, rise, step, grains, climb):
             w[j] += climb[j]
 
 
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+def _take_wind(start, count, grains, taken, cols, cell, value):
+    """Take off the wind what plants below each grain of a block take, at most all of it."""
+    if taken is not None:
+        _find_mesh(start, count, grains, cols, cell)
+        for j in range(count):
+            value[j] -= min(taken[np.uint64(cell[j])], max(value[j], _ZERO))
+
+
 @njit(cache=True, nogil=True, error_model="numpy")
-def _find_wind(start, count, grains, air, ground, cols, cell, value, slowed, climb, faster):
-    """Put the wind speed at each grain of a block into ``value``, its slope and speed-up beside it."""
+def _find_wind(start, count, grains, air, ground, cols, cell, value, slowed):
+    """Put the wind speed at each grain of a block into ``value``."""
     base = ground.base
     first, last = air.wind.first, air.wind.last
-    x, y, z, w = grains.x, grains.y, grains.z, grains.w
+    z, w = grains.z[start : start + count], grains.w[start : start + count]
     ahead = air.rise_before
-    for j in range(count):
-        cell[j] = mesh_cell(x[start + j], y[start + j], cols)
+    _find_mesh(start, count, grains, cols, cell)
     for j in range(count):
         value[j] = base[np.uint64(cell[j])]
     _find_near(count, ground.near, cell, slowed)
-    _find_stream(count, ground.rise, ground.gain, cell, climb, faster)
     for j in range(count):
-        cell[j] = entry(z[start + j] + ahead * w[start + j] - value[j], first, last)
+        cell[j] = entry(z[j] + ahead * w[j] - value[j], first, last)
     for j in range(count):
         value[j] = air.wind.values[np.uint64(cell[j])]
     _slow_wind(count, ground.near, air.above, cell, slowed, value)
+    _take_wind(start, count, grains, ground.taken, cols, cell, value)
 
 
 @njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
@@ -182,7 +199,8 @@ def _move_blocks(first, last, grains, air, grid, ground, near, work):
     found = first
     for start in range(first, last, BLOCK):
         count = min(last - start, BLOCK)
-        _find_wind(start, count, grains, air, ground, grid.cols, cell, wind, share, climb, faster)
+        _find_wind(start, count, grains, air, ground, grid.cols, cell, wind, share)
+        _find_stream(start, count, grains, ground.rise, ground.gain, grid.cols, cell, climb, faster)
         _enter_rising_air(start, count, ground.rise, wind, grains, climb, faster)
         _find_drag(start, count, grains, air, wind, cell, share)
         _push(start, count, grains, air, wind, share)

@@ -98,7 +98,8 @@ class Ground(NamedTuple):
     top: np.ndarray
     """The highest corner of each mesh cell (m)."""
     base: np.ndarray
-    """The mean of the lid over each mesh cell (m), from which the wind's height is counted."""
+    """The mean of the lid over each mesh cell (m) and what plants lift it by: the wind's height counts from
+    there."""
     mixture: Mixture | None = None
     """Where sand of which size lies, where there are several."""
     near: np.ndarray | None = None
@@ -109,6 +110,10 @@ class Ground(NamedTuple):
     """Slope of the wind along its way over each mesh cell (float32), where it follows the bed."""
     gain: np.ndarray | None = None
     """Wind speed over that above a level bed (float32), there too."""
+    lift: np.ndarray | None = None
+    """Height (m, float32) by which plants lift the wind over each mesh cell, where there are any."""
+    taken: np.ndarray | None = None
+    """Wind speed (m/s, float32) that they take over each mesh cell."""
 
 
 class Scale(NamedTuple):

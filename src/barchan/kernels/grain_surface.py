@@ -64,13 +64,22 @@ def height_at(x, y, height, grid):
 
 
 @njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+def _lifted(base, lift, cell):
+    """The base of a mesh cell, lifted by plants, if there are any."""
+    if lift is None:
+        return base
+    return base + lift[cell]
+
+
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
 def _renew(row, col, ground, grid):
     north, east = beyond(row, col, grid)
     sw, se = row * grid.cols + col, row * grid.cols + east
     nw, ne = north * grid.cols + col, north * grid.cols + east
     height, lid = ground.height, ground.lid
     ground.top[sw] = max(max(height[sw], height[se]), max(height[nw], height[ne]))
-    ground.base[sw] = _QUARTER * ((lid[sw] + lid[se]) + (lid[nw] + lid[ne]))
+    mean = _QUARTER * ((lid[sw] + lid[se]) + (lid[nw] + lid[ne]))
+    ground.base[sw] = _lifted(mean, ground.lift, sw)
 
 
 @njit(cache=True, nogil=True, error_model="numpy")

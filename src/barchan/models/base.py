@@ -113,10 +113,11 @@ class Model(ABC):
     Parameters: ClassVar[type[Parameters]]
     fields: tuple[FieldInfo, ...] = ()
     """Fields the model keeps on the bed beside ground and sand; parameters may ask for more of them."""
-    derived: ClassVar[tuple[Derived, ...]] = ()
-    """Fields that show how the model sees a bed."""
+    derived: tuple[Derived, ...] = ()
+    """Fields that show how the model sees a bed; parameters may ask for more of them."""
     measures: ClassVar[tuple[OwnMeasure, ...]] = ()
-    layers: ClassVar[tuple[Layer, ...]] = ()
+    layers: tuple[Layer, ...] = ()
+    """What is drawn over the surface; parameters may ask for more."""
 
     def __init__(self, parameters: Any, lattice: Lattice) -> None:
         """Set the model up for a lattice."""

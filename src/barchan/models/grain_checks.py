@@ -8,6 +8,7 @@ from barchan.bed import Bed, Lattice
 from barchan.errors import Problem
 from barchan.models.grain_air import log_wind
 from barchan.models.grain_parameters import GrainFlight
+from barchan.models.grain_plants import planted
 
 MOST_DRAG = 0.5
 """Share of a velocity difference that drag may take away in a time step."""
@@ -76,11 +77,23 @@ def facts(rules: GrainFlight, lattice: Lattice) -> dict[str, str]:
         "friction velocity": f"{friction:.3f} m/s, threshold {least:.3f} m/s",
         "settling speed": ", ".join(f"{one.settling_speed():.2f}" for one in rules.by_size) + " m/s",
     }
+    if rules.plants:
+        told["plants"] = _plants(rules, lattice)
     if rules.step_seconds is not None:
         told["step"] = f"{rules.step_seconds:g} s"
         if rules.step_seconds != rules.flight_seconds:
             told["step"] += f" of wind over the bed, {rules.flight_seconds:g} s of flight"
     return told
+
+
+def _plants(rules: GrainFlight, lattice: Lattice) -> str:
+    height = planted(rules.plants, lattice)
+    tallest = float(height.max())
+    roughness, displacement = (share * tallest for share in (rules.plant_roughness, rules.plant_displacement))
+    return (
+        f"on {(height > 0).mean():.0%} of the field, up to {tallest:.3g} m high, with a roughness of "
+        f"{roughness:.3g} m and a displacement of {displacement:.3g} m"
+    )
 
 
 def remarks(rules: GrainFlight, lattice: Lattice) -> list[str]:

@@ -9,11 +9,13 @@ from numpy.typing import NDArray
 from barchan.bed import Bed, Lattice
 from barchan.models.base import Tally
 from barchan.models.grain_parameters import GrainFlight
+from barchan.models.grain_plants import Hold
 from barchan.models.grain_sizes import shuffle_anew
 from barchan.models.slab_heights import FRACTION_BITS
 from barchan.models.slab_tables import settling_sequences
 from barchan.models.wind_frame import WindFrame
 from barchan.streams import derive
+from barchan.wind.flux import KARMAN
 
 
 def repose_limits(angle: float, lattice: Lattice) -> tuple[int, int]:
@@ -26,11 +28,17 @@ class GrainGround:
     """A bed with what the kernels need beside it. Changes the bed's sand in place."""
 
     def __init__(
-        self, rules: GrainFlight, bed: Bed, direction: float = 270.0, slots: int = 0, mixture: Any = None
+        self,
+        rules: GrainFlight,
+        bed: Bed,
+        direction: float = 270.0,
+        slots: int = 0,
+        mixture: Any = None,
+        plants: Hold | None = None,
     ) -> None:
         """Take a bed under a wind from ``direction`` (degrees), for grains in some slots.
 
-        Sand of several sizes comes with its ``mixture``.
+        Sand of several sizes comes with its ``mixture``, a field with ``plants`` with their hold on the wind.
         """
         from barchan.kernels.grain_bed import COUNTS
         from barchan.kernels.grain_state import Ground, Scale
@@ -39,7 +47,7 @@ class GrainGround:
 
         lattice = bed.lattice
         periodic_y, periodic_x = lattice.periodic
-        self.rules, self.lattice = rules, lattice
+        self.rules, self.lattice, self.plants = rules, lattice, plants
         self.frame = WindFrame.of(direction)
         self.grid = Grid(*lattice.shape, periodic_x, periodic_y)
         one = 1 << FRACTION_BITS
@@ -52,6 +60,8 @@ class GrainGround:
         lid = height if rules.shelter_angle is None else height.copy()
         top, base = np.zeros((2, lattice.cells), np.float32)
         self.arrays = Ground(bed.sand.reshape(-1), level, height, lid, top, base, mixture)
+        if plants is not None:
+            self.arrays = self.arrays._replace(lift=plants.lift, taken=np.zeros_like(plants.lift))
         renew_mesh(self.arrays, self.grid)
         self.queue = np.zeros(lattice.cells, np.int64)
         self.waiting = np.zeros(lattice.cells, np.uint8)
@@ -82,6 +92,12 @@ class GrainGround:
         """Let the wind have a slope along its way and a speed-up over each mesh cell."""
         rise32, gain32 = (part.reshape(-1).astype(np.float32) for part in (rise, gain))
         self.arrays = self.arrays._replace(rise=rise32, gain=gain32)
+
+    def roughen(self, friction: float) -> None:
+        """Let plants take their part from a wind of that friction velocity (m/s)."""
+        if self.plants is not None:
+            taken = friction / KARMAN * self.plants.logarithm
+            self.arrays = self.arrays._replace(taken=taken.astype(np.float32))
 
     def count_flight(self, slots: int) -> None:
         """Count an iteration of that many slots."""

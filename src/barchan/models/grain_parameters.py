@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from pydantic import model_validator
 
 from barchan.models.grain_air import REFERENCE_HEIGHT, drag_rate, natural_drag, settling_speed
+from barchan.models.grain_plants import Stand
 from barchan.parameters import Parameters, parameter
 from barchan.wind.flux import IMPACT_RATIO, KARMAN
 from barchan.wind.grains import GRAVITY, VISCOSITY, shao_lu
@@ -55,6 +56,35 @@ class GrainFlight(Parameters):
         group="wind",
         meaning="Term of thermal stability, added to the wind speed above the roughness.",
         source="seed 000, eq. 4.12",
+    )
+    plants: list[Stand] = parameter(
+        list,
+        unit="-",
+        max_length=100,
+        group="plants",
+        meaning="Stands of plants that roughen the wind over them; later ones replace earlier ones. Where "
+        "any are given, more can be painted.",
+        source="ours; seed 000, §3.5",
+    )
+    plant_roughness: float = parameter(
+        0.123,
+        unit="-",
+        gt=0,
+        le=0.5,
+        live=True,
+        group="plants",
+        meaning="Roughness of plants, over their height.",
+        source="Brutsaert 1982; Allen et al. 1998 (FAO-56)",
+    )
+    plant_displacement: float = parameter(
+        2.0 / 3.0,
+        unit="-",
+        ge=0,
+        le=1,
+        live=True,
+        group="plants",
+        meaning="Zero-plane displacement of plants, over their height.",
+        source="Brutsaert 1982; Allen et al. 1998 (FAO-56)",
     )
     grain_diameter: float = parameter(
         0.15e-3,

@@ -1,6 +1,7 @@
 """Sand of several sizes: the classes of a scenario, and where on the bed the parcels of each lie."""
 
-from itertools import accumulate
+from itertools import accumulate, pairwise
+from statistics import NormalDist
 from typing import Any
 
 import numpy as np
@@ -14,6 +15,9 @@ from barchan.streams import Stream, derive
 MOST = 4
 """Classes at most."""
 
+FINEST, COARSEST = 0.05e-3, 5e-3
+"""Diameters (m) of grains within which models of their flight hold."""
+
 _ROUNDING = 1e-6
 """What the sum of shares may miss 1 by."""
 
@@ -23,8 +27,8 @@ class SizeClass(Parameters):
 
     diameter: float = parameter(
         unit="m",
-        ge=0.05e-3,
-        le=5e-3,
+        ge=FINEST,
+        le=COARSEST,
         meaning="Diameter of the grains.",
         source="seed 003, §2: grains of 0.05 to 2 mm move along the ground",
     )
@@ -49,6 +53,33 @@ def mistakes(sizes: list[SizeClass]) -> list[InitErrorDetails]:
     if sizes and abs(total - 1.0) > _ROUNDING:
         found.append(_mistake(("sizes",), f"have shares that sum to {total:g}; allowed: a sum of 1"))
     return found
+
+
+def lognormal(median: float, spread: float, count: int) -> list[SizeClass]:
+    """Classes of equal volume of sand whose diameters (m) are spread lognormally by volume.
+
+    ``spread`` is the geometric standard deviation. A class has the geometric mean of its part's diameters:
+    over a part of a normal distribution the mean is the difference of the density at its ends over its share.
+    """
+    normal, share = NormalDist(), 1.0 / count
+    ends = [0.0, *(normal.pdf(normal.inv_cdf(at * share)) for at in range(1, count)), 0.0]
+    means = ((below - above) / share for below, above in pairwise(ends))
+    return [SizeClass.model_construct(diameter=median * spread**mean, share=share) for mean in means]
+
+
+def spread_mistakes(
+    spread: float | None, classes: list[SizeClass], sizes: list[SizeClass]
+) -> list[InitErrorDetails]:
+    """What is wrong with a ``spread`` of diameters that comes to these ``classes``, and with stated sizes."""
+    if spread is None:
+        return []
+    if sizes:
+        return [_mistake(("size_spread",), f"is {spread:g}, and sizes are given too; leave one of them out")]
+    finest, coarsest = classes[0].diameter, classes[-1].diameter
+    if finest >= FINEST and coarsest <= COARSEST:
+        return []
+    text = f"is {spread:g}, which makes grains of {finest:.3g} to {coarsest:.3g} m about grain_diameter; "
+    return [_mistake(("size_spread",), f"{text}allowed: {FINEST:g} to {COARSEST:g} m")]
 
 
 def _mistake(place: tuple[str | int, ...], message: str) -> InitErrorDetails:
@@ -142,5 +173,5 @@ def mean_diameter(sizes: list[SizeClass]) -> float:
 
 def _field(name: str, at: int, size: SizeClass, in_frames: bool) -> FieldInfo:
     where = "in the active layer" if in_frames else "below the active layer"
-    grains = f"grains of {size.diameter * 1e3:g} mm"
+    grains = f"grains of {size.diameter * 1e3:.3g} mm"
     return FieldInfo(f"{name}_{at}", "int32", "slabs", f"parcels of {grains} {where}", in_frames)

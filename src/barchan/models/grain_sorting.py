@@ -18,7 +18,7 @@ def sorting(rules: RipplesParameters, lattice: Lattice, creeps: NDArray[np.bool_
     """
     from barchan.kernels.grain_splash import Sorting
 
-    diameters = np.array([one.diameter for one in rules.sizes])
+    diameters = np.array([one.diameter for one in rules.classes])
     ratio = diameters / diameters[:, None]
     creep = _creep(rules, lattice, diameters, creeps) if creeps.any() else None
     return Sorting(np.where(creeps, 0.0, ratio**2), np.minimum(ratio**-2, 1.0), creep)

@@ -15,6 +15,7 @@ from barchan.models.base import Model, Tally
 from barchan.models.grain_air import HEIGHTS, SQUARED_SPEEDS, log_wind, table
 from barchan.models.grain_ground import GrainGround, repose_limits
 from barchan.models.grain_parameters import GrainFlight
+from barchan.models.grain_plants import PAINTED, PLANT_HEIGHT, PLANT_SHARE, PLANTS, hold, planted
 from barchan.models.grain_sizes import SortedSand
 from barchan.streams import Stream, derive
 from barchan.wind.segment import Segment, downwind
@@ -57,6 +58,10 @@ class GrainModel(Model):
         self.sizes = self.sorted_sand()
         if self.sizes is not None:
             self.fields = (*self.fields, *self.sizes.layer, *self.sizes.below)
+        if parameters.plants:
+            self.fields = (*self.fields, PLANT_HEIGHT)
+            self.derived = (*self.derived, PLANT_SHARE)
+            self.layers = (*self.layers, PLANTS)
         self.iteration = 0
         self.slots_in_use = self.slots
 
@@ -87,6 +92,13 @@ class GrainModel(Model):
             raise ScenarioError(found)
         if self.sizes is not None:
             self.sizes.lay(bed, seed)
+        if self.parameters.plants:
+            bed.add(PLANT_HEIGHT, planted(self.parameters.plants, self.lattice))
+
+    def paintable(self) -> dict[str, tuple[float, float]]:
+        """The height of plants, where the scenario has any."""
+        tallest = [stand.height for stand in self.parameters.plants]
+        return {PLANT_HEIGHT.name: (0.0, max(PAINTED, *tallest))} if tallest else {}
 
     def sorted_sand(self) -> SortedSand | None:
         """Sand of several sizes; None: it is all alike."""
@@ -153,6 +165,7 @@ class GrainModel(Model):
 
     def blow(self, ground: GrainGround, wind: Segment) -> Any:
         """What the air does to grains over the ground as it is now."""
+        ground.roughen(self.parameters.friction_velocity(self.speed(wind)))
         return self.air(wind)
 
     @property
@@ -195,7 +208,9 @@ class GrainModel(Model):
 
     def _ground(self, bed: Bed, direction: float, slots: int) -> GrainGround:
         mixture = None if self.sizes is None else self.sizes.mixture(bed)
-        return GrainGround(self.parameters, bed, direction, slots, mixture)
+        rules = self.parameters
+        plants = hold(rules, bed.arrays[PLANT_HEIGHT.name], self.lattice) if rules.plants else None
+        return GrainGround(rules, bed, direction, slots, mixture, plants)
 
     def _store(self, bed: Bed, ground: GrainGround) -> None:
         if self.sizes is not None:

@@ -5,7 +5,7 @@ from typing import ClassVar, Literal, Self
 from pydantic import ValidationError, model_validator
 
 from barchan.models.grain_parameters import GrainFlight
-from barchan.models.grain_sizes import MOST, SizeClass, mean_diameter, mistakes
+from barchan.models.grain_sizes import MOST, SizeClass, lognormal, mean_diameter, mistakes, spread_mistakes
 from barchan.parameters import parameter, redeclared
 
 
@@ -206,6 +206,25 @@ class RipplesParameters(GrainFlight):
         meaning="Sand of several sizes, finest first, instead of grain_diameter; none: all grains are alike.",
         source="seed 000, §7.1",
     )
+    size_spread: float | None = parameter(
+        None,
+        unit="-",
+        gt=1,
+        le=3,
+        group="sand",
+        meaning="Geometric standard deviation of diameters that are spread lognormally by volume about "
+        "grain_diameter, their median, instead of sizes; all grains are alike where not given.",
+        source="Folk & Ward 1957: well sorted sand 1.27 to 1.41",
+    )
+    size_classes: int = parameter(
+        3,
+        unit="-",
+        ge=2,
+        le=MOST,
+        group="sand",
+        meaning="Classes of equal volume that such sand is split into.",
+        source="ours",
+    )
     active_layer: float = parameter(
         2.0,
         unit="grain diameters",
@@ -240,21 +259,29 @@ class RipplesParameters(GrainFlight):
 
     @model_validator(mode="after")
     def _sizes_in_order(self) -> Self:
-        found = mistakes(self.sizes)
+        found = mistakes(self.sizes) + spread_mistakes(self.size_spread, self.classes, self.sizes)
         if found:
             raise ValidationError.from_exception_data(type(self).__name__, found)
         return self
 
     @property
+    def classes(self) -> list[SizeClass]:
+        """Sand of several sizes, finest first, as stated or as spread; none: all grains are alike."""
+        if self.size_spread is None:
+            return self.sizes
+        return lognormal(self.grain_diameter, self.size_spread, self.size_classes)
+
+    @property
     def diameter(self) -> float:
         """Mean diameter (m) of the grains, by volume."""
-        return mean_diameter(self.sizes) if self.sizes else self.grain_diameter
+        return mean_diameter(self.classes) if self.classes else self.grain_diameter
 
     @property
     def by_size(self) -> list[Self]:
         """The same rules for the grains of each size alone, finest first."""
-        alone = [{"sizes": [], "grain_diameter": one.diameter} for one in self.sizes]
-        return [self.model_copy(update=changes) for changes in alone] or [self]
+        alike: dict[str, object] = {"sizes": [], "size_spread": None}
+        found = [alike | {"grain_diameter": one.diameter} for one in self.classes]
+        return [self.model_copy(update=changes) for changes in found] or [self]
 
     @property
     def step_seconds(self) -> float | None:

@@ -117,7 +117,7 @@ class Ripples(GrainModel):
         if self.near_bed.by_place:
             friction = self.parameters.friction_velocity(self.speed(wind))
             ground.slow(self.near_bed.friction(friction))
-        return self.air(wind)
+        return super().blow(ground, wind)
 
     def near_bed_friction(self, friction: float) -> float:
         """Friction velocity (m/s) of the wind below the focus; its mean over the field."""
@@ -190,10 +190,10 @@ class Ripples(GrainModel):
     def sorted_sand(self) -> SortedSand | None:
         """Sand of several sizes, where the scenario has it."""
         rules = self.parameters
-        if not rules.sizes:
+        if not rules.classes:
             return None
-        thickness = rules.active_layer * rules.sizes[-1].diameter
-        return SortedSand(rules.sizes, max(1, round(thickness / self.lattice.thickness)))
+        thickness = rules.active_layer * rules.classes[-1].diameter
+        return SortedSand(rules.classes, max(1, round(thickness / self.lattice.thickness)))
 
     def surface_diameter(self, bed: Bed) -> NDArray[np.float64]:
         """Mean diameter (m) of the grains in the active layer."""

@@ -2,7 +2,7 @@
 
 from collections.abc import Hashable
 from functools import lru_cache
-from typing import Any, ClassVar
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,7 +26,7 @@ class SlabModel(Model):
 
     Parameters = SlabTransport
     parameters: SlabTransport
-    derived: ClassVar[tuple[Derived, ...]] = (
+    derived: tuple[Derived, ...] = (
         Derived(
             "shadow",
             "1",

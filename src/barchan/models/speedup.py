@@ -64,7 +64,7 @@ class SpeedupModel(SlabModel):
     parameters: SpeedupParameters
     follows_relief = False
     """Whether heights are measured from the mean less half the mean distance from it, or from the mean."""
-    derived: ClassVar[tuple[Derived, ...]] = (
+    derived: tuple[Derived, ...] = (
         *SlabModel.derived,
         Derived(
             "hop",

@@ -18,7 +18,7 @@ def brushes(simulation: Simulation) -> list[dict[str, Any]]:
             {
                 "title": field,
                 "stroke": {"kind": "plants", "field": field},
-                "unit": "",
+                "unit": simulation.bed.declared[field].unit.removeprefix("1"),
                 "least": 0.01,
                 "most": high,
                 "usual": USUAL_SHARE * high,
