@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 import barchan
 from barchan.bed import Lattice
 from barchan.models import model
-from barchan.models.streamlines import streamlines
+from barchan.models.streamlines import streamlines, wind_over_waves
 from barchan.simulation import Simulation
 from barchan.streams import Stream
 from barchan.wind.segment import Segment
@@ -82,6 +82,19 @@ def test_the_wind_blows_level_and_alike_over_a_flat_bed():
     slope, faster = streamlines(np.full((24, 64), 0.3), lattice(), 300.0, HEIGHT)
     assert (slope == 0.0).all()
     assert (faster == 0.0).all()
+
+
+def test_the_wind_over_waves_is_bounded_where_ground_is_steep():
+    field = lattice()
+    bed = np.zeros(field.shape)
+    bed[8:16, 24:40] = 0.2
+    slope, speed = wind_over_waves(bed, field, 270.0, HEIGHT, 2.0)
+    assert (slope.min(), slope.max()) == (-0.3, 0.3)
+    assert (speed.min(), speed.max()) == (0.1, 2.0)
+    low, (rise, faster) = 1e-3 * bed, streamlines(1e-3 * bed, field, 270.0, HEIGHT)
+    slope, speed = wind_over_waves(low, field, 270.0, HEIGHT, 2.0)
+    np.testing.assert_array_equal(slope, rise)
+    np.testing.assert_array_equal(speed, 1.0 + 2.0 * faster)
 
 
 def test_dust_goes_along_the_streamlines():

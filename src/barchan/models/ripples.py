@@ -14,8 +14,8 @@ from barchan.models.grain_sizes import SortedSand
 from barchan.models.grain_sorting import sorting
 from barchan.models.grains import GrainModel
 from barchan.models.ripple_parameters import RipplesParameters
-from barchan.models.slowed_wind import LEAST_SHARE, SlowedWind
-from barchan.models.streamlines import streamlines
+from barchan.models.slowed_wind import SlowedWind
+from barchan.models.streamlines import wind_over_waves
 from barchan.wind.segment import Segment, downwind
 
 
@@ -112,8 +112,8 @@ class Ripples(GrainModel):
         height = self.parameters.streamline_height
         if height is not None:
             surface = ground.arrays.height.reshape(self.lattice.shape)
-            slope, faster = streamlines(surface, self.lattice, wind.direction, height)
-            ground.bend_wind(slope, np.maximum(1.0 + self.parameters.wave_speedup * faster, LEAST_SHARE))
+            about = self.lattice, wind.direction, height, self.parameters.wave_speedup
+            ground.bend_wind(*wind_over_waves(surface, *about))
         if self.near_bed.by_place:
             friction = self.parameters.friction_velocity(self.speed(wind))
             ground.slow(self.near_bed.friction(friction))

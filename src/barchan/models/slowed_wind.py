@@ -13,7 +13,7 @@ RESPONSE = 0.05
 """Time (s) over which the wind near the bed adjusts to the grains: about a hop."""
 
 LEAST_SHARE = 0.1
-"""Share of the wind that grains leave near the bed, and that blows in the troughs of waves, at least."""
+"""Share of the friction velocity that grains leave near the bed at least."""
 
 
 class SlowedWind:
