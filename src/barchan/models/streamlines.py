@@ -7,9 +7,8 @@ from scipy.fft import irfft2, rfft2
 from barchan.bed import Lattice
 from barchan.wind.segment import downwind
 
-
 STEEPEST = 0.3
-"""Slope of streamlines at most: over steeper ground the flow comes off, which no theory of low waves tells."""
+"""Slope of streamlines at most: over steeper ground the flow comes off, which this theory does not tell."""
 
 LEAST, MOST = 0.1, 2.0
 """Speed over that above a level bed, in the troughs of waves at least and over their crests at most."""
@@ -18,8 +17,10 @@ LEAST, MOST = 0.1, 2.0
 def wind_over_waves(
     surface: NDArray, lattice: Lattice, direction: float, height: float, speedup: float
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Slope and speed, over that above a level bed, of a wind that is ``speedup`` times as much faster over
-    crests as a flow without friction; see ``streamlines``. Both are bounded, for the theory is one of low waves.
+    """Slope of a wind, and its speed over that above a level bed.
+
+    It is ``speedup`` times as much faster over crests as a flow without friction; see ``streamlines``. Both
+    are bounded, for the theory is one of low waves.
     """
     slope, faster = streamlines(surface, lattice, direction, height)
     return np.clip(slope, -STEEPEST, STEEPEST), np.clip(1.0 + speedup * faster, LEAST, MOST)
