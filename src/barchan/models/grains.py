@@ -121,6 +121,7 @@ class GrainModel(Model):
         self.motion[...] = state["motion"]
         self.marks[...] = state["marks"]
         self.iteration = int(state["iteration"])
+        self.slots_in_use = self.slots
         if self.sizes is not None and self.kinds is not None:
             self.kinds[...] = state["kinds"]
             self.sizes.left[...] = state["left_by_size"]
@@ -133,7 +134,7 @@ class GrainModel(Model):
     @property
     def flying(self) -> int:
         """Simulated grains in the air."""
-        return int(self.marks[0].sum())
+        return int(np.count_nonzero(self.marks[0, : self.slots_in_use]))
 
     @abstractmethod
     def bounce(self) -> Any:
@@ -162,16 +163,15 @@ class GrainModel(Model):
 
     def _choose_slots(self) -> None:
         """Leave free slots but the spare ones out of flight; grains move up where too many lie between."""
-        held = np.flatnonzero(self.marks[0])
+        marked = self.marks[0, : self.slots_in_use] != 0
+        held, spare = np.flatnonzero(marked), self.spare_slots
         last = int(held[-1]) + 1 if held.size else 0
-        if last > held.size + self.spare_slots:
-            order = np.argsort(self.marks[0] == 0, kind="stable")
-            self.motion[...] = self.motion[:, order]
-            self.marks[...] = self.marks[:, order]
-            if self.kinds is not None:
-                self.kinds[...] = self.kinds[order]
+        if last > held.size + spare:
+            order = np.concatenate((held, np.flatnonzero(~marked[:last])))
+            for quantity in (*self.motion, *self.marks, *(() if self.kinds is None else (self.kinds,))):
+                quantity[:last] = quantity[order]
             last = held.size
-        self.slots_in_use = min(last + self.spare_slots, self.slots)
+        self.slots_in_use = min(last + spare, self.slots)
 
     def splash(self, wind: Segment) -> Any:
         """What impacts throw out; None: nothing, grains bounce."""
