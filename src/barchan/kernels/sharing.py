@@ -12,7 +12,7 @@ from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import suppress
 from functools import cache
 
-LEAST = 8192
+LEAST = 20480
 """Slots below which a thread is not worth its start."""
 
 
