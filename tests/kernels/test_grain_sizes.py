@@ -13,7 +13,7 @@ from barchan.kernels import grain_creep, grain_splash
 from barchan.kernels.grain_bed import LEFT, MOVED
 from barchan.kernels.grain_flight import move
 from barchan.models.grain_ground import GrainGround
-from barchan.models.grains import _grains, _slots
+from barchan.models.grain_slots import free_slots, grains_in
 from barchan.simulation import Simulation
 from barchan.streams import Stream, derive
 from tests.kernels.grain_reference import draw
@@ -50,20 +50,20 @@ def test_grains_of_each_size_fly_as_if_there_were_no_others():
     model, wind = made.model, made.forcing.wind_of(0)
     ground = GrainGround(model.parameters, made.bed, 270.0, 300)
     random = np.random.default_rng(1)
-    motion, marks = _slots(300)
+    motion, marks = free_slots(300)
     motion[:2] = random.uniform(1.5, 4.0, (2, 300))
     motion[2] = random.uniform(0.003, 0.05, 300)
     motion[3:6] = random.uniform(-1.0, 2.0, (3, 300))
     kinds = random.integers(0, 3, 300).astype(np.int32)
     air, alone = model.air(wind), motion.copy()
     for _ in range(5):
-        move(0, 300, _grains(motion, marks, kinds), air, ground.grid, ground.arrays, ground.events.near)
+        move(0, 300, grains_in(motion, marks, kinds), air, ground.grid, ground.arrays, ground.events.near)
     size = air.drag.values.size // 3
     for kind in range(3):
         own = air.drag._replace(values=air.drag.values[kind * size : (kind + 1) * size])
         apart = alone.copy()
         for _ in range(5):
-            grains = _grains(apart, marks, None)
+            grains = grains_in(apart, marks, None)
             move(0, 300, grains, air._replace(drag=own), ground.grid, ground.arrays, ground.events.near)
         np.testing.assert_array_equal(motion[:, kinds == kind], apart[:, kinds == kind])
 
@@ -153,8 +153,8 @@ def test_splash_by_size_equals_the_obvious_one(seed):
     events, rule = impacts(ground, count, seed), model.splash(wind)
     slow = ObviousSplash(rule, ground.arrays.mixture, bed.lattice.shape)
     copies = [None if entries is None else entries.copy() for entries in events]
-    motion, marks = _slots(count)
-    grains = _grains(motion, marks, np.zeros(count, np.int32))
+    motion, marks = free_slots(count)
+    grains = grains_in(motion, marks, np.zeros(count, np.int32))
     for k in range(0, count, 4):
         # one at a time: the slopes that creep sees are those after the ejecta of the same impact
         for entries, copy in zip(events, copies, strict=True):

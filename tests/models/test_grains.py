@@ -1,15 +1,14 @@
-"""What grain models refuse and tell, collapse, clocks, and paths."""
+"""What grain models refuse and tell, collapse and clocks."""
 
 import numpy as np
 import pytest
 
 import barchan
-from barchan.analysis.paths import broken_at_edges, hops_of
+from barchan.analysis.paths import broken_at_edges
 from barchan.errors import ScenarioError
 from barchan.models import model
 from barchan.models.grain_ground import GrainGround
 from barchan.simulation import Simulation
-from barchan.streams import Stream
 from barchan.wind.segment import Segment
 
 SMALL = {
@@ -85,31 +84,12 @@ def test_a_step_of_trajectories_ends_with_no_grain_in_the_air():
     assert Simulation(barchan.load(SMALL, model__iterations_per_step=7)).model.step_seconds == 7e-3
 
 
-def test_paths_start_on_the_bed_and_go_downwind():
-    simulation = Simulation(barchan.load(SMALL))
-    wind = Segment(0, 1, 0, simulation.lattice.cells, 180.0)
-    for path in simulation.model.paths(simulation.bed, wind, Stream(1, "paths"), 5):
-        assert path[0, 2] == pytest.approx(20 * 0.15e-3)
-        assert path[-1, 1] > path[0, 1]
-        assert path[-1, 0] == pytest.approx(path[0, 0], abs=1e-6)
-        lengths, heights, angles = hops_of(path).T
-        assert (lengths > 0).all()
-        assert (heights > 0).all()
-        assert (angles < 90).all()
-
-
 def test_a_path_breaks_where_it_crosses_an_edge():
     path = np.zeros((5, 7))
     path[:, 0] = [0.1, 0.2, 0.35, 0.45, 0.65]
     line = broken_at_edges(path, 0.3, 1.0)
     assert np.isnan(line[:, 0]).sum() == 2
     np.testing.assert_allclose(line[~np.isnan(line[:, 0]), 0], [0.1, 0.2, 0.05, 0.15, 0.05])
-
-
-def test_below_the_threshold_no_path_starts():
-    simulation = Simulation(barchan.load(SMALL, model__wind_speed=5.0))
-    wind = Segment(0, 1, 0, simulation.lattice.cells, 270.0)
-    assert simulation.model.paths(simulation.bed, wind, Stream(1, "paths"), 1) == []
 
 
 def test_a_wind_in_metres_per_second_overrides_the_models_own():

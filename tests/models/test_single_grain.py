@@ -79,14 +79,14 @@ def test_a_falling_grain_reaches_its_settling_speed():
     """Straight from the kernels: still air, a long fall."""
     from barchan.kernels.grain_landing import fly
     from barchan.models.grain_ground import GrainGround
-    from barchan.models.grains import _grains, _slots
+    from barchan.models.grain_slots import free_slots, grains_in
 
     wang_hu = model("wang_hu")
     flight = wang_hu(wang_hu.Parameters(drag="reynolds", wind_speed=0.0), LATTICE)
     ground = GrainGround(
         flight.parameters, Bed(LATTICE, np.zeros(LATTICE.shape), np.ones(LATTICE.shape)), slots=1
     )
-    grains = _grains(*_slots(1), None)
+    grains = grains_in(*free_slots(1), None)
     grains.z[0], grains.held[0] = 100.0, 1
     rules = flight.bounce(), flight.lift_off(WIND)
     about = flight.air(WIND), ground.grid, ground.arrays, ground.scale, rules, None

@@ -125,6 +125,17 @@ def exchange(first, count, grains, ground, scale, grid, events, counts):
                 free_slot(events.slot[k], grains)
 
 
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+def _mark_steps(mine, other, count, limit, level, steep):
+    """Mark those of ``count`` cells in a row and of as many others that stand too high over one another."""
+    here, there = level[mine : mine + count], level[other : other + count]
+    marks, others = steep[mine : mine + count], steep[other : other + count]
+    for k in range(count):
+        marks[k] |= here[k] - there[k] > limit
+    for k in range(count):
+        others[k] |= here[k] - there[k] < -limit
+
+
 @njit(cache=True, nogil=True, error_model="numpy")
 def _find_steep(level, rows, cols, repose, grid, steep):
     """Mark the cells that stand too high over one of their eight neighbours."""
@@ -137,23 +148,12 @@ def _find_steep(level, rows, cols, repose, grid, steep):
                 if not grid.wrap_across:
                     continue
                 other = 0
-            here = level[row * cols : (row + 1) * cols]
-            there = level[other * cols : (other + 1) * cols]
-            mine = steep[row * cols : (row + 1) * cols]
-            theirs = steep[other * cols : (other + 1) * cols]
             low = max(0, -step_col)
             high = cols - max(0, step_col)
-            for col in range(low, high):
-                step = here[col] - there[col + step_col]
-                mine[col] |= step > limit
-            for col in range(low, high):
-                step = here[col] - there[col + step_col]
-                theirs[col + step_col] |= step < -limit
+            _mark_steps(row * cols + low, other * cols + low + step_col, high - low, limit, level, steep)
             if step_col and grid.wrap_along:
                 col = cols - 1 if step_col > 0 else 0
-                step = here[col] - there[cols - 1 - col]
-                mine[col] |= step > limit
-                theirs[cols - 1 - col] |= step < -limit
+                _mark_steps(row * cols + col, other * cols + cols - 1 - col, 1, limit, level, steep)
 
 
 @njit(cache=True, nogil=True, error_model="numpy")

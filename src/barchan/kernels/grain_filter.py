@@ -37,19 +37,28 @@ def _beside(place, size, wrap):
     return before, after
 
 
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+def _is_sharp(below, here, above, west, col, east, least):
+    """Whether a cell of row ``here`` differs too much from the weighted mean of its neighbours."""
+    faces = here[east] + here[west] + above[col] + below[col]
+    corners = above[east] + above[west] + below[east] + below[west]
+    mean = FACE_WEIGHT * np.float64(faces) + CORNER_WEIGHT * np.float64(corners)
+    return abs(mean - np.float64(here[col])) >= least
+
+
 @njit(cache=True, nogil=True, error_model="numpy")
 def _find_sharp(level, grid, rule, sharp):
-    """Mark the cells that differ too much from the weighted mean of their neighbours."""
+    """Mark the cells that do so, the columns at the edges first."""
     cols = grid.cols
     for row in range(grid.rows):
         south, north = _beside(row, grid.rows, grid.wrap_across)
-        below, here, above = south * cols, row * cols, north * cols
-        for col in range(cols):
+        below, above = level[south * cols : (south + 1) * cols], level[north * cols : (north + 1) * cols]
+        here, marks = level[row * cols : (row + 1) * cols], sharp[row * cols : (row + 1) * cols]
+        for col in (0, cols - 1):
             west, east = _beside(col, cols, grid.wrap_along)
-            faces = level[here + east] + level[here + west] + level[above + col] + level[below + col]
-            corners = level[above + east] + level[above + west] + level[below + east] + level[below + west]
-            mean = FACE_WEIGHT * np.float64(faces) + CORNER_WEIGHT * np.float64(corners)
-            sharp[here + col] = abs(mean - np.float64(level[here + col])) >= rule.least
+            marks[col] = _is_sharp(below, here, above, west, col, east, rule.least)
+        for west in range(cols - 2):
+            marks[west + 1] = _is_sharp(below, here, above, west, west + 1, west + 2, rule.least)
 
 
 @njit(cache=True, nogil=True, error_model="numpy")

@@ -4,27 +4,49 @@ import numpy as np
 from numba import njit
 
 
-@njit(cache=True)
-def spread_lid(height, fall, row_step, weight, wrap_along, wrap_across, lid):
-    """Put into ``lid`` the bed's ``height`` or the line over it, whichever is higher (m, float32).
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+def _line(near, far, weight, fall):
+    return np.float32(np.float64(near) + weight * (np.float64(far) - np.float64(near)) - fall)
+
+
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+def _rows_before(row, row_step, rows, wrap):
+    """The two rows between which a line comes to ``row``; both that row itself beyond an open edge."""
+    lower, upper = row + row_step, row + row_step + 1
+    if wrap:
+        return lower % rows, upper % rows
+    if lower < 0 or upper >= rows:
+        return row, row
+    return lower, upper
+
+
+@njit(cache=True, nogil=True, error_model="numpy")
+def _spread_on(before, here, fall, row_step, weight, wrap):
+    """From one column to the next: rows whose line comes from within the field together, the others alone."""
+    rows = here.size
+    first = min(max(-row_step, 0), rows)
+    last = max(first, min(rows - 1 - row_step, rows))
+    if first < last:
+        near, lid = before[first + row_step : last + row_step + 1], here[first:last]
+        for k in range(last - first):
+            lid[k] = max(lid[k], _line(near[k], near[k + 1], weight, fall))
+    for side in ((0, first), (last, rows)):
+        for row in range(side[0], side[1]):
+            lower, upper = _rows_before(row, row_step, rows, wrap)
+            here[row] = max(here[row], _line(before[lower], before[upper], weight, fall))
+
+
+@njit(cache=True, nogil=True, error_model="numpy")
+def spread_lid(fall, row_step, weight, wrap_along, wrap_across, lid):
+    """Raise ``lid``, which holds the bed's height (m, float32), to the lines over it where they are higher.
 
     Works in the wind's frame: the wind blows towards growing columns. From one column to the next a line
     falls by ``fall`` (m) and comes from ``row_step`` rows further, interpolated with ``weight`` between that
-    row and the one after it. Over joined edges lines go round once.
+    row and the one after it. Over joined edges lines go round once. ``lid`` lies column by column, as
+    ``[column, row]``: what works along a column finds its rows side by side.
     """
-    rows, cols = height.shape
-    for row in range(rows):
-        for col in range(cols):
-            lid[row, col] = height[row, col]
+    cols = lid.shape[0]
     for lap in range(2 if wrap_along else 1):
         for col in range(0 if lap else 1, cols):
             before = cols - 1 if col == 0 else col - 1
-            for row in range(rows):
-                lower, upper = row + row_step, row + row_step + 1
-                if wrap_across:
-                    lower, upper = lower % rows, upper % rows
-                elif lower < 0 or upper >= rows:
-                    lower = upper = min(max(row, 0), rows - 1)
-                near, far = np.float64(lid[lower, before]), np.float64(lid[upper, before])
-                line = np.float32(near + weight * (far - near) - fall)
-                lid[row, col] = max(lid[row, col], line)
+            _spread_on(lid[before], lid[col], fall, row_step, weight, wrap_across)

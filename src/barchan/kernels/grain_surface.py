@@ -82,12 +82,37 @@ def _renew(row, col, ground, grid):
     ground.base[sw] = _lifted(mean, ground.lift, sw)
 
 
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+def _lift_span(base, first, count, lift):
+    """Lift the bases of some mesh cells by plants, if there are any."""
+    if lift is not None:
+        part = lift[first : first + count]
+        for k in range(count):
+            base[k] += part[k]
+
+
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+def _renew_span(south, north, count, ground):
+    """The same of ``count`` mesh cells side by side, from the stack ``south`` and the one north of it on."""
+    low, high = ground.height[south : south + count + 1], ground.height[north : north + count + 1]
+    top = ground.top[south : south + count]
+    for k in range(count):
+        top[k] = max(max(low[k], low[k + 1]), max(high[k], high[k + 1]))
+    low, high = ground.lid[south : south + count + 1], ground.lid[north : north + count + 1]
+    base = ground.base[south : south + count]
+    for k in range(count):
+        base[k] = _QUARTER * ((low[k] + low[k + 1]) + (high[k] + high[k + 1]))
+    _lift_span(base, south, count, ground.lift)
+
+
 @njit(cache=True, nogil=True, error_model="numpy")
 def renew_mesh(ground, grid):
     """Compute bound and mean of every mesh cell."""
+    last = grid.cols - 1
     for row in range(grid.rows):
-        for col in range(grid.cols):
-            _renew(row, col, ground, grid)
+        north, _ = beyond(row, last, grid)
+        _renew_span(row * grid.cols, north * grid.cols, last, ground)
+        _renew(row, last, ground, grid)
 
 
 @njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
@@ -106,9 +131,15 @@ def renew_mesh_about(cell, ground, grid):
 @njit(cache=True, nogil=True, error_model="numpy")
 def renew_mesh_of_patch(row, col, ground, grid):
     """The same for the sixteen mesh cells about a stack and its eight neighbours."""
+    inside = 2 <= row < grid.rows - 2 and 2 <= col < grid.cols - 2
     for step_row in range(-2, 2):
+        r = row + step_row
+        if inside:
+            at = r * grid.cols + col - 2
+            _renew_span(at, at + grid.cols, 4, ground)
+            continue
+        r = r + grid.rows if r < 0 else (r - grid.rows if r >= grid.rows else r)
         for step_col in range(-2, 2):
-            r, c = row + step_row, col + step_col
-            r = r + grid.rows if r < 0 else (r - grid.rows if r >= grid.rows else r)
+            c = col + step_col
             c = c + grid.cols if c < 0 else (c - grid.cols if c >= grid.cols else c)
             _renew(r, c, ground, grid)

@@ -138,8 +138,7 @@ class GrainGround:
         from barchan.kernels.grain_surface import renew_mesh
 
         frame, shape = self.frame, self.lattice.shape
-        height = np.ascontiguousarray(frame.enter(self.arrays.height.reshape(shape)))
-        lid = np.empty_like(height)
+        lid = np.array(frame.enter(self.arrays.height.reshape(shape)).T, order="C")
         across, along = self.lattice.periodic
         if frame.crossed:
             across, along = along, across
@@ -147,9 +146,9 @@ class GrainGround:
         row_step = math.floor(offset + 1e-9)
         fall = math.tan(math.radians(self.rules.shelter_angle)) * self.lattice.cell_size
         spread_lid(
-            height, fall / math.cos(frame.angle), row_step, max(offset - row_step, 0.0), along, across, lid
+            *(fall / math.cos(frame.angle), row_step, max(offset - row_step, 0.0), along, across, lid),
         )
-        self.arrays.lid.reshape(shape)[...] = frame.leave(lid)
+        self.arrays.lid.reshape(shape)[...] = frame.leave(lid.T)
         renew_mesh(self.arrays, self.grid)
 
     def settle(self, key: int) -> None:

@@ -17,28 +17,12 @@ from barchan.models.grain_ground import GrainGround, repose_limits
 from barchan.models.grain_parameters import GrainFlight
 from barchan.models.grain_plants import PAINTED, PLANT_HEIGHT, PLANT_SHARE, PLANTS, hold, planted
 from barchan.models.grain_sizes import SortedSand
+from barchan.models.grain_slots import close_gaps, free_slots, grains_in
 from barchan.streams import Stream, derive
 from barchan.wind.segment import Segment, downwind
 
-MOTION, MARKS = 8, 4
-"""Quantities of a grain, as numbers and as whole numbers; see ``kernels.grain_state.Grains``."""
-
-_SUNK = -1.0
-"""Height (m) of free slots, as ``kernels.grain_state.SUNK``."""
-
-
-PATH_COLUMNS = 7
-"""Columns of a path."""
-
-_PAGE, _STAGGER = 1024, 80
-"""Numbers in a page of memory, and by how many rows start apart within it."""
-
 _ANY = 270.0
 """A wind direction where none matters."""
-
-_TRIES = 20
-"""Cells drawn for a path at most before it is given up."""
-
 
 _CALM = 1e-9
 """Components of the wind's direction below this are zero: their squares would be too small to be fast."""
@@ -68,7 +52,7 @@ class GrainModel(Model):
     @cached_property
     def _flight(self) -> tuple[NDArray[np.float32], NDArray[np.int32]]:
         """Motion and marks, made when they are needed: a scenario may be looked at that no memory holds."""
-        return _slots(self.slots)
+        return free_slots(self.slots)
 
     @property
     def motion(self) -> NDArray[np.float32]:
@@ -133,6 +117,7 @@ class GrainModel(Model):
         self.motion[...] = state["motion"]
         self.marks[...] = state["marks"]
         self.iteration = int(state["iteration"])
+        self.slots_in_use = self.slots
         if self.sizes is not None and self.kinds is not None:
             self.kinds[...] = state["kinds"]
             self.sizes.left[...] = state["left_by_size"]
@@ -145,7 +130,7 @@ class GrainModel(Model):
     @property
     def flying(self) -> int:
         """Simulated grains in the air."""
-        return int(self.marks[0].sum())
+        return int(np.count_nonzero(self.marks[0, : self.slots_in_use]))
 
     @abstractmethod
     def bounce(self) -> Any:
@@ -175,16 +160,10 @@ class GrainModel(Model):
 
     def _choose_slots(self) -> None:
         """Leave free slots but the spare ones out of flight; grains move up where too many lie between."""
-        held = np.flatnonzero(self.marks[0])
-        last = int(held[-1]) + 1 if held.size else 0
-        if last > held.size + self.spare_slots:
-            order = np.argsort(self.marks[0] == 0, kind="stable")
-            self.motion[...] = self.motion[:, order]
-            self.marks[...] = self.marks[:, order]
-            if self.kinds is not None:
-                self.kinds[...] = self.kinds[order]
-            last = held.size
-        self.slots_in_use = min(last + self.spare_slots, self.slots)
+        kinds = () if self.kinds is None else (self.kinds,)
+        used, spare = self.slots_in_use, self.spare_slots
+        last = close_gaps((*self.motion, *self.marks, *kinds), self.marks[0, :used] != 0, spare)
+        self.slots_in_use = min(last + spare, self.slots)
 
     def splash(self, wind: Segment) -> Any:
         """What impacts throw out; None: nothing, grains bounce."""
@@ -193,7 +172,7 @@ class GrainModel(Model):
     def advance(self, bed: Bed, segment: Segment, stream: Stream, still: int, limit: int) -> Tally:
         """Let the grains in the air fly, land and be replaced."""
         total = Tally(still=still, airborne=self.airborne)
-        ground = self._ground(bed, segment.direction, self.slots)
+        ground = self.ground_of(bed, segment.direction, self.slots)
         grains = self.grains()
         for _ in range(segment.steps):
             ground.counts[:] = 0
@@ -206,7 +185,8 @@ class GrainModel(Model):
         self._store(bed, ground)
         return total
 
-    def _ground(self, bed: Bed, direction: float, slots: int) -> GrainGround:
+    def ground_of(self, bed: Bed, direction: float, slots: int) -> GrainGround:
+        """A bed under a wind from ``direction`` (degrees), for grains in some slots."""
         mixture = None if self.sizes is None else self.sizes.mixture(bed)
         rules = self.parameters
         plants = hold(rules, bed.arrays[PLANT_HEIGHT.name], self.lattice) if rules.plants else None
@@ -284,47 +264,15 @@ class GrainModel(Model):
 
     def grains(self) -> Any:
         """The grains as the kernels take them."""
-        return _grains(self.motion, self.marks, self.kinds)
+        return grains_in(self.motion, self.marks, self.kinds)
 
     def paths(
         self, bed: Bed, wind: Segment, stream: Stream, count: int, longest: float = 10.0
     ) -> list[NDArray[np.float64]]:
-        """The paths of ``count`` grains over a bed that stays as it is, each for ``longest`` seconds at most.
+        """The paths of ``count`` grains, each for ``longest`` seconds at most; see ``grain_paths.follow``."""
+        from barchan.models.grain_paths import follow
 
-        The columns of a path are the place east and north (m; it grows on beyond joined edges), the height
-        over the lowest ground (m), the velocity eastwards, northwards and upwards (m/s), and the bounces so
-        far; its rows are a time step apart. Fewer come back where hardly a cell gives sand.
-        """
-        from barchan.kernels.grain_paths import trace
-
-        ground = self._ground(bed, wind.direction, 1)
-        ground.spread_lid()
-        air = self.blow(ground, wind)
-        lifts = self.lift_off(wind)
-        surely = lifts._replace(chance=1.0 if lifts.chance > 0.0 else 0.0)
-        rules = surely, (self.bounce(), self.lift_off(wind, 0.0))
-        path = np.zeros((max(2, round(longest / self.parameters.time_step)), PATH_COLUMNS))
-        found: list[NDArray[np.float64]] = []
-        for number in range(_TRIES * count):
-            grains = _grains(*_slots(1), None if self.sizes is None else np.zeros(1, np.int32))
-            about = (
-                grains,
-                air,
-                ground.arrays,
-                ground.scale,
-                ground.grid,
-                rules,
-                self.splash(wind),
-                ground.events,
-            )
-            places = trace(np.uint64(derive(stream.key, number)), *about, path)
-            if places:
-                flight = path[:places].copy()
-                flight[:, :2] = (flight[:, :2] + 0.5) * self.lattice.cell_size
-                found.append(flight)
-            if len(found) == count:
-                break
-        return found
+        return follow(self, bed, wind, stream, count, longest)
 
     def speed(self, wind: Segment | None) -> float:
         """Speed of the wind (m/s at 10 m); a calm has none."""
@@ -375,7 +323,7 @@ class GrainModel(Model):
 
     def settle(self, bed: Bed, where: NDArray[np.bool_] | None = None) -> int:
         """Relax slopes to the angle of repose."""
-        ground = self._ground(bed, _ANY, 0)
+        ground = self.ground_of(bed, _ANY, 0)
         slid = ground.settle_where(np.ones(bed.sand.size, np.bool_) if where is None else where.ravel())
         self._store(bed, ground)
         return slid
@@ -393,23 +341,3 @@ class GrainModel(Model):
 
 def _drag_at(rules: GrainFlight, squared: NDArray[np.float64]) -> NDArray[np.float64]:
     return rules.drag_share(np.sqrt(squared))
-
-
-def _slots(count: int) -> tuple[NDArray[np.float32], NDArray[np.int32]]:
-    """Free slots: motion and marks.
-
-    Rows start at different places of a memory page: a cache keeps few lines that start at the same one.
-    """
-    width = -(-count // _PAGE) * _PAGE + _STAGGER
-    numbers = np.zeros((MOTION + MARKS, width), np.float32)[:, :count]
-    motion, marks = numbers[:MOTION], numbers[MOTION:].view(np.int32)
-    motion[2] = _SUNK
-    return motion, marks
-
-
-def _grains(
-    motion: NDArray[np.float32], marks: NDArray[np.int32], kinds: NDArray[np.int32] | None = None
-) -> Any:
-    from barchan.kernels.grain_state import Grains
-
-    return Grains(*motion, *marks)._replace(kind=kinds)
