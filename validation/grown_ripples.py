@@ -128,22 +128,25 @@ def rows():
 
 
 READING = """
-Ripples that form by themselves travel downwind at 10, 12 and 15 m/s in every seed, and stand the farther
-apart the stronger the wind. With simulated grains of a quarter of a diameter they travel twice as fast
-as with whole ones. Their faces are steeper in the lee at 10 and 12 m/s; at 15 m/s, and where whole
-diameters roughen the bed, they are not, which disagrees.
+Ripples that form by themselves travel downwind at 10, 12 and 15 m/s in every seed. At 15 m/s they saturate:
+they grow less in the third twenty minutes than in the second, to 9 mm, 13 cm apart. In weaker winds an hour
+is too short for that. They stand farther apart at 12 and 15 m/s than at 10 m/s, and between 12 and 15 m/s
+not; grains of 0.30 mm stand no farther apart than those of 0.15 mm after as long, but lower: the same wind
+moves less of them, so what is compared is not one stage. The ripple index is on its way down from above, for
+heights still grow: 33 at 10 m/s, 21 at 12 m/s, 14 at 15 m/s, just below what is published. Faces are steeper
+in the lee at 10 and 12 m/s, and the other way about at 15 m/s, which disagrees.
 
-They are slow: real ripples travel millimetres to centimetres in a minute (from memory) and form within
-minutes. Ours still grow, and relief at 15 m/s more than doubles in the last ten minutes. The ripple
-index falls as they grow and reaches the published 15 to 20 at 15 m/s, on its way to lower values: on
-longer runs of a single seed at 12 m/s with whole diameters over patches, relief and spacing grew on
-together for an hour, to 4.9 mm and beyond 15 cm. Grains of 0.30 mm make ripples that stand closer after
-half an hour, not farther apart; they are also lower, for the same wind moves less of them, so what is
-compared is not one stage.
+How the wind goes over the waves decides what becomes of them. In a wind that blows level, as in the
+published models, they do not stop: 4 cm high and 45 cm apart after an hour, steeper to windward. Where the
+air rises and falls with the bed but is no faster over crests it comes to the same, 3 cm and 33 cm. The
+speed-up of a flow without friction slows growth down, and twice that lets ripples saturate. Twice is what the
+shear stress of turbulent flow over low waves asks for (from memory of the literature); but when it was made
+the default, trial runs had shown that ripples saturate with it, so that they do is no test of it.
 
-Two causes are known. The wind follows the bed down to the smallest waves and blows no faster over
-crests, so nothing but avalanches holds crests down; over a wind that does not follow the bed at all,
-waves of all lengths shrink. And the wind is slowed evenly over the field, so that grains, each of which
-replaces itself by impacts, crowd into lanes along the wind: in a field 0.32 m wide a sixteenth of its
-width held from 1 to 21 % of the grains after twenty minutes at 15 m/s.
+They are slow: Lorenz (2011, Aeolian Research 3) filmed ripples of 10 cm at 3 cm a minute in a wind of about
+10 m/s, ours travel 0.3 mm a minute at 10 m/s and 1.6 mm at 15 m/s. What moves ripples is what hops short. Our
+ejecta fly by the published laws of splash, and half of all grains land within 2 mm of where they were thrown
+out: ways of less than 3 cm make up 0.023 of all travel over a flat bed (one seed, at 10 and at 15 m/s), where
+a quarter, the share that creeps by measurements (from memory), would do for such a speed. Grains that are
+pushed along the bed without being thrown out are not in the model unless they are coarse.
 """
