@@ -117,15 +117,17 @@ Lifted from anywhere, sand is lost alike everywhere and gained where faces look 
 against the wind, as seed 000 reports. Where lee faces give none, the windward ones lose it too and the
 waves travel downwind.
 
-With splash they travel downwind in every wind and seed, faster in stronger wind, as long as the bed
-beside them is smooth. On a bed that whole parcels have roughened to slopes of 11 to 13° they stand or
-travel against the wind: slopes as steep as the paths of impacting grains hide much of the bed from them,
-and what erosion a windward face gains by facing the grains is lost again. That is why an earlier version
-of this study found waves laid on the bed to travel downwind and waves grown out of its noise not to. The
-roughness is ours: a simulated grain stands for thousands, which real wind would strew. Lester, Murray,
-Durán, Andreotti and Claudin (2025, Nature Geoscience 18) derive for real impacts too that the direction
-hangs on a small difference, and that ripples turn where hops are short beside the wavelength.
+With splash waves of 4 to 8 cm travel downwind in every wind and seed, faster in stronger wind, and waves of
+16 and 32 cm against it. Uphill grains lose speed to gravity, so fewer are thrown out than come to rest, and
+over a slope as long as a few hops the windward face gains what the lee face loses. Lester, Murray, Durán,
+Andreotti and Claudin (2025, Nature Geoscience 18) derive too that the direction hangs on a small difference,
+and that ripples turn where hops are short beside the wavelength. A wind that blows level adds to it, for it
+presses grains onto windward faces: in it waves of 32 cm travel upwind two fifths faster, and those of 8 cm
+hardly travel downwind. On a bed that whole parcels have roughened to slopes of 11 to 12° waves stand at
+10 m/s and travel downwind in stronger winds.
 
-Growth is slow. At these heights the waves that grow need 20 to 40 minutes of wind to grow by e; short
-ones shrink.
+Growth is slow: low waves of 4 to 16 cm need an hour and more to grow by e, most of which the wind that is
+faster over crests takes off them. Ripples that form by themselves grow faster, out of the noise of grains.
+An earlier version of this study measured within half a second of the first grains, before these had found
+their balance; faster grains on flatter paths then told another story.
 """

