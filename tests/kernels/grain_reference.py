@@ -32,7 +32,7 @@ class Grain:
 class ReferenceFlight:
     """A bed and its grains, one iteration at a time, for the published rules.
 
-    ``stream`` are slope and speed-up of the wind over each mesh cell; level and alike unless given.
+    ``stream`` are slope, speed-up and part to the left of the wind over each mesh cell.
     """
 
     def __init__(self, model, bed, wind, stream=None):
@@ -100,11 +100,12 @@ class ReferenceFlight:
         height = grain.z + air.rise_before * grain.w - self.base(grain.x, grain.y)
         wind = look_up(air.wind, height)
         wind -= min(self.taken(grain.x, grain.y), max(wind, F(0.0)))
-        climb = F(0.0)
+        climb = turn = F(0.0)
         if self.stream is not None:
-            rise, gain = (part[int(grain.y), int(grain.x)] for part in self.stream)
+            rise, gain, aside = (part[int(grain.y), int(grain.x)] for part in self.stream)
             wind = wind * gain
-            climb = rise * wind
+            climb, turn = rise * wind, aside * wind
+        grain.u, grain.v = grain.u + air.wind_y * turn, grain.v - air.wind_x * turn
         grain.w -= climb
         lag_x, lag_y = wind * air.wind_x - grain.u, wind * air.wind_y - grain.v
         share = look_up(
@@ -116,8 +117,11 @@ class ReferenceFlight:
         grain.x += air.before * grain.u + air.after * u
         grain.y += air.before * grain.v + air.after * v
         grain.z += air.rise_before * grain.w + air.rise_after * w
+        length = air.before + air.after
+        grain.x += -length * air.wind_y * turn
+        grain.y += length * air.wind_x * turn
         grain.z += air.step * climb
-        grain.u, grain.v, grain.w = u, v, w + climb
+        grain.u, grain.v, grain.w = u - air.wind_y * turn, v + air.wind_x * turn, w + climb
 
     def over_edges(self, grain):
         (rows, cols), (joined_y, joined_x) = self.bed.lattice.shape, self.bed.lattice.periodic

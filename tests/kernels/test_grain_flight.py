@@ -70,8 +70,8 @@ def test_kernels_equal_the_obvious_flight_bit_for_bit(
     rules |= {"footprint": footprint, "plants": plants}
     rules |= {"displacement": lifted} if lifted >= 0 else {"stability": lifted}
     if bent:
-        stream = np.random.default_rng(seed).uniform(-0.3, 0.3, (2, *bed.lattice.shape)).astype(np.float32)
-        rules["stream"] = stream[0], 1 + stream[1]
+        stream = np.random.default_rng(seed).uniform(-0.3, 0.3, (3, *bed.lattice.shape)).astype(np.float32)
+        rules["stream"] = stream[0], 1 + stream[1], stream[2]
     fast, slow, tally = fly_both(bed, wind, 40, **rules)
     np.testing.assert_array_equal(bed.sand, slow.bed.sand)
     assert fast.flying == sum(grain.held for grain in slow.grains)

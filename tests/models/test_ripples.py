@@ -36,7 +36,7 @@ def test_grains_in_the_air_balance_what_they_take_from_the_wind():
 
 
 def test_lighter_parcels_put_more_sand_into_the_air():
-    heavy, light = run(150, model__weight=0.4), run(150, model__weight=0.1)
+    heavy, light = run(250, model__weight=0.02), run(250, model__weight=0.005)
     assert light.ledger.airborne > 1.5 * heavy.ledger.airborne
 
 

@@ -36,15 +36,27 @@ def test_streamlines_follow_a_wave_as_in_frictionless_flow(waves):
     weak = 1e-3 * np.exp(-number * HEIGHT)
     rise = weak * 2 / WIDTH * np.sin(number * WIDTH / 2) * np.cos(number * middles)
     speedup = weak * number * np.cos(number * WIDTH / 2) * np.sin(number * middles)
-    slope, faster = streamlines(bed, field, 270.0, HEIGHT)
+    slope, faster, aside = streamlines(bed, field, 270.0, HEIGHT)
+    np.testing.assert_allclose(aside, 0.0, atol=1e-15)
     np.testing.assert_allclose(slope, np.tile(rise, (24, 1)), atol=1e-12)
     np.testing.assert_allclose(faster, np.tile(speedup, (24, 1)), atol=1e-12)
     back = streamlines(bed, field, 90.0, HEIGHT)
     np.testing.assert_allclose(back[0], -slope, atol=1e-15)
     np.testing.assert_allclose(back[1], faster, atol=1e-15)
-    slope, faster = streamlines(bed, field, 180.0, HEIGHT)
+    slope, faster, aside = streamlines(bed, field, 180.0, HEIGHT)
+    np.testing.assert_allclose(aside, 0.0, atol=1e-15)
     np.testing.assert_allclose(slope, 0.0, atol=1e-15)
     np.testing.assert_allclose(faster, 0.0, atol=1e-15)
+
+
+def test_the_wind_turns_across_oblique_crests():
+    field = lattice(rows=64)
+    number = 2 * np.pi / (64 * WIDTH)
+    x, y = np.meshgrid(np.arange(64) * WIDTH, np.arange(64) * WIDTH)
+    bed = 1e-3 * np.sin(number * (x + y))
+    _, faster, aside = streamlines(bed, field, 270.0, HEIGHT)
+    np.testing.assert_allclose(aside, faster, atol=1e-12)
+    np.testing.assert_allclose(streamlines(bed, field, 180.0, HEIGHT).aside, -aside, atol=1e-12)
 
 
 @settings(max_examples=20, deadline=None)
@@ -63,7 +75,8 @@ def test_a_bed_and_a_wind_turned_alike_have_the_same_streamlines(seed, direction
     field = lattice(boundary, rows=40, columns=40)
     bed = np.random.default_rng(seed).normal(0.0, 1e-3, field.shape)
     turned = streamlines(bed.T.copy(), field, (270.0 - direction + 180.0) % 360.0, HEIGHT)
-    for found, one in zip(streamlines(bed, field, direction, HEIGHT), turned, strict=True):
+    mirrored = turned._replace(aside=-turned.aside)
+    for found, one in zip(streamlines(bed, field, direction, HEIGHT), mirrored, strict=True):
         np.testing.assert_allclose(one.T, found, atol=1e-12)
 
 
@@ -71,7 +84,7 @@ def test_a_wind_does_not_feel_the_other_side_over_open_edges():
     field = lattice("open")
     bed = np.zeros(field.shape)
     bed[:, :4] = 0.01
-    slope, faster = streamlines(bed, field, 270.0, HEIGHT)
+    slope, faster, _ = streamlines(bed, field, 270.0, HEIGHT)
     assert slope[:, 3].max() < -0.05
     assert np.abs(slope[:, -16:]).max() < 1e-2 * np.abs(slope).max()
     assert np.abs(faster[:, -16:]).max() < 0.1 * np.abs(faster).max()
@@ -79,7 +92,7 @@ def test_a_wind_does_not_feel_the_other_side_over_open_edges():
 
 
 def test_the_wind_blows_level_and_alike_over_a_flat_bed():
-    slope, faster = streamlines(np.full((24, 64), 0.3), lattice(), 300.0, HEIGHT)
+    slope, faster, _ = streamlines(np.full((24, 64), 0.3), lattice(), 300.0, HEIGHT)
     assert (slope == 0.0).all()
     assert (faster == 0.0).all()
 
@@ -88,11 +101,12 @@ def test_the_wind_over_waves_is_bounded_where_ground_is_steep():
     field = lattice()
     bed = np.zeros(field.shape)
     bed[8:16, 24:40] = 0.2
-    slope, speed = wind_over_waves(bed, field, 270.0, HEIGHT, 2.0)
+    slope, speed, aside = wind_over_waves(bed, field, 270.0, HEIGHT, 2.0)
     assert (slope.min(), slope.max()) == (-0.3, 0.3)
     assert (speed.min(), speed.max()) == (0.1, 2.0)
-    low, (rise, faster) = 1e-3 * bed, streamlines(1e-3 * bed, field, 270.0, HEIGHT)
-    slope, speed = wind_over_waves(low, field, 270.0, HEIGHT, 2.0)
+    assert (aside.min(), aside.max()) == (-0.3, 0.3)
+    low, (rise, faster, _) = 1e-3 * bed, streamlines(1e-3 * bed, field, 270.0, HEIGHT)
+    slope, speed, aside = wind_over_waves(low, field, 270.0, HEIGHT, 2.0)
     np.testing.assert_array_equal(slope, rise)
     np.testing.assert_array_equal(speed, 1.0 + 2.0 * faster)
 
@@ -108,7 +122,7 @@ def test_dust_goes_along_the_streamlines():
     )
     wind = Segment(0, 1, 0, bed.lattice.cells, 270.0)
     paths = ripples(rules, bed.lattice).paths(bed, wind, Stream(1, "paths"), 5, longest=0.3)
-    slope, _ = streamlines(bed.elevation, bed.lattice, 270.0, 0.01)
+    slope, _, _ = streamlines(bed.elevation, bed.lattice, 270.0, 0.01)
     path = max(paths, key=len)[100:-200]
     column = (path[:, 0] / WIDTH - 0.5).astype(int) % 64
     ways = np.corrcoef(path[:, 5] / path[:, 3], slope[4, column])

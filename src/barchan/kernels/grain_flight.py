@@ -22,6 +22,7 @@ _SHIFT = np.int32(TABLE_SHIFT)
 _NONE = np.int32(0)
 OUTSIDE = np.int32(-1)
 _ZERO = np.float32(0.0)
+_PLUS, _MINUS = np.float32(1.0), np.float32(-1.0)
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
@@ -55,37 +56,45 @@ def _slow_wind(count, near, above, cell, slowed, value):
 
 
 @njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
-def _find_stream(start, count, grains, rise, gain, cols, cell, climb, faster):
-    """Put slope and speed-up of the wind at each grain of a block into ``climb`` and ``faster``, if any."""
+def _find_stream(start, count, grains, rise, gain, aside, cols, wind, cell, climb, turn):
+    """Speed the wind up where it follows the bed, and find how fast it blows upwards and to the left."""
     if rise is not None:
         _find_mesh(start, count, grains, cols, cell)
         for j in range(count):
-            climb[j] = rise[np.uint64(cell[j])]
-            faster[j] = gain[np.uint64(cell[j])]
+            at = np.uint64(cell[j])
+            wind[j] *= gain[at]
+            climb[j] = rise[at] * wind[j]
+            turn[j] = aside[at] * wind[j]
 
 
 @njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
-def _enter_rising_air(start, count, rise, wind, grains, climb, faster):
-    """Speed the wind up, turn its slopes into upward speeds, and those of grains into ones relative to it."""
-    if rise is not None:
-        w = grains.w[start : start + count]
-        for j in range(count):
-            wind[j] *= faster[j]
-            climb[j] *= wind[j]
-        for j in range(count):
-            w[j] -= climb[j]
+def _shift(count, numbers, part, by):
+    for j in range(count):
+        numbers[j] += part * by[j]
 
 
 @njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
-def _leave_rising_air(start, count, rise, step, grains, climb):
-    """Turn upward speeds back, and carry the grains of a block along with the air."""
+def _enter_stream(start, count, rise, air, grains, climb, turn):
+    """Make velocities of a block of grains those relative to air that rises and turns, if it does."""
     if rise is not None:
         end = start + count
-        z, w = grains.z[start:end], grains.w[start:end]
-        for j in range(count):
-            z[j] += step * climb[j]
-        for j in range(count):
-            w[j] += climb[j]
+        _shift(count, grains.u[start:end], air.wind_y, turn)
+        _shift(count, grains.v[start:end], -air.wind_x, turn)
+        _shift(count, grains.w[start:end], _MINUS, climb)
+
+
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+def _leave_stream(start, count, rise, air, grains, climb, turn):
+    """Make them velocities over ground again, and carry the grains along with the air."""
+    if rise is not None:
+        end = start + count
+        length = air.before + air.after
+        _shift(count, grains.x[start:end], -length * air.wind_y, turn)
+        _shift(count, grains.y[start:end], length * air.wind_x, turn)
+        _shift(count, grains.z[start:end], air.step, climb)
+        _shift(count, grains.u[start:end], -air.wind_y, turn)
+        _shift(count, grains.v[start:end], air.wind_x, turn)
+        _shift(count, grains.w[start:end], _PLUS, climb)
 
 
 @njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
@@ -195,16 +204,17 @@ def _find_low(start, count, grains, grid, top, cell, value):
 
 @njit(cache=True, nogil=True, error_model="numpy")
 def _move_blocks(first, last, grains, air, grid, ground, near, work):
-    cell, wind, share, climb, faster = work
+    cell, wind, share, climb, turn = work
     found = first
     for start in range(first, last, BLOCK):
         count = min(last - start, BLOCK)
         _find_wind(start, count, grains, air, ground, grid.cols, cell, wind, share)
-        _find_stream(start, count, grains, ground.rise, ground.gain, grid.cols, cell, climb, faster)
-        _enter_rising_air(start, count, ground.rise, wind, grains, climb, faster)
+        stream = ground.rise, ground.gain, ground.aside
+        _find_stream(start, count, grains, *stream, grid.cols, wind, cell, climb, turn)
+        _enter_stream(start, count, ground.rise, air, grains, climb, turn)
         _find_drag(start, count, grains, air, wind, cell, share)
         _push(start, count, grains, air, wind, share)
-        _leave_rising_air(start, count, ground.rise, air.step, grains, climb)
+        _leave_stream(start, count, ground.rise, air, grains, climb, turn)
         _find_low(start, count, grains, grid, ground.top, cell, share)
         for j in range(count):
             # written whether it counts or not: a branch here would be foretold wrongly again and again
@@ -225,6 +235,6 @@ def move(first, last, grains, air, grid, ground, near):
     wind = np.empty(BLOCK, np.float32)
     share = np.empty(BLOCK, np.float32)
     climb = np.empty(BLOCK, np.float32)
-    faster = np.empty(BLOCK, np.float32)
-    work = cell, wind, share, climb, faster
+    turn = np.empty(BLOCK, np.float32)
+    work = cell, wind, share, climb, turn
     return _move_blocks(first, last, grains, air, grid, ground, near, work)

@@ -110,6 +110,8 @@ class Ground(NamedTuple):
     """Slope of the wind along its way over each mesh cell (float32), where it follows the bed."""
     gain: np.ndarray | None = None
     """Wind speed over that above a level bed (float32), there too."""
+    aside: np.ndarray | None = None
+    """Part of the wind that blows to the left of its way (float32), there too."""
     lift: np.ndarray | None = None
     """Height (m, float32) by which plants lift the wind over each mesh cell, where there are any."""
     taken: np.ndarray | None = None

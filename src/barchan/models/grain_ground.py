@@ -88,10 +88,12 @@ class GrainGround:
         lost = np.zeros(near.size, np.int64) if self.arrays.lost is None else self.arrays.lost
         self.arrays = self.arrays._replace(near=near, lost=lost)
 
-    def bend_wind(self, rise: NDArray[np.float64], gain: NDArray[np.float64]) -> None:
-        """Let the wind have a slope along its way and a speed-up over each mesh cell."""
-        rise32, gain32 = (part.reshape(-1).astype(np.float32) for part in (rise, gain))
-        self.arrays = self.arrays._replace(rise=rise32, gain=gain32)
+    def bend_wind(
+        self, rise: NDArray[np.float64], gain: NDArray[np.float64], aside: NDArray[np.float64]
+    ) -> None:
+        """Let the wind have a slope along its way, a speed-up and a part to the left over each mesh cell."""
+        slope, speed, left = (part.reshape(-1).astype(np.float32) for part in (rise, gain, aside))
+        self.arrays = self.arrays._replace(rise=slope, gain=speed, aside=left)
 
     def roughen(self, friction: float) -> None:
         """Let plants take their part from a wind of that friction velocity (m/s)."""

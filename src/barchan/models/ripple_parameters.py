@@ -64,16 +64,17 @@ class RipplesParameters(GrainFlight):
         source="frictionless flow over waves (Lamb 1932); the height, that of the focus, is ours",
     )
     wave_speedup: float = parameter(
-        2.0,
+        0.0,
         unit="-",
         ge=0,
         le=10,
         live=True,
         group="wind",
-        meaning="How much faster the wind blows over crests, and slower over troughs, over what it would "
-        "without friction; 0: alike.",
-        source="1: the same flow as the streamlines; 2: near the bed of a turbulent one, whose shear stress "
-        "is about 4 k h higher on waves of height h and wave number k (Fourrière et al. 2010; from memory)",
+        meaning="How much faster the wind blows over crests, slower over troughs and across oblique ones, "
+        "over what it would without friction; 0: it blows alike everywhere.",
+        source="0: ours, for low ripples hardly form otherwise; 1: the same flow as the streamlines (Lamb "
+        "1932); 2: near the bed of a turbulent one, whose shear stress is about 4 k h higher on waves of "
+        "height h and wave number k (Fourrière et al. 2010; from memory)",
     )
     weight: float = parameter(
         0.1,

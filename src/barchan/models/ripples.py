@@ -25,8 +25,8 @@ class Ripples(GrainModel):
     Grains fly as in ``wang_hu``, with drag that depends on the Reynolds number. Five closures are added:
 
     * near the bed, below the focus, the wind is slowed by the momentum that grains take from it;
-    * over waves the air rises and falls along the streamlines of ``streamline_height``, and is faster over
-      crests by ``wave_speedup``;
+    * over waves the air rises and falls along the streamlines of ``streamline_height``; with
+      ``wave_speedup`` it is faster over crests too, and turns across oblique ones;
     * behind crests the wind blows above a line that falls at ``shelter_angle``;
     * a grain that hits the bed rebounds with a probability that grows with its speed, or stays;
     * it throws others out, more and faster ones the faster it was.

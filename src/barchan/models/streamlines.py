@@ -1,5 +1,7 @@
 """Streamlines of a wind over a bed of waves: how steeply they rise and fall, how much faster it blows."""
 
+from typing import NamedTuple
+
 import numpy as np
 from numpy.typing import NDArray
 from scipy.fft import irfft2, rfft2
@@ -8,34 +10,48 @@ from barchan.bed import Lattice
 from barchan.wind.segment import downwind
 
 STEEPEST = 0.3
-"""Slope of streamlines at most: over steeper ground the flow comes off, which this theory does not tell."""
+"""Slope of streamlines at most, and how far they turn: over steeper ground the flow comes off, which this
+theory does not tell."""
 
 LEAST, MOST = 0.1, 2.0
 """Speed over that above a level bed, in the troughs of waves at least and over their crests at most."""
 
 
+class Streamlines(NamedTuple):
+    """How a wind differs over waves from that above a level bed, for each mesh cell.
+
+    That is the square between a stack and its neighbours in the east and north.
+    """
+
+    slope: NDArray[np.float64]
+    """Rise over run along the wind."""
+    faster: NDArray[np.float64]
+    """Speed that comes to it, as a share."""
+    aside: NDArray[np.float64]
+    """Speed to the left of it, as a share."""
+
+
 def wind_over_waves(
     surface: NDArray, lattice: Lattice, direction: float, height: float, speedup: float
-) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Slope of a wind, and its speed over that above a level bed.
+) -> Streamlines:
+    """Slope of a wind, its speed over that above a level bed, and the part of it that blows to its left.
 
-    It is ``speedup`` times as much faster over crests as a flow without friction; see ``streamlines``. Both
+    Speeds differ by ``speedup`` times as much as those of a flow without friction; see ``streamlines``. All
     are bounded, for the theory is one of low waves.
     """
-    slope, faster = streamlines(surface, lattice, direction, height)
-    return np.clip(slope, -STEEPEST, STEEPEST), np.clip(1.0 + speedup * faster, LEAST, MOST)
+    slope, faster, aside = streamlines(surface, lattice, direction, height)
+    speed = np.clip(1.0 + speedup * faster, LEAST, MOST)
+    turned = np.clip(speedup * aside, -STEEPEST, STEEPEST)
+    return Streamlines(np.clip(slope, -STEEPEST, STEEPEST), speed, turned)
 
 
-def streamlines(
-    surface: NDArray, lattice: Lattice, direction: float, height: float
-) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Slope (rise over run) of streamlines along a wind from ``direction`` (degrees), and its speed-up.
+def streamlines(surface: NDArray, lattice: Lattice, direction: float, height: float) -> Streamlines:
+    """How a wind from ``direction`` (degrees) without friction flows over a ``surface`` (m) of low waves.
 
-    At a ``height`` (m) over a ``surface`` (m) of low waves the flow without friction follows a wave h with
-    wave number k by the share exp(-k height), and is faster by (k_w² / k) h exp(-k height), k_w being the
-    component of k along the wind (Lamb 1932). The speed-up is a share, 0 over a flat bed. One value for each
-    mesh cell, the square between a stack and its neighbours in the east and north; at an open edge the bed
-    is mirrored and the last slopes are 0.
+    At a ``height`` (m) over it the flow follows a wave h with wave number k by the share exp(-k height), is
+    faster by (k_w² / k) h exp(-k height) and turns to the left by (k_w k_l / k) h exp(-k height), k_w and
+    k_l being the components of k along the wind and to its left (Lamb 1932). At an open edge the bed is
+    mirrored and the last slopes are 0.
     """
     joined = lattice.periodic
     rows, columns = lattice.shape
@@ -46,11 +62,17 @@ def streamlines(
     number = np.hypot(across, along)
     east, north = downwind(direction)
     waves = rfft2(bed) * np.exp(-number * height)
-    faster = (east * along + north * across) ** 2 / np.where(number > 0.0, number, 1.0)
-    line, gain = (irfft2(part, s=bed.shape)[:rows, :columns] for part in (waves, faster * waves))
+    ahead = (east * along + north * across) / np.where(number > 0.0, number, 1.0)
+    shares = (1.0, ahead * (east * along + north * across), ahead * (east * across - north * along))
+    line, faster, aside = (irfft2(share * waves, s=bed.shape)[:rows, :columns] for share in shares)
     slope = east * _mean_step(line, 1, joined) + north * _mean_step(line, 0, joined)
-    middle = 0.5 * (gain + _next(gain, 1, joined[1]))
-    return slope / lattice.cell_size, 0.5 * (middle + _next(middle, 0, joined[0]))
+    return Streamlines(slope / lattice.cell_size, _middle(faster, joined), _middle(aside, joined))
+
+
+def _middle(values: NDArray[np.float64], joined: tuple[bool, bool]) -> NDArray[np.float64]:
+    """The mean of the values at the corners of each mesh cell."""
+    pairs = values + _next(values, 1, joined[1])
+    return 0.25 * (pairs + _next(pairs, 0, joined[0]))
 
 
 def _mean_step(line: NDArray[np.float64], axis: int, joined: tuple[bool, bool]) -> NDArray[np.float64]:
