@@ -139,10 +139,10 @@ How the wind goes over waves decides what becomes of them. In a wind that blows 
 models, they travel half as fast and run together. In one that is faster over crests they stay lower, and
 keep their lee faces the steeper ones. Over an hour at 15 m/s (3 seeds) ripples grew to 40 mm in a level wind
 and to 30 mm under the default, 45 and 33 cm apart, over 30 mm of sand: nothing holds them down. With twice
-the speed-up of a flow without friction, but no turn across oblique crests, they saturated at 9 mm and 13 cm in these
-narrow fields; in one twice as wide their crests then stood at 45° to the wind. With the turn that belongs to
-it a field 32 cm wide had only low bumps after 22 minutes (one seed). So the default is a wind that is no
-faster over crests, and saturation, which is published, does not come out.
+the speed-up of a flow without friction, but no turn across oblique crests, they saturated at 9 mm and 13 cm
+in these narrow fields; in one twice as wide their crests then stood at 45° to the wind. With the turn that
+belongs to it a field 32 cm wide had only low bumps after 22 minutes (one seed). So the default is a wind that
+is no faster over crests, and saturation, which is published, does not come out.
 
 They are slow: Lorenz (2011, Aeolian Research 3) filmed ripples of 10 cm at 3 cm a minute in a wind of about
 10 m/s, ours travel 0.3 mm a minute at 10 m/s and 2 mm at 15 m/s. What moves ripples is what hops short. Our
