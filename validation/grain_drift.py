@@ -123,11 +123,9 @@ over a slope as long as a few hops the windward face gains what the lee face los
 Andreotti and Claudin (2025, Nature Geoscience 18) derive too that the direction hangs on a small difference,
 and that ripples turn where hops are short beside the wavelength. A wind that blows level adds to it, for it
 presses grains onto windward faces: in it waves of 32 cm travel upwind two fifths faster, and those of 8 cm
-hardly travel downwind. On a bed that whole parcels have roughened to slopes of 11 to 12° waves travel downwind
-too, at half the speed in weak winds and twice it at 15 m/s.
+hardly travel downwind. On a bed that whole parcels have roughened to slopes of 11 to 12° waves travel
+downwind too, at half the speed in weak winds and twice it at 15 m/s.
 
 Growth is slow: the waves that grow fastest, 5 to 16 cm long, need 10 to 35 minutes of wind to grow by e. At
 15 m/s waves of 32 cm shrink.
-An earlier version of this study measured within half a second of the first grains, before these had found
-their balance; faster grains on flatter paths then told another story.
 """
