@@ -99,6 +99,6 @@ def rows():
 READING = """
 Coarse grains gather at crests, in every seed but one at 15 m/s, and most where they are too heavy to fly and
 creep; there the difference grows between ten and twenty minutes. With 0.40 mm at 15 m/s it is gone by then.
-It is small; crests of coarse grains alone, as on megaripples, do not come out. In the air coarse grains of 0.40 mm are a tenth of
-the sand, of three tenths in the bed.
+It is small; crests of coarse grains alone, as on megaripples, do not come out. In the air coarse grains of
+0.40 mm are a tenth of the sand, of three tenths in the bed.
 """
