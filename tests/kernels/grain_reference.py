@@ -32,7 +32,7 @@ class Grain:
 class ReferenceFlight:
     """A bed and its grains, one iteration at a time, for the published rules.
 
-    ``stream`` are slope, speed-up and part to the left of the wind over each mesh cell.
+    ``stream`` are the slope of the wind over each mesh cell and, where given, speed-up and part to the left.
     """
 
     def __init__(self, model, bed, wind, stream=None):
@@ -102,9 +102,11 @@ class ReferenceFlight:
         wind -= min(self.taken(grain.x, grain.y), max(wind, F(0.0)))
         climb = turn = F(0.0)
         if self.stream is not None:
-            rise, gain, aside = (part[int(grain.y), int(grain.x)] for part in self.stream)
-            wind = wind * gain
-            climb, turn = rise * wind, aside * wind
+            rise, *speed = (part[int(grain.y), int(grain.x)] for part in self.stream)
+            if speed:
+                wind = wind * speed[0]
+                turn = speed[1] * wind
+            climb = rise * wind
         grain.u, grain.v = grain.u + air.wind_y * turn, grain.v - air.wind_x * turn
         grain.w -= climb
         lag_x, lag_y = wind * air.wind_x - grain.u, wind * air.wind_y - grain.v
@@ -117,10 +119,10 @@ class ReferenceFlight:
         grain.x += air.before * grain.u + air.after * u
         grain.y += air.before * grain.v + air.after * v
         grain.z += air.rise_before * grain.w + air.rise_after * w
-        length = air.before + air.after
+        length, time = air.before + air.after, air.rise_before + air.rise_after
         grain.x += -length * air.wind_y * turn
         grain.y += length * air.wind_x * turn
-        grain.z += air.step * climb
+        grain.z += time * climb
         grain.u, grain.v, grain.w = u - air.wind_y * turn, v + air.wind_x * turn, w + climb
 
     def over_edges(self, grain):

@@ -56,15 +56,22 @@ def _slow_wind(count, near, above, cell, slowed, value):
 
 
 @njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
-def _find_stream(start, count, grains, rise, gain, aside, cols, wind, cell, climb, turn):
-    """Speed the wind up where it follows the bed, and find how fast it blows upwards and to the left."""
+def _speed_up(start, count, grains, gain, aside, cols, wind, cell, turn):
+    """Speed the wind up where it is faster, and find how fast it blows to the left, if it does."""
+    if gain is not None:
+        _find_mesh(start, count, grains, cols, cell)
+        for j in range(count):
+            wind[j] *= gain[np.uint64(cell[j])]
+            turn[j] = aside[np.uint64(cell[j])] * wind[j]
+
+
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+def _find_climb(start, count, grains, rise, cols, wind, cell, climb):
+    """Find how fast the air rises at each grain of a block, if it follows the bed."""
     if rise is not None:
         _find_mesh(start, count, grains, cols, cell)
         for j in range(count):
-            at = np.uint64(cell[j])
-            wind[j] *= gain[at]
-            climb[j] = rise[at] * wind[j]
-            turn[j] = aside[at] * wind[j]
+            climb[j] = rise[np.uint64(cell[j])] * wind[j]
 
 
 @njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
@@ -74,27 +81,29 @@ def _shift(count, numbers, part, by):
 
 
 @njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
-def _enter_stream(start, count, rise, air, grains, climb, turn):
-    """Make velocities of a block of grains those relative to air that rises and turns, if it does."""
+def _enter_stream(start, count, rise, aside, air, grains, climb, turn):
+    """Make velocities of a block of grains those relative to air that rises and turns, where it does."""
+    end = start + count
     if rise is not None:
-        end = start + count
+        _shift(count, grains.w[start:end], _MINUS, climb)
+    if aside is not None:
         _shift(count, grains.u[start:end], air.wind_y, turn)
         _shift(count, grains.v[start:end], -air.wind_x, turn)
-        _shift(count, grains.w[start:end], _MINUS, climb)
 
 
 @njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
-def _leave_stream(start, count, rise, air, grains, climb, turn):
+def _leave_stream(start, count, rise, aside, air, grains, climb, turn):
     """Make them velocities over ground again, and carry the grains along with the air."""
+    end = start + count
     if rise is not None:
-        end = start + count
+        _shift(count, grains.z[start:end], air.rise_before + air.rise_after, climb)
+        _shift(count, grains.w[start:end], _PLUS, climb)
+    if aside is not None:
         length = air.before + air.after
         _shift(count, grains.x[start:end], -length * air.wind_y, turn)
         _shift(count, grains.y[start:end], length * air.wind_x, turn)
-        _shift(count, grains.z[start:end], air.step, climb)
         _shift(count, grains.u[start:end], -air.wind_y, turn)
         _shift(count, grains.v[start:end], air.wind_x, turn)
-        _shift(count, grains.w[start:end], _PLUS, climb)
 
 
 @njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
@@ -209,12 +218,12 @@ def _move_blocks(first, last, grains, air, grid, ground, near, work):
     for start in range(first, last, BLOCK):
         count = min(last - start, BLOCK)
         _find_wind(start, count, grains, air, ground, grid.cols, cell, wind, share)
-        stream = ground.rise, ground.gain, ground.aside
-        _find_stream(start, count, grains, *stream, grid.cols, wind, cell, climb, turn)
-        _enter_stream(start, count, ground.rise, air, grains, climb, turn)
+        _speed_up(start, count, grains, ground.gain, ground.aside, grid.cols, wind, cell, turn)
+        _find_climb(start, count, grains, ground.rise, grid.cols, wind, cell, climb)
+        _enter_stream(start, count, ground.rise, ground.aside, air, grains, climb, turn)
         _find_drag(start, count, grains, air, wind, cell, share)
         _push(start, count, grains, air, wind, share)
-        _leave_stream(start, count, ground.rise, air, grains, climb, turn)
+        _leave_stream(start, count, ground.rise, ground.aside, air, grains, climb, turn)
         _find_low(start, count, grains, grid, ground.top, cell, share)
         for j in range(count):
             # written whether it counts or not: a branch here would be foretold wrongly again and again

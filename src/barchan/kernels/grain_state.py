@@ -77,8 +77,6 @@ class Air(NamedTuple):
     rise_before: np.float32
     """Height (m) that a step makes of each m/s before it; the wind is looked up after so much of it."""
     rise_after: np.float32
-    step: np.float32
-    """The time step (s)."""
     above: Table | None = None
     """Where the wind near the bed has places: what comes to it above the focus (m/s). ``wind`` is then the
     wind for a friction velocity of 1 m/s near the bed."""
@@ -109,7 +107,7 @@ class Ground(NamedTuple):
     rise: np.ndarray | None = None
     """Slope of the wind along its way over each mesh cell (float32), where it follows the bed."""
     gain: np.ndarray | None = None
-    """Wind speed over that above a level bed (float32), there too."""
+    """Wind speed over that above a level bed (float32), where it is faster over waves."""
     aside: np.ndarray | None = None
     """Part of the wind that blows to the left of its way (float32), there too."""
     lift: np.ndarray | None = None

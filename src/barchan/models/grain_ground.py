@@ -89,11 +89,17 @@ class GrainGround:
         self.arrays = self.arrays._replace(near=near, lost=lost)
 
     def bend_wind(
-        self, rise: NDArray[np.float64], gain: NDArray[np.float64], aside: NDArray[np.float64]
+        self, rise: NDArray[np.float64], speed: tuple[NDArray[np.float64], NDArray[np.float64]] | None = None
     ) -> None:
-        """Let the wind have a slope along its way, a speed-up and a part to the left over each mesh cell."""
-        slope, speed, left = (part.reshape(-1).astype(np.float32) for part in (rise, gain, aside))
-        self.arrays = self.arrays._replace(rise=slope, gain=speed, aside=left)
+        """Let the wind have a slope along its way over each mesh cell.
+
+        ``speed`` is how fast it blows there over that above a level bed, and the part of it that blows to the
+        left; it is alike everywhere where not given.
+        """
+        self.arrays = self.arrays._replace(rise=rise.reshape(-1).astype(np.float32))
+        if speed is not None:
+            gain, aside = (part.reshape(-1).astype(np.float32) for part in speed)
+            self.arrays = self.arrays._replace(gain=gain, aside=aside)
 
     def roughen(self, friction: float) -> None:
         """Let plants take their part from a wind of that friction velocity (m/s)."""

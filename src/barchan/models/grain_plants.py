@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from barchan.bed import Bed, FieldInfo, Lattice
 from barchan.ground.area import Area
 from barchan.models.base import Derived, Layer
+from barchan.models.grain_mesh import over_mesh
 from barchan.parameters import parameter
 
 if TYPE_CHECKING:
@@ -66,17 +67,7 @@ class Hold(NamedTuple):
 
 def hold(rules: "GrainFlight", height: NDArray[np.float64], lattice: Lattice) -> Hold:
     """What plants of a ``height`` (m) on each cell do to the wind."""
-    mean = _over_mesh(height, lattice.periodic).reshape(-1)
+    mean = over_mesh(height, lattice.periodic).reshape(-1)
     lift = np.maximum(rules.plant_displacement * mean - rules.displacement, 0.0)
     rough = np.maximum(rules.plant_roughness * mean / rules.roughness_length, 1.0)
     return Hold(lift.astype(np.float32), np.log(rough))
-
-
-def _over_mesh(values: NDArray[np.float64], periodic: tuple[bool, bool]) -> NDArray[np.float64]:
-    """The mean over each mesh cell: of a stack and its neighbours in the east and north."""
-    for axis, joined in enumerate(periodic):
-        size = values.shape[axis]
-        after = np.arange(1, size + 1)
-        after[-1] = 0 if joined else size - 1
-        values = 0.5 * (values + np.take(values, after, axis))
-    return values

@@ -307,7 +307,7 @@ class GrainModel(Model):
         moves = [share * step for share in (early, late)]
         profile, above = self.wind_tables(friction)
         lengths = [move / self.lattice.cell_size for move in moves]
-        found: tuple[Any, ...] = tuple(np.float32(number) for number in (*numbers, *lengths, *moves, step))
+        found: tuple[Any, ...] = tuple(np.float32(number) for number in (*numbers, *lengths, *moves))
         return Air(profile, self._drag_table(), *found)._replace(above=above)
 
     def _drag_table(self) -> Any:

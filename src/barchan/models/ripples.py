@@ -112,8 +112,9 @@ class Ripples(GrainModel):
         height = self.parameters.streamline_height
         if height is not None:
             surface = ground.arrays.height.reshape(self.lattice.shape)
-            about = self.lattice, wind.direction, height, self.parameters.wave_speedup
-            ground.bend_wind(*wind_over_waves(surface, *about))
+            speedup = self.parameters.wave_speedup
+            slope, *speed = wind_over_waves(surface, self.lattice, wind.direction, height, speedup)
+            ground.bend_wind(slope, (speed[0], speed[1]) if speedup > 0.0 else None)
         if self.near_bed.by_place:
             friction = self.parameters.friction_velocity(self.speed(wind))
             ground.slow(self.near_bed.friction(friction))

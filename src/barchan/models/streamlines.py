@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 from scipy.fft import irfft2, rfft2
 
 from barchan.bed import Lattice
+from barchan.models.grain_mesh import following, over_mesh
 from barchan.wind.segment import downwind
 
 STEEPEST = 0.3
@@ -66,26 +67,10 @@ def streamlines(surface: NDArray, lattice: Lattice, direction: float, height: fl
     shares = (1.0, ahead * (east * along + north * across), ahead * (east * across - north * along))
     line, faster, aside = (irfft2(share * waves, s=bed.shape)[:rows, :columns] for share in shares)
     slope = east * _mean_step(line, 1, joined) + north * _mean_step(line, 0, joined)
-    return Streamlines(slope / lattice.cell_size, _middle(faster, joined), _middle(aside, joined))
-
-
-def _middle(values: NDArray[np.float64], joined: tuple[bool, bool]) -> NDArray[np.float64]:
-    """The mean of the values at the corners of each mesh cell."""
-    pairs = values + _next(values, 1, joined[1])
-    return 0.25 * (pairs + _next(pairs, 0, joined[0]))
+    return Streamlines(slope / lattice.cell_size, over_mesh(faster, joined), over_mesh(aside, joined))
 
 
 def _mean_step(line: NDArray[np.float64], axis: int, joined: tuple[bool, bool]) -> NDArray[np.float64]:
     """The mean of the steps along an axis at both sides of each mesh cell."""
-    step = _next(line, axis, joined[axis]) - line
-    return 0.5 * (step + _next(step, 1 - axis, joined[1 - axis]))
-
-
-def _next(values: NDArray[np.float64], axis: int, joined: bool) -> NDArray[np.float64]:
-    """The values one place on along an axis; at an open edge the last ones again."""
-    moved = np.roll(values, -1, axis)
-    if not joined:
-        last = [slice(None), slice(None)]
-        last[axis] = slice(-1, None)
-        moved[tuple(last)] = values[tuple(last)]
-    return moved
+    step = following(line, axis, joined[axis]) - line
+    return 0.5 * (step + following(step, 1 - axis, joined[1 - axis]))
