@@ -8,6 +8,7 @@ from hypothesis import strategies as st
 from barchan.bed import Bed, Lattice
 from barchan.kernels import sharing
 from barchan.models import model
+from barchan.models.streamlines import WindOverWaves
 from barchan.streams import Stream, derive
 from barchan.wind.segment import Segment
 from tests.kernels.grain_reference import ReferenceFlight
@@ -40,9 +41,7 @@ def fly_both(bed, wind, iterations, stream=None, **rules):
     slow = ReferenceFlight(fast, same, wind, stream)
     if stream is not None:
         level = fast.blow
-        fast.blow = lambda ground, wind: (
-            ground.bend_wind(stream[0], stream[1:] or None) or level(ground, wind)
-        )
+        fast.blow = lambda ground, wind: ground.bend_wind(WindOverWaves(*stream)) or level(ground, wind)
     tally = fast.advance(bed, wind, STREAM, 0, 0)
     for iteration in range(iterations):
         slow.iterate(derive(STREAM.key, iteration))

@@ -14,6 +14,7 @@ from barchan.kernels.grain_bed import LEFT, MOVED
 from barchan.kernels.grain_flight import move
 from barchan.models.grain_ground import GrainGround
 from barchan.models.grain_slots import free_slots, grains_in
+from barchan.models.streamlines import WindOverWaves
 from barchan.simulation import Simulation
 from barchan.streams import Stream, derive
 from tests.kernels.grain_reference import draw
@@ -85,13 +86,14 @@ def impacts(ground, count, seed):
 class ObviousSplash:
     """Ejecta and creep by size over single stacks, parcel by parcel."""
 
-    def __init__(self, rule, mixture, shape):
+    def __init__(self, rule, ground, shape):
+        mixture = ground.arrays.mixture
         layers, deeps = (
             [np.repeat(range(3), counts[:, cell]).tolist() for cell in range(counts.shape[1])]
             for counts in (mixture.layer, mixture.deep)
         )
         self.stacks = Stacks(layers, deeps, mixture.full, int(mixture.turn[0]))
-        self.rule, self.shape, self.thrown, self.gone = rule, shape, [], 0
+        self.rule, self.ground, self.shape, self.thrown, self.gone = rule, ground, shape, [], 0
 
     def hit(self, k, events, slopes):
         row, col = (math.floor(float(place) + 0.5) for place in (events.y[k], events.x[k]))
@@ -111,21 +113,32 @@ class ObviousSplash:
                 self.thrown.append(found)
         self.creep(k, cell, events, slopes())
 
+    def wind_along(self, cell):
+        arrays, scale = self.ground.arrays, self.ground.scale
+        parcels = len(self.stacks.layers[cell]) + len(self.stacks.deeps[cell])
+        calm = arrays.lid[cell] > np.float32(parcels * scale.parcel * scale.part) + self.rule.creep.shelter
+        return 0.0 if calm else float(arrays.near[cell]) * math.sqrt(arrays.stress[cell])
+
     def creep(self, k, cell, events, slopes):
-        rule, start, layer = self.rule.sorting.creep, int(events.start[k]), self.stacks.layers[cell]
+        rule, start, layer = self.rule.creep, int(events.start[k]), self.stacks.layers[cell]
         length = math.sqrt(events.u[k] * events.u[k] + events.v[k] * events.v[k])
-        way = [
-            part / length - slope / rule.friction
-            for part, slope in zip((events.u[k], events.v[k]), slopes, strict=True)
-        ]
+        toward = events.u[k] / length, events.v[k] / length
+        rise = toward[0] * slopes[0] + toward[1] * slopes[1]
+        wind = self.wind_along(cell)
         for size in range(3):
-            if rule.number[size] == 0.0 or not layer:
-                continue
-            at = 80 + 32 * size
-            number = rule.number[size] * events.impact[k] * (layer.count(size) / len(layer))
-            for one in range(min(int(number + draw(start, at)), 8)):
+            helped = min(wind / rule.threshold[size], 1.0)
+            stopping = max(rule.friction * (1.0 - helped * helped) + rise, rule.reach[size])
+            way = [
+                rule.reach[size] / stopping * (part - (slope - rise * part) / stopping)
+                for part, slope in zip(toward, slopes, strict=True)
+            ]
+            longest = min(max(abs(part) for part in way), 1.0)
+            share = layer.count(size) / len(layer) if layer else 0.0
+            at = 80 + 64 * size
+            number = rule.number[size] * events.impact[k] * share * longest + draw(start, at)
+            for one in range(min(int(number), 16)):
                 steps = [
-                    int(math.copysign(draw(start, at + 1 + 2 * one + axis) < abs(part), part))
+                    int(math.copysign(draw(start, at + 1 + 2 * one + axis) < abs(part / longest), part))
                     for axis, part in enumerate(way)
                 ]
                 if any(steps) and layer.count(size):
@@ -133,11 +146,15 @@ class ObviousSplash:
 
     def move(self, cell, size, east, north):
         self.stacks.take(cell, size, 1)
-        row, col = cell // self.shape[1] + north, cell % self.shape[1] + east
-        if 0 <= row < self.shape[0] and 0 <= col < self.shape[1]:
-            self.stacks.put(row * self.shape[1] + col, size, 1)
-        else:
-            self.gone += 1
+        row, col = divmod(cell, self.shape[1])
+        for _ in range(16):
+            row, col = row + north, col + east
+            if not (0 <= row < self.shape[0] and 0 <= col < self.shape[1]):
+                self.gone += 1
+                return
+            if self.wind_along(row * self.shape[1] + col) <= self.rule.creep.threshold[size]:
+                break
+        self.stacks.put(row * self.shape[1] + col, size, 1)
 
 
 @settings(max_examples=20, deadline=None)
@@ -151,7 +168,11 @@ def test_splash_by_size_equals_the_obvious_one(seed):
     ground = GrainGround(model.parameters, bed, 270.0, count, model.sizes.mixture(bed))
     ground.shuffle_anew(seed)
     events, rule = impacts(ground, count, seed), model.splash(wind)
-    slow = ObviousSplash(rule, ground.arrays.mixture, bed.lattice.shape)
+    random = np.random.default_rng(seed)
+    ground.slow(random.uniform(0.1, 0.6, bed.sand.shape))
+    ground.bend_wind(WindOverWaves(stress=random.uniform(0.1, 4.0, bed.sand.shape)))
+    ground.spread_lid()
+    slow = ObviousSplash(rule, ground, bed.lattice.shape)
     copies = [None if entries is None else entries.copy() for entries in events]
     motion, marks = free_slots(count)
     grains = grains_in(motion, marks, np.zeros(count, np.int32))
@@ -201,20 +222,9 @@ def test_ejecta_and_speeds_scale_as_published():
     assert sorting.speed.max() == 1.0
 
 
-def test_pushes_take_their_share_of_momentum():
-    made = simulation()
-    rules, lattice = made.model.parameters, made.lattice
-    creep = made.model.splash(made.forcing.wind_of(0)).sorting.creep
-    step = 3 * 1.2e-3
-    speed = math.sqrt(2.0 * math.tan(math.radians(rules.repose_angle)) * rules.gravity * step)
-    pushes = creep.number[2] * lattice.cell_size / step
-    assert pushes * speed == pytest.approx(rules.creep_momentum)
-    assert creep.number[:2].tolist() == [0.0, 0.0]
-    assert grain_creep.DRAWS_PER_SIZE >= 1 + 2 * grain_creep.MOST_PUSHES
-
-
 def test_the_draws_of_sizes_have_places_of_their_own():
     last = grain_splash.EJECTA_DRAWS + grain_splash.MOST_EJECTA * grain_splash.DRAWS_PER_EJECTUM
     assert last < grain_splash.KIND_DRAWS
     assert grain_splash.KIND_DRAWS + grain_splash.MOST_EJECTA < grain_creep.CREEP_DRAWS
+    assert grain_creep.DRAWS_PER_SIZE >= 1 + 2 * grain_creep.MOST_PUSHES
     assert Stream(1, "sizes").key != Stream(1, "transport").key

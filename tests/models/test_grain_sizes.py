@@ -159,7 +159,8 @@ def test_what_is_too_heavy_to_fly_creeps_downwind_and_never_flies():
 
 
 def test_without_its_momentum_nothing_creeps():
-    simulation = sorted_sand(CREEPING, model__creep_momentum=0.0, model__repose_angle=89.0)
+    rules = {"model__creep_momentum": 0.0, "model__ejecta_momentum": 0.0}
+    simulation = sorted_sand(CREEPING, model__repose_angle=89.0, **rules)
     before = simulation.model.sizes.on_bed(simulation.bed)[1]
     heavy = simulation.bed.arrays["layer_2"] + simulation.bed.arrays["below_2"]
     simulation.advance(20)

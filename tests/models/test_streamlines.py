@@ -1,4 +1,4 @@
-"""The slope of streamlines over a bed of waves."""
+"""The wind over a bed of waves: its slope, its speed, its stress on the bed."""
 
 import numpy as np
 import pytest
@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 import barchan
 from barchan.bed import Lattice
 from barchan.models import model
-from barchan.models.streamlines import streamlines, wind_over_waves
+from barchan.models.streamlines import Spectrum, wind_over_waves
 from barchan.simulation import Simulation
 from barchan.streams import Stream
 from barchan.wind.segment import Segment
@@ -25,6 +25,11 @@ def lattice(boundary="periodic", rows=24, columns=64):
         boundary_x=boundary,
         boundary_y=boundary,
     )
+
+
+def streamlines(bed, field, direction, height):
+    waves = Spectrum(bed, field, direction)
+    return waves.slope(height), waves.faster(height), waves.aside(height)
 
 
 @pytest.mark.parametrize("waves", [1, 4, 12])
@@ -56,7 +61,7 @@ def test_the_wind_turns_across_oblique_crests():
     bed = 1e-3 * np.sin(number * (x + y))
     _, faster, aside = streamlines(bed, field, 270.0, HEIGHT)
     np.testing.assert_allclose(aside, faster, atol=1e-12)
-    np.testing.assert_allclose(streamlines(bed, field, 180.0, HEIGHT).aside, -aside, atol=1e-12)
+    np.testing.assert_allclose(streamlines(bed, field, 180.0, HEIGHT)[2], -aside, atol=1e-12)
 
 
 @settings(max_examples=20, deadline=None)
@@ -75,7 +80,7 @@ def test_a_bed_and_a_wind_turned_alike_have_the_same_streamlines(seed, direction
     field = lattice(boundary, rows=40, columns=40)
     bed = np.random.default_rng(seed).normal(0.0, 1e-3, field.shape)
     turned = streamlines(bed.T.copy(), field, (270.0 - direction + 180.0) % 360.0, HEIGHT)
-    mirrored = turned._replace(aside=-turned.aside)
+    mirrored = (*turned[:2], -turned[2])
     for found, one in zip(streamlines(bed, field, direction, HEIGHT), mirrored, strict=True):
         np.testing.assert_allclose(one.T, found, atol=1e-12)
 
@@ -101,14 +106,36 @@ def test_the_wind_over_waves_is_bounded_where_ground_is_steep():
     field = lattice()
     bed = np.zeros(field.shape)
     bed[8:16, 24:40] = 0.2
-    slope, speed, aside = wind_over_waves(bed, field, 270.0, HEIGHT, 2.0)
-    assert (slope.min(), slope.max()) == (-0.3, 0.3)
-    assert (speed.min(), speed.max()) == (0.1, 2.0)
-    assert (aside.min(), aside.max()) == (-0.3, 0.3)
+    wind = wind_over_waves(bed, field, 270.0, HEIGHT, 2.0, (4.0, 2.0))
+    assert (wind.rise.min(), wind.rise.max()) == (-0.3, 0.3)
+    assert (wind.gain.min(), wind.gain.max()) == (0.1, 2.0)
+    assert (wind.aside.min(), wind.aside.max()) == (-0.3, 0.3)
+    assert (wind.stress.min(), wind.stress.max()) == (pytest.approx(0.01), 4.0)
     low, (rise, faster, _) = 1e-3 * bed, streamlines(1e-3 * bed, field, 270.0, HEIGHT)
-    slope, speed, aside = wind_over_waves(low, field, 270.0, HEIGHT, 2.0)
-    np.testing.assert_array_equal(slope, rise)
-    np.testing.assert_array_equal(speed, 1.0 + 2.0 * faster)
+    wind = wind_over_waves(low, field, 270.0, HEIGHT, 2.0, (4.0, 0.0))
+    np.testing.assert_array_equal(wind.rise, rise)
+    np.testing.assert_array_equal(wind.gain, 1.0 + 2.0 * faster)
+
+
+@pytest.mark.parametrize("direction", [270.0, 90.0])
+def test_stress_is_highest_ahead_of_crests(direction):
+    field = lattice()
+    number = 2 * np.pi * 4 / (64 * WIDTH)
+    x = np.arange(64) * WIDTH
+    bed = np.tile(1e-3 * np.cos(number * x), (24, 1))
+    toward = 1.0 if direction == 270.0 else -1.0
+    expected = 1.0 + 1e-3 * number * (4.0 * np.cos(number * x) - toward * 2.0 * np.sin(number * x))
+    wind = wind_over_waves(bed, field, direction, None, 0.0, (4.0, 2.0))
+    np.testing.assert_allclose(wind.stress, np.tile(expected, (24, 1)), atol=1e-12)
+    assert (wind.rise, wind.gain, wind.aside) == (None, None, None)
+    along = wind_over_waves(bed, field, 180.0, None, 0.0, (4.0, 2.0))
+    np.testing.assert_allclose(along.stress, 1.0, atol=1e-12)
+
+
+def test_a_wind_that_is_not_to_differ_does_not():
+    assert wind_over_waves(np.zeros((24, 64)), lattice(), 270.0, None, 2.0, (0.0, 0.0)) == (None,) * 4
+    calm = wind_over_waves(np.zeros((24, 64)), lattice(), 270.0, HEIGHT, 0.0, (0.0, 0.0))
+    assert (calm.gain, calm.aside, calm.stress) == (None, None, None)
 
 
 def test_dust_goes_along_the_streamlines():
@@ -122,7 +149,7 @@ def test_dust_goes_along_the_streamlines():
     )
     wind = Segment(0, 1, 0, bed.lattice.cells, 270.0)
     paths = ripples(rules, bed.lattice).paths(bed, wind, Stream(1, "paths"), 5, longest=0.3)
-    slope, _, _ = streamlines(bed.elevation, bed.lattice, 270.0, 0.01)
+    slope = Spectrum(bed.elevation, bed.lattice, 270.0).slope(0.01)
     path = max(paths, key=len)[100:-200]
     column = (path[:, 0] / WIDTH - 0.5).astype(int) % 64
     ways = np.corrcoef(path[:, 5] / path[:, 3], slope[4, column])

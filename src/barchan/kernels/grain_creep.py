@@ -1,4 +1,9 @@
-"""Creep: grains too heavy to be thrown out are pushed along the bed by impacts, a short step at a time."""
+"""Creep: impacts push grains along the bed, a short step at a time.
+
+A pushed grain comes to rest where the bed, and its weight on a rising face, have taken the speed that it
+started with. The wind along the bed helps it, the more the nearer it is to one that keeps grains going by
+itself. Where it is as strong as that a grain goes on until it comes to where the wind is weaker.
+"""
 
 import math
 from typing import NamedTuple
@@ -11,20 +16,35 @@ from barchan.kernels.grain_state import TRAVEL_UNIT, draw
 from barchan.kernels.grain_surface import surface_at
 from barchan.kernels.mixture import amount
 
-MOST_PUSHES = 8
+MOST_PUSHES = 16
 """Parcels of one size that an impact pushes at most."""
 
-CREEP_DRAWS, DRAWS_PER_SIZE = 80, 32
+FARTHEST = 16
+"""Cells that the wind keeps a pushed grain going at most."""
+
+CREEP_DRAWS, DRAWS_PER_SIZE = 80, 64
 """Where in a slot's sequence the draws of creep begin, and how many each size may take."""
+
+_LEAST = 1e-9
+"""Cells; below it a way is none."""
 
 
 class Creep(NamedTuple):
-    """How sizes that do not fly are pushed."""
+    """How grains are pushed; by size where there are several."""
 
     number: np.ndarray
-    """By size: parcels pushed on by a cell for each m/s of an impact on such sand alone; 0: it flies."""
+    """Parcels set in motion for each m/s of an impact on such sand alone."""
+    reach: np.ndarray
+    """Distance (cells) that they go against a resistance as great as their weight."""
+    threshold: np.ndarray
+    """Friction velocity (m/s) near the bed of a wind that keeps them going by itself."""
     friction: float
-    """Slope (rise over run) that brings a pushed grain to a stop at once."""
+    """Resistance of the bed over their weight, as a slope (rise over run)."""
+    wind: float
+    """Friction velocity (m/s) near the bed, where it has no places."""
+    shelter: float
+    """Depth (m) below the line that shelters in which the wind still reaches grains: that line is not drawn
+    anew for each that leaves."""
 
 
 @njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
@@ -44,42 +64,84 @@ def _whole(part, chance):
     return 1 if part > 0.0 else -1
 
 
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+def _here(places, cell, everywhere):
+    """The value of a cell, where there are such; else the one for everywhere."""
+    if places is None:
+        return everywhere
+    return np.float64(places[cell])
+
+
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+def wind_along_bed(creep, cell, ground):
+    """Friction velocity (m/s) of the wind along the bed at a cell: none in shelter and among plants."""
+    if ground.lid[cell] > ground.height[cell] + creep.shelter or _here(ground.lift, cell, 0.0) > 0.0:
+        return 0.0
+    return _here(ground.near, cell, creep.wind) * math.sqrt(_here(ground.stress, cell, 1.0))
+
+
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+def pushed_way(x, y, east, north, resistance, reach):
+    """How far (cells) a push along (x, y) takes a grain over slopes; downslope too, as long as it moves."""
+    rise = x * east + y * north
+    stopping = max(resistance + rise, reach)
+    length = reach / stopping
+    aside_x, aside_y = east - rise * x, north - rise * y
+    return length * (x - aside_x / stopping), length * (y - aside_y / stopping)
+
+
 @njit(cache=True, nogil=True, error_model="numpy")
-def _move(cell, kind, way_x, way_y, ground, scale, grid, counts):
-    """Move a grain's sand to the next cell, or out of the field, where there is enough of its size."""
-    row, inside_y = _step(cell // grid.cols, way_y, grid.rows, grid.wrap_across)
-    col, inside_x = _step(cell % grid.cols, way_x, grid.cols, grid.wrap_along)
+def _move(cell, kind, way_x, way_y, creep, ground, scale, grid, counts):
+    """Move a grain's sand on until the wind stops it, or out of the field, if there is enough of its size."""
     if not take_up(cell, kind, ground, scale, grid):
         return
     counts[MOVED] += 1
-    counts[TRAVEL_X] += way_x * TRAVEL_UNIT
-    counts[TRAVEL_Y] += way_y * TRAVEL_UNIT
-    if inside_x and inside_y:
-        lay_down(row * grid.cols + col, kind, ground, scale, grid)
-    else:
-        counts[LEFT] += 1
-        counts[COUNTS + kind] += 1
+    for _ in range(FARTHEST):
+        row, inside_y = _step(cell // grid.cols, way_y, grid.rows, grid.wrap_across)
+        col, inside_x = _step(cell % grid.cols, way_x, grid.cols, grid.wrap_along)
+        counts[TRAVEL_X] += way_x * TRAVEL_UNIT
+        counts[TRAVEL_Y] += way_y * TRAVEL_UNIT
+        if not (inside_x and inside_y):
+            counts[LEFT] += 1
+            counts[COUNTS + kind] += 1
+            return
+        cell = row * grid.cols + col
+        if wind_along_bed(creep, cell, ground) <= creep.threshold[kind]:
+            break
+    lay_down(cell, kind, ground, scale, grid)
+
+
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+def _share(mixture, kind, cell):
+    """The part of the sand at the surface of a cell that is of a size; 0 where there is none."""
+    if mixture is None:
+        return 1.0
+    held = amount(mixture.layer, cell)
+    return mixture.layer[kind, cell] / held if held > 0 else 0.0
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
 def push(creep, k, cell, ground, scale, grid, events, counts):
-    """Push sand that creeps where the impact of entry ``k`` hit the bed: along its way, and downslope."""
+    """Push sand along where the impact of entry ``k`` hit the bed.
+
+    Sand moves by whole cells, so there are fewer pushes than grains, by as much as their way is shorter.
+    """
     if creep is not None:
         u, v, start = events.u[k], events.v[k], events.start[k]
-        length = math.sqrt(u * u + v * v)
-        if length == 0.0:
+        speed = math.sqrt(u * u + v * v)
+        if speed == 0.0:
             return
         _, east, north = surface_at(events.x[k], events.y[k], ground.height, scale.cell_size, grid)
-        part_x, part_y = u / length - east / creep.friction, v / length - north / creep.friction
+        wind = wind_along_bed(creep, cell, ground)
         for kind in range(creep.number.size):
-            held = amount(ground.mixture.layer, cell)
-            if creep.number[kind] == 0.0 or held == 0:
-                continue
+            carried = min(wind / creep.threshold[kind], 1.0)
+            resistance = creep.friction * (1.0 - carried * carried)
+            way_x, way_y = pushed_way(u / speed, v / speed, east, north, resistance, creep.reach[kind])
+            longest = max(min(max(abs(way_x), abs(way_y)), 1.0), _LEAST)
             at = CREEP_DRAWS + kind * DRAWS_PER_SIZE
-            share = ground.mixture.layer[kind, cell] / held
-            number = creep.number[kind] * events.impact[k] * share + draw(start, at)
-            for one in range(min(np.int64(number), MOST_PUSHES)):
-                way_x = _whole(part_x, draw(start, at + 1 + 2 * one))
-                way_y = _whole(part_y, draw(start, at + 2 + 2 * one))
-                if way_x != 0 or way_y != 0:
-                    _move(cell, kind, way_x, way_y, ground, scale, grid, counts)
+            number = creep.number[kind] * events.impact[k] * _share(ground.mixture, kind, cell) * longest
+            for one in range(min(np.int64(number + draw(start, at)), MOST_PUSHES)):
+                step_x = _whole(way_x / longest, draw(start, at + 1 + 2 * one))
+                step_y = _whole(way_y / longest, draw(start, at + 2 + 2 * one))
+                if step_x != 0 or step_y != 0:
+                    _move(cell, kind, step_x, step_y, creep, ground, scale, grid, counts)

@@ -2,7 +2,7 @@
 
 Rebound with a probability that grows with speed, rebound speed in proportion to it, and a number of low, slow
 ejecta in proportion to it too (Anderson & Haff 1991; Kok & Renno 2009). Of sand of several sizes each throws
-out parcels of each; sizes too heavy for that are pushed along instead (``grain_creep``).
+out parcels of each. Impacts also push grains along the bed (``grain_creep``).
 """
 
 import math
@@ -37,8 +37,6 @@ class Sorting(NamedTuple):
     """Parcels thrown out over those of sand that is all alike; 0 of sizes too heavy."""
     speed: np.ndarray
     """Their mean speed over that of sand that is all alike."""
-    creep: Creep | None
-    """How sizes too heavy for that are pushed; None: there are none."""
 
 
 class Splash(NamedTuple):
@@ -63,6 +61,8 @@ class Splash(NamedTuple):
     """Half the range of azimuths about the impact's own."""
     most: int
     """Rebounds after which a grain stays where it lands."""
+    creep: Creep | None = None
+    """How impacts push grains along the bed; None: they do not."""
     sorting: Sorting | None = None
     """What size changes; None: all grains are alike."""
 
@@ -138,12 +138,6 @@ def _pace(sorting, kind, other):
     return sorting.speed[kind, other]
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
-def _creep(sorting, k, cell, ground, scale, grid, events, counts):
-    if sorting is not None:
-        push(sorting.creep, k, cell, ground, scale, grid, events, counts)
-
-
 @njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
 def _next_free(at, events, found, grains):
     """The next entry from ``at`` on whose slot is free."""
@@ -198,4 +192,4 @@ def eject(first, found, grains, ground, scale, grid, rule, events, counts):
             slot = events.slot[free]
             launch(slot, x, y, np.float32(surface), np.float32(u), np.float32(v), np.float32(w), grains)
             set_kind(grains.kind, slot, kind)
-        _creep(rule.sorting, k, cell, ground, scale, grid, events, counts)
+        push(rule.creep, k, cell, ground, scale, grid, events, counts)

@@ -110,6 +110,8 @@ class Ground(NamedTuple):
     """Wind speed over that above a level bed (float32), where it is faster over waves."""
     aside: np.ndarray | None = None
     """Part of the wind that blows to the left of its way (float32), there too."""
+    stress: np.ndarray | None = None
+    """Shear stress of the wind on each cell over that on a level bed (float32), where waves change it."""
     lift: np.ndarray | None = None
     """Height (m, float32) by which plants lift the wind over each mesh cell, where there are any."""
     taken: np.ndarray | None = None

@@ -13,6 +13,7 @@ from barchan.models.grain_plants import Hold
 from barchan.models.grain_sizes import shuffle_anew
 from barchan.models.slab_heights import FRACTION_BITS
 from barchan.models.slab_tables import settling_sequences
+from barchan.models.streamlines import WindOverWaves
 from barchan.models.wind_frame import WindFrame
 from barchan.streams import derive
 from barchan.wind.flux import KARMAN
@@ -88,18 +89,12 @@ class GrainGround:
         lost = np.zeros(near.size, np.int64) if self.arrays.lost is None else self.arrays.lost
         self.arrays = self.arrays._replace(near=near, lost=lost)
 
-    def bend_wind(
-        self, rise: NDArray[np.float64], speed: tuple[NDArray[np.float64], NDArray[np.float64]] | None = None
-    ) -> None:
-        """Let the wind have a slope along its way over each mesh cell.
-
-        ``speed`` is how fast it blows there over that above a level bed, and the part of it that blows to the
-        left; it is alike everywhere where not given.
-        """
-        self.arrays = self.arrays._replace(rise=rise.reshape(-1).astype(np.float32))
-        if speed is not None:
-            gain, aside = (part.reshape(-1).astype(np.float32) for part in speed)
-            self.arrays = self.arrays._replace(gain=gain, aside=aside)
+    def bend_wind(self, wind: WindOverWaves) -> None:
+        """Let the wind follow the bed."""
+        rise, gain, aside, stress = (
+            None if part is None else part.reshape(-1).astype(np.float32) for part in wind
+        )
+        self.arrays = self.arrays._replace(rise=rise, gain=gain, aside=aside, stress=stress)
 
     def roughen(self, friction: float) -> None:
         """Let plants take their part from a wind of that friction velocity (m/s)."""

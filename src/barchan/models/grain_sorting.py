@@ -1,4 +1,4 @@
-"""What grain size changes about splash, and how sizes too heavy to fly creep."""
+"""What grain size changes about splash, and how impacts push grains along the bed."""
 
 import math
 from typing import Any
@@ -10,7 +10,7 @@ from barchan.bed import Lattice
 from barchan.models.ripple_parameters import RipplesParameters
 
 
-def sorting(rules: RipplesParameters, lattice: Lattice, creeps: NDArray[np.bool_]) -> Any:
+def sorting(rules: RipplesParameters, creeps: NDArray[np.bool_]) -> Any:
     """Number and speed of ejecta by the size that hits (rows) and the one that is hit (columns).
 
     A parcel holds grains in proportion to 1 / d³, so (d_i / d_s) ejected grains for each that hits are
@@ -20,21 +20,27 @@ def sorting(rules: RipplesParameters, lattice: Lattice, creeps: NDArray[np.bool_
 
     diameters = np.array([one.diameter for one in rules.classes])
     ratio = diameters / diameters[:, None]
-    creep = _creep(rules, lattice, diameters, creeps) if creeps.any() else None
-    return Sorting(np.where(creeps, 0.0, ratio**2), np.minimum(ratio**-2, 1.0), creep)
+    return Sorting(np.where(creeps, 0.0, ratio**2), np.minimum(ratio**-2, 1.0))
 
 
-def _creep(
-    rules: RipplesParameters, lattice: Lattice, diameters: NDArray[np.float64], creeps: NDArray[np.bool_]
-) -> Any:
-    """How sizes are pushed: by as much momentum as takes a grain over its step against friction.
+def creep(rules: RipplesParameters, lattice: Lattice, creeps: NDArray[np.bool_], wind: float) -> Any:
+    """How sizes are pushed, in a wind of some friction velocity (m/s) near the bed where it has no places.
 
-    Sand moves by whole cells, so there are fewer pushes than steps, by as much as a step is shorter.
+    Those that ``creeps`` marks are too heavy to be thrown out, and take the momentum of ejecta as well. None:
+    no momentum, no creep.
     """
     from barchan.kernels.grain_creep import Creep
 
-    friction = math.tan(math.radians(rules.repose_angle))
-    step = np.minimum(rules.creep_step * diameters, lattice.cell_size)
-    speed = np.sqrt(2.0 * friction * rules.gravity * step)
-    number = rules.creep_momentum / speed * step / lattice.cell_size
-    return Creep(np.where(creeps, number, 0.0), friction)
+    diameters = np.array([one.diameter for one in rules.by_size])
+    speed = rules.creep_speed * np.sqrt(rules.gravity * diameters)
+    momentum = rules.creep_momentum + np.where(creeps, rules.ejecta_momentum, 0.0)
+    if not momentum.any():
+        return None
+    return Creep(
+        momentum / speed,
+        speed**2 / (2.0 * rules.gravity * lattice.cell_size),
+        np.array([one.impact_threshold() for one in rules.by_size]),
+        math.tan(math.radians(rules.repose_angle)),
+        wind,
+        max(rules.diameter, rules.carried * lattice.thickness),
+    )

@@ -76,6 +76,28 @@ class RipplesParameters(GrainFlight):
         "1932); 2: near the bed of a turbulent one, whose shear stress is about 4 k h higher on waves of "
         "height h and wave number k (Fourrière et al. 2010; from memory)",
     )
+    crest_stress: float = parameter(
+        4.0,
+        unit="-",
+        ge=0,
+        le=20,
+        live=True,
+        group="wind",
+        meaning="How much higher the wind's stress on the bed is on crests of waves, and lower in their "
+        "troughs, over their height times wave number; it helps pushed grains along. 0: it is alike there.",
+        source="Fourrière et al. 2010, from memory: about 4",
+    )
+    stoss_stress: float = parameter(
+        2.0,
+        unit="-",
+        ge=0,
+        le=20,
+        live=True,
+        group="wind",
+        meaning="How much higher it is on faces that look upwind, over their slope; with it the stress is "
+        "highest ahead of crests.",
+        source="Fourrière et al. 2010, from memory: about 2",
+    )
     weight: float = parameter(
         0.1,
         unit="-",
@@ -237,25 +259,24 @@ class RipplesParameters(GrainFlight):
         source="Hirano 1971 for the layer; its thickness is ours",
     )
     creep_momentum: float = parameter(
-        0.15,
+        0.6,
         unit="-",
         ge=0,
         le=1,
         live=True,
         group="splash",
-        meaning="Share of the impact's momentum that grains take which are too heavy to fly: these are "
-        "pushed.",
-        source="ours: as much as ejecta of their size would take",
+        meaning="Share of the impact's momentum that pushes grains along the bed.",
+        source="ours: what rebounds (0.3) and ejecta (0.1) leave",
     )
-    creep_step: float = parameter(
-        3.0,
-        unit="grain diameters",
+    creep_speed: float = parameter(
+        1.41,
+        unit="-",
         gt=0,
-        le=100,
+        le=20,
         live=True,
         group="splash",
-        meaning="How far such a grain rolls at a push, at most a cell.",
-        source="ours; seed 000, §2.1.1: less than a centimetre",
+        meaning="Speed at which pushed grains start, over √(g d).",
+        source="ours: faster ones would rise over their neighbours, by a diameter, and fly",
     )
 
     @model_validator(mode="after")

@@ -11,7 +11,7 @@ from barchan.models.base import Derived, OwnMeasure
 from barchan.models.grain_air import HEIGHTS, above_focus, focused_wind, table
 from barchan.models.grain_ground import GrainGround
 from barchan.models.grain_sizes import SortedSand
-from barchan.models.grain_sorting import sorting
+from barchan.models.grain_sorting import creep, sorting
 from barchan.models.grains import GrainModel
 from barchan.models.ripple_parameters import RipplesParameters
 from barchan.models.slowed_wind import SlowedWind
@@ -109,12 +109,9 @@ class Ripples(GrainModel):
 
     def blow(self, ground: GrainGround, wind: Segment) -> Any:
         """Slow the wind over the ground, let it follow that, and find what it does to grains."""
-        height = self.parameters.streamline_height
-        if height is not None:
-            surface = ground.arrays.height.reshape(self.lattice.shape)
-            speedup = self.parameters.wave_speedup
-            slope, *speed = wind_over_waves(surface, self.lattice, wind.direction, height, speedup)
-            ground.bend_wind(slope, (speed[0], speed[1]) if speedup > 0.0 else None)
+        rules, surface = self.parameters, ground.arrays.height.reshape(self.lattice.shape)
+        about = rules.streamline_height, rules.wave_speedup, (rules.crest_stress, rules.stoss_stress)
+        ground.bend_wind(wind_over_waves(surface, self.lattice, wind.direction, *about))
         if self.near_bed.by_place:
             friction = self.parameters.friction_velocity(self.speed(wind))
             ground.slow(self.near_bed.friction(friction))
@@ -174,17 +171,24 @@ class Ripples(GrainModel):
 
         rules = self.parameters
         unit = math.sqrt(rules.gravity * rules.diameter)
+        friction = rules.friction_velocity(self.speed(wind))
         return Splash(
             *(rules.rebound_most, rules.rebound_rate, rules.restitution, math.radians(rules.rebound_angle)),
             rules.ejecta / unit,
             rules.ejecta_momentum / rules.ejecta * unit if rules.ejecta else 0.0,
             *(rules.ejecta_scale * unit, math.radians(rules.ejecta_angle)),
             *(math.radians(rules.azimuth_spread), rules.max_bounces),
-            None if self.sizes is None else sorting(rules, self.lattice, self.creeping(wind)),
+            creep(rules, self.lattice, self.creeping(wind), self.near_bed_friction(friction)),
+            None if self.sizes is None else sorting(rules, self.creeping(wind)),
         )
 
     def creeping(self, wind: Segment) -> NDArray[np.bool_]:
-        """Which sizes the wind cannot keep in the air: it is below the threshold that impacts leave them."""
+        """Which sizes the wind cannot keep in the air: it is below the threshold that impacts leave them.
+
+        Sand of one size splashes under any wind.
+        """
+        if self.sizes is None:
+            return np.zeros(1, np.bool_)
         friction = self.parameters.friction_velocity(self.speed(wind))
         return np.array([one.impact_threshold() > friction for one in self.parameters.by_size])
 

@@ -1,4 +1,4 @@
-"""Streamlines of a wind over a bed of waves: how steeply they rise and fall, how much faster it blows."""
+"""A wind over a bed of waves: how steeply it rises and falls, how fast it blows, how it drags at the bed."""
 
 from typing import NamedTuple
 
@@ -18,56 +18,101 @@ LEAST, MOST = 0.1, 2.0
 """Speed over that above a level bed, in the troughs of waves at least and over their crests at most."""
 
 
-class Streamlines(NamedTuple):
-    """How a wind differs over waves from that above a level bed, for each mesh cell.
+class WindOverWaves(NamedTuple):
+    """How a wind differs over waves from that above a level bed; None: it does not.
 
-    That is the square between a stack and its neighbours in the east and north.
+    All but the stress are of mesh cells: squares between a stack and its neighbours in the east and north.
     """
 
-    slope: NDArray[np.float64]
+    rise: NDArray[np.float64] | None = None
     """Rise over run along the wind."""
-    faster: NDArray[np.float64]
-    """Speed that comes to it, as a share."""
-    aside: NDArray[np.float64]
-    """Speed to the left of it, as a share."""
+    gain: NDArray[np.float64] | None = None
+    """Speed over that above a level bed."""
+    aside: NDArray[np.float64] | None = None
+    """Speed to the left over that above a level bed."""
+    stress: NDArray[np.float64] | None = None
+    """Shear stress on each cell over that on a level bed."""
+
+
+class Spectrum:
+    """The waves of a bed that a wind from ``direction`` (degrees) blows over.
+
+    A wave h has wave number k, of which k_w is along the wind and k_l to its left. At an open edge the bed is
+    mirrored.
+    """
+
+    def __init__(self, surface: NDArray, lattice: Lattice, direction: float) -> None:
+        """Take the bed's ``surface`` (m) apart."""
+        self.shape, self.joined, self.cell_size = lattice.shape, lattice.periodic, lattice.cell_size
+        mirrored = [(0, 0 if wraps else size) for wraps, size in zip(self.joined, self.shape, strict=True)]
+        bed = np.pad(np.asarray(surface, np.float64), mirrored, mode="symmetric")
+        self._size = bed.shape
+        across, along = (2 * np.pi * np.fft.fftfreq(size, lattice.cell_size) for size in bed.shape)
+        across, along = across[:, None], np.abs(along[: bed.shape[1] // 2 + 1])
+        self.number = np.hypot(across, along)
+        self.east, self.north = downwind(direction)
+        self.along_wind = self.east * along + self.north * across
+        self.to_left = self.east * across - self.north * along
+        self.ahead = self.along_wind / np.where(self.number > 0.0, self.number, 1.0)
+        self.waves = rfft2(bed)
+
+    def field(self, share: NDArray[np.float64]) -> NDArray[np.float64]:
+        """The sum over all waves of the ``share`` of each."""
+        rows, columns = self.shape
+        return np.asarray(irfft2(share * self.waves, s=self._size)[:rows, :columns])
+
+    def slope(self, height: float) -> NDArray[np.float64]:
+        """Rise over run of streamlines at a ``height`` (m): they follow waves by the share exp(-k height)."""
+        line = self.field(np.exp(-self.number * height))
+        east, north = (_mean_step(line, axis, self.joined) for axis in (1, 0))
+        return (self.east * east + self.north * north) / self.cell_size
+
+    def faster(self, height: float) -> NDArray[np.float64]:
+        """Speed that comes to it without friction, as a share: (k_w² / k) h exp(-k height) (Lamb 1932)."""
+        return over_mesh(
+            self.field(self.ahead * self.along_wind * np.exp(-self.number * height)), self.joined
+        )
+
+    def aside(self, height: float) -> NDArray[np.float64]:
+        """Speed to the left that comes to it, as a share: (k_w k_l / k) h exp(-k height)."""
+        return over_mesh(self.field(self.ahead * self.to_left * np.exp(-self.number * height)), self.joined)
+
+    def stress(self, crests: float, stoss: float) -> NDArray[np.float64]:
+        """Stress on the bed that comes to it, as a share: (A + i B) (k_w² / k) h for waves with k_w > 0.
+
+        A (``crests``) is what it rises by on crests, B (``stoss``) on faces that look upwind, so that it is
+        highest ahead of crests (Fourrière et al. 2010).
+        """
+        return self.field(self.ahead * self.along_wind * (crests + 1j * stoss * np.sign(self.along_wind)))
 
 
 def wind_over_waves(
-    surface: NDArray, lattice: Lattice, direction: float, height: float, speedup: float
-) -> Streamlines:
-    """Slope of a wind, its speed over that above a level bed, and the part of it that blows to its left.
+    surface: NDArray,
+    lattice: Lattice,
+    direction: float,
+    height: float | None,
+    speedup: float,
+    stress: tuple[float, float],
+) -> WindOverWaves:
+    """How a wind over the waves of a ``surface`` (m) differs from one over a level bed.
 
-    Speeds differ by ``speedup`` times as much as those of a flow without friction; see ``streamlines``. All
-    are bounded, for the theory is one of low waves.
+    Its streamlines are those of a ``height`` (m), and level where not given. Its speed differs by ``speedup``
+    times as much as without friction, the ``stress`` on the bed by A and B. All are bounded, for the theory
+    is one of low waves.
     """
-    slope, faster, aside = streamlines(surface, lattice, direction, height)
-    speed = np.clip(1.0 + speedup * faster, LEAST, MOST)
-    turned = np.clip(speedup * aside, -STEEPEST, STEEPEST)
-    return Streamlines(np.clip(slope, -STEEPEST, STEEPEST), speed, turned)
-
-
-def streamlines(surface: NDArray, lattice: Lattice, direction: float, height: float) -> Streamlines:
-    """How a wind from ``direction`` (degrees) without friction flows over a ``surface`` (m) of low waves.
-
-    At a ``height`` (m) over it the flow follows a wave h with wave number k by the share exp(-k height), is
-    faster by (k_w² / k) h exp(-k height) and turns to the left by (k_w k_l / k) h exp(-k height), k_w and
-    k_l being the components of k along the wind and to its left (Lamb 1932). At an open edge the bed is
-    mirrored and the last slopes are 0.
-    """
-    joined = lattice.periodic
-    rows, columns = lattice.shape
-    mirrored = [(0, 0 if wraps else size) for wraps, size in zip(joined, lattice.shape, strict=True)]
-    bed = np.pad(np.asarray(surface, np.float64), mirrored, mode="symmetric")
-    across, along = (2 * np.pi * np.fft.fftfreq(size, lattice.cell_size) for size in bed.shape)
-    across, along = across[:, None], np.abs(along[: bed.shape[1] // 2 + 1])
-    number = np.hypot(across, along)
-    east, north = downwind(direction)
-    waves = rfft2(bed) * np.exp(-number * height)
-    ahead = (east * along + north * across) / np.where(number > 0.0, number, 1.0)
-    shares = (1.0, ahead * (east * along + north * across), ahead * (east * across - north * along))
-    line, faster, aside = (irfft2(share * waves, s=bed.shape)[:rows, :columns] for share in shares)
-    slope = east * _mean_step(line, 1, joined) + north * _mean_step(line, 0, joined)
-    return Streamlines(slope / lattice.cell_size, over_mesh(faster, joined), over_mesh(aside, joined))
+    if height is None and not any(stress):
+        return WindOverWaves()
+    waves = Spectrum(surface, lattice, direction)
+    found = WindOverWaves()
+    if height is not None:
+        found = found._replace(rise=np.clip(waves.slope(height), -STEEPEST, STEEPEST))
+        if speedup > 0.0:
+            gain = np.clip(1.0 + speedup * waves.faster(height), LEAST, MOST)
+            aside = np.clip(speedup * waves.aside(height), -STEEPEST, STEEPEST)
+            found = found._replace(gain=gain, aside=aside)
+    if any(stress):
+        found = found._replace(stress=np.clip(1.0 + waves.stress(*stress), LEAST**2, MOST**2))
+    return found
 
 
 def _mean_step(line: NDArray[np.float64], axis: int, joined: tuple[bool, bool]) -> NDArray[np.float64]:
