@@ -187,11 +187,10 @@ def slopes_before_creep(slow, made, events, k):
 
 
 def eject(count, grains, ground, rule):
-    """Gather, take and launch ejecta."""
+    """Take and launch ejecta."""
     events, ejecta = ground.events, ground.ejecta
-    hits, free = grain_splash.gather(0, count, grains, events, ejecta, 0, 0)
     about = grains, ground.arrays, ground.scale, ground.grid, rule, events, ejecta
-    number = grain_splash.eject(hits, free, *about, ground.counts)
+    number = grain_splash.eject(np.array([count]), count, *about, ground.counts)
     grain_splash.throw(0, number, grains, rule, events, ejecta)
 
 

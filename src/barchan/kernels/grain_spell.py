@@ -12,11 +12,11 @@ import numpy as np
 from numba import njit
 
 from barchan.kernels import board
-from barchan.kernels.board import NOTHING, await_done, await_last, count_done, offer, report, take_first
+from barchan.kernels.board import NOTHING, await_done, await_last, offer, report, take_first
 from barchan.kernels.grain_bed import FLOWN, exchange
 from barchan.kernels.grain_flight import move_blocks, work_space
 from barchan.kernels.grain_landing import land
-from barchan.kernels.grain_splash import eject, gather, throw
+from barchan.kernels.grain_splash import eject, throw
 from barchan.kernels.grain_state import Air, Bounce, Ejecta, Events, Grains, Ground, LiftOff, Scale
 from barchan.kernels.grain_surface import renew_stale
 from barchan.kernels.lending import lent
@@ -64,57 +64,41 @@ class Plan(NamedTuple):
     """How far they have come: see ``ITERATION``."""
 
 
-ITERATION, TURN, THROWN = range(3)
-"""What ``now`` holds: the iteration, rounds so far, parcels thrown out in this iteration."""
+ITERATION, TURN, OFFERED, THROWN = range(4)
+"""What ``now`` holds: the iteration, the round (even: flight, odd: what follows), pieces offered so far, and
+parcels thrown out in this iteration."""
 
 
-def plan_of(key: int, slots: int) -> Plan:
-    """A plan for some slots under a stream's key."""
+def plan_of(key: int, slots: int, first: int) -> Plan:
+    """A plan for some slots under a stream's key, from iteration ``first`` on."""
     piece = PIECE
     while slots > piece * board.MOST_PIECES:
         piece *= 2
-    found, now = np.zeros(-(-slots // piece), np.int64), np.zeros(3, np.int64)
+    found, now = np.zeros(-(-slots // piece), np.int64), np.array([first - 1, -1, 0, 0])
     return Plan(np.uint64(key), slots, piece, board.new_board(), found, now)
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@njit(inline="always")
 def _fly(number, plan, scene, work):
     """Let the slots of a piece fly and land."""
-    plan, scene, work = lent((plan, scene, work))
-    key = derive(plan.key, plan.now[ITERATION])
     first = number * plan.piece
     last = min(first + plan.piece, plan.slots)
     about = scene.grains, scene.air, scene.grid, scene.ground
     count = move_blocks(first, last, *about, scene.events.near, work)
     rules = scene.scale, scene.rules, scene.splash, scene.events
-    plan.found[number] = land(first, count, key, *about, *rules)
+    plan.found[number] = land(first, count, derive(plan.key, plan.now[ITERATION]), *about, *rules)
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
-def _eject(splash, plan, scene):
-    """Take the sand of ejecta; how many parcels."""
-    if splash is None:
-        return 0
-    splash, plan, scene = lent((splash, plan, scene))
-    hits = free = 0
-    for number in range(plan.found.size):
-        first, count = number * plan.piece, plan.found[number]
-        hits, free = gather(first, count, scene.grains, scene.events, scene.ejecta, hits, free)
-    about = scene.grains, scene.ground, scene.scale, scene.grid, splash
-    return eject(hits, free, *about, scene.events, scene.ejecta, scene.counts)
-
-
-@njit(cache=True, nogil=True, error_model="numpy")
+@njit(inline="always")
 def _exchange(plan, scene):
-    """Let the sand change places; returns how many pieces the second round has."""
-    plan, scene = lent((plan, scene))
+    """Let the sand change places, of grains that flew and of ejecta."""
+    about = scene.grains, scene.ground, scene.scale, scene.grid
     shuffle_anew(scene.ground.mixture, derive(derive(plan.key, plan.now[ITERATION]), plan.slots))
-    about = scene.grains, scene.ground, scene.scale, scene.grid, scene.events, scene.counts
     for number in range(plan.found.size):
-        exchange(number * plan.piece, plan.found[number], *about)
-    plan.now[THROWN] = _eject(scene.splash, plan, scene)
+        exchange(number * plan.piece, plan.found[number], *about, scene.events, scene.counts)
+    about_splash = scene.splash, scene.events, scene.ejecta, scene.counts
+    plan.now[THROWN] = eject(plan.found, plan.piece, *about, *about_splash)
     scene.counts[FLOWN] += plan.slots
-    return _pieces(plan.now[THROWN], _EJECTA) + _pieces(scene.grid.rows, _rows(scene.grid))
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
@@ -128,68 +112,59 @@ def _rows(grid):
     return max(1, _CELLS // grid.cols)
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
-def _throw(splash, first, last, scene):
-    if splash is not None:
-        splash, scene = lent((splash, scene))
-        throw(first, last, scene.grains, splash, scene.events, scene.ejecta)
-
-
-@njit(cache=True, nogil=True, error_model="numpy")
+@njit(inline="always")
 def _finish(number, plan, scene):
     """Launch a piece of the ejecta, or after those renew a piece of the mesh."""
-    plan, scene = lent((plan, scene))
     thrown, rows = plan.now[THROWN], _rows(scene.grid)
     others = _pieces(thrown, _EJECTA)
     if number < others:
-        _throw(scene.splash, number * _EJECTA, min((number + 1) * _EJECTA, thrown), scene)
+        last = min((number + 1) * _EJECTA, thrown)
+        throw(number * _EJECTA, last, scene.grains, scene.splash, scene.events, scene.ejecta)
     else:
         first = (number - others) * rows
         renew_stale(first, min(first + rows, scene.grid.rows), scene.ground, scene.grid)
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
-def _do(turn, number, plan, scene, work):
-    """A piece of a round: of the first or the second one of an iteration."""
-    plan, scene, work = lent((plan, scene, work))
-    if turn % 2 == 0:
-        _fly(number, plan, scene, work)
-    else:
-        _finish(number, plan, scene)
-    report(plan.board)
-
-
-@njit(cache=True, nogil=True, error_model="numpy")
-def _share(pieces, plan, scene, work):
-    """Offer a round, and take part in it until all of it is done."""
-    plan, scene, work = lent((plan, scene, work))
-    turn, done = plan.now[TURN], count_done(plan.board) + pieces
-    offer(plan.board, turn, pieces)
-    number = take_first(plan.board)
-    while number != NOTHING:
-        _do(turn, number, plan, scene, work)
-        number = take_first(plan.board)
-    await_done(plan.board, done)
+@njit(inline="always")
+def _next_round(plan, scene, end):
+    """Once this round is done, offer the next one; its number, or ``NOTHING`` before iteration ``end``."""
+    turn = plan.now[TURN]
+    await_done(plan.board, plan.now[OFFERED])
+    if turn % 2 == 1 and plan.now[ITERATION] + 1 == end:
+        return NOTHING
     plan.now[TURN] = turn + 1
+    if turn % 2 == 1:
+        plan.now[ITERATION] += 1
+        pieces = plan.found.size
+    else:
+        _exchange(plan, scene)
+        pieces = _pieces(plan.now[THROWN], _EJECTA) + _pieces(scene.grid.rows, _rows(scene.grid))
+    plan.now[OFFERED] += pieces
+    offer(plan.board, turn + 1, pieces)
+    return turn + 1
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
-def _help(plan, scene, work):
-    plan, scene, work = lent((plan, scene, work))
-    turn, number = await_last(plan.board)
-    while number != NOTHING:
-        _do(turn, number, plan, scene, work)
-        turn, number = await_last(plan.board)
+def spell(leads, plan, scene, end):
+    """Make iterations up to before ``end``; or, as a thread that does not lead, help until the board closes.
 
-
-@njit(cache=True, nogil=True, error_model="numpy")
-def spell(leads, plan, scene, first, iterations):
-    """Make iterations from ``first`` on; or, as a thread that does not lead, help until the board closes."""
+    There is one place where pieces are done, whoever does them, and functions that it calls are made part of
+    it: code that is called through several others would be compiled again for each of them.
+    """
     plan, scene, work = lent((plan, scene, work_space()))
-    if not leads:
-        _help(plan, scene, work)
-        return
-    for iteration in range(first, first + iterations):
-        plan.now[ITERATION] = iteration
-        _share(plan.found.size, plan, scene, work)
-        _share(_exchange(plan, scene), plan, scene, work)
+    while True:
+        if leads:
+            turn, number = plan.now[TURN], take_first(plan.board)
+            if number == NOTHING:
+                if _next_round(plan, scene, end) == NOTHING:
+                    return
+                continue
+        else:
+            turn, number = await_last(plan.board)
+            if number == NOTHING:
+                return
+        if turn % 2 == 0:
+            _fly(number, plan, scene, work)
+        else:
+            _finish(number, plan, scene)
+        report(plan.board)

@@ -149,18 +149,16 @@ def _note_lost(lost, cell, places, counts):
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
-def gather(first, count, grains, events, ejecta, hits, free):
-    """Add impacts and free slots of the ``count`` entries from ``first`` on to as many as there are already.
-
-    Returns how many there are then.
-    """
-    grains, events, ejecta = lent((grains, events, ejecta))
-    for k in range(first, first + count):
-        ejecta.hits[hits] = k
-        hits += events.impact[k] != 0.0
-        slot = events.slot[k]
-        ejecta.free[free] = slot
-        free += slot >= 0 and grains.held[slot] == FREE
+def _gather(found, piece, grains, events, ejecta):
+    """List impacts and free slots of the events of all pieces; how many there are of each."""
+    hits = free = 0
+    for number in range(found.size):
+        for k in range(number * piece, number * piece + found[number]):
+            ejecta.hits[hits] = k
+            hits += events.impact[k] != 0.0
+            slot = events.slot[k]
+            ejecta.free[free] = slot
+            free += slot >= 0 and grains.held[slot] == FREE
     return hits, free
 
 
@@ -186,13 +184,17 @@ def _dig(k, cell, number, free, taken, grains, ground, scale, grid, rule, events
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
-def eject(hits, free, grains, ground, scale, grid, rule, events, ejecta, counts):
+def eject(found, piece, grains, ground, scale, grid, rule, events, ejecta, counts):
     """Take the sand of what impacts throw out, impact by impact; how many. Launching is for ``throw``.
 
-    There are as many ``hits`` and ``free`` slots as ``gather`` found. Where none is left the air carries all
-    it can, and nothing more is thrown out.
+    Of each piece, of as many slots, there are as many events as ``found``. Where no slot is free any more the
+    air carries all it can, and nothing more is thrown out. Without a ``rule`` nothing ever is.
     """
-    grains, ground, rule, events, ejecta, counts = lent((grains, ground, rule, events, ejecta, counts))
+    if rule is None:
+        return 0
+    found, grains, ground, rule = lent((found, grains, ground, rule))
+    events, ejecta, counts = lent((events, ejecta, counts))
+    hits, free = _gather(found, piece, grains, events, ejecta)
     taken = 0
     for at in range(hits):
         k = ejecta.hits[at]
@@ -212,6 +214,8 @@ def eject(hits, free, grains, ground, scale, grid, rule, events, ejecta, counts)
 @njit(cache=True, nogil=True, error_model="numpy")
 def throw(first, last, grains, rule, events, ejecta):
     """Launch some of the ejecta whose sand was taken. Each has a slot of its own: threads may share them."""
+    if rule is None:
+        return
     grains, rule, events, ejecta = lent((grains, rule, events, ejecta))
     for at in range(first, last):
         k, one, slot = ejecta.entry[at], ejecta.number[at], ejecta.slot[at]

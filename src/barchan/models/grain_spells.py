@@ -17,12 +17,12 @@ def spells(first: int, end: int, *intervals: int) -> Iterator[tuple[int, int]]:
 
 
 @contextmanager
-def shared_scene(scene: Any, key: int, slots: int) -> Iterator[Callable[[int, int], None]]:
-    """What makes spells (first iteration, how many) of a scene under a key, shared among threads."""
+def shared_scene(scene: Any, key: int, slots: int, first: int) -> Iterator[Callable[[int], None]]:
+    """What makes spells of a scene up to before an iteration, from ``first`` on, shared among threads."""
     from barchan.kernels import sharing
     from barchan.kernels.grain_spell import plan_of, spell
 
-    plan = plan_of(key, slots)
+    plan = plan_of(key, slots, first)
     threads = min(sharing.thread_count(), slots // sharing.LEAST)
-    with sharing.helped(lambda: spell(False, plan, scene, 0, 0), plan.board, threads - 1):
-        yield lambda first, count: spell(True, plan, scene, first, count)
+    with sharing.helped(lambda: spell(False, plan, scene, 0), plan.board, threads - 1):
+        yield lambda end: spell(True, plan, scene, end)

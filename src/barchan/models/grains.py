@@ -221,14 +221,14 @@ class GrainModel(Model):
     def _fly(self, first: int, count: int, stream: Stream, scene: Any, ground: GrainGround) -> None:
         """Let grains fly for iterations of a step, in a wind that blows as it is."""
         rules = self.parameters
-        with shared_scene(scene, stream.key, self.slots_in_use) as fly:
+        with shared_scene(scene, stream.key, self.slots_in_use, self.iteration) as fly_until:
             for number, some in spells(first, first + count, rules.shelter_every, rules.collapse_every):
                 if number % rules.shelter_every == 0:
                     ground.spread_lid()
                 if number and number % rules.collapse_every == 0:
                     ground.settle(derive(stream.key, self.iteration))
-                fly(self.iteration, some)
                 self.iteration += some
+                fly_until(self.iteration)
 
     def _rules(self, wind: Segment) -> tuple[Any, Any]:
         """How grains bounce and are lifted, and what impacts throw out, under a wind."""
