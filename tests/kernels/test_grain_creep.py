@@ -11,7 +11,7 @@ import barchan
 from barchan.kernels.grain_bed import MOVED, TRAVEL_X, TRAVEL_Y
 from barchan.kernels.grain_creep import FARTHEST, push, pushed_way
 from barchan.kernels.grain_state import TRAVEL_UNIT
-from barchan.models.grain_ground import GrainGround
+from barchan.models.grain_ground import GrainGround, room_for
 from barchan.models.streamlines import WindOverWaves
 from barchan.simulation import Simulation
 from barchan.streams import derive
@@ -29,7 +29,7 @@ def field(**rules):
         "run": {"steps": 1, "seed": 1},
     }
     made = Simulation(barchan.load(scenario))
-    return made, GrainGround(made.model.parameters, made.bed, 270.0, 1)
+    return made, GrainGround(made.model.parameters, made.bed, 270.0, room_for(1))
 
 
 def push_from_the_middle(made, ground, velocity, count=2000):

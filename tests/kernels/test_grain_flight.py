@@ -6,7 +6,7 @@ from hypothesis import Phase, given, settings
 from hypothesis import strategies as st
 
 from barchan.bed import Bed, Lattice
-from barchan.kernels import sharing
+from barchan.kernels import grain_spell, sharing
 from barchan.models import model
 from barchan.models.streamlines import WindOverWaves
 from barchan.streams import Stream, derive
@@ -103,12 +103,30 @@ def test_bits_do_not_depend_on_the_number_of_threads(monkeypatch, name, rules):
         bed = Bed(lattice, np.zeros(lattice.shape), np.full(lattice.shape, 20))
         flight = model(name)(model(name).Parameters(**rules), lattice)
         flight.prepare(bed, 1)
+        monkeypatch.setattr(grain_spell, "PIECE", 1024 if threads == 1 else 256)
         tally = flight.advance(bed, Segment(0, 200, 0, lattice.cells, 200.0), STREAM, 0, 0)
         beds.append((bed.sand.copy(), flight.motion.copy(), tally))
     for sand, motion, tally in beds[1:]:
         np.testing.assert_array_equal(sand, beds[0][0])
         np.testing.assert_array_equal(motion, beds[0][1])
         assert tally == beds[0][2]
+
+
+@pytest.mark.parametrize("threads", [1, 2])
+@pytest.mark.parametrize("name", ["wang_hu", "ripples"])
+def test_bits_do_not_depend_on_how_iterations_are_cut_into_spells(monkeypatch, name, threads):
+    monkeypatch.setattr(sharing, "LEAST", 256)
+    monkeypatch.setattr(sharing, "thread_count", lambda: threads)
+    beds = []
+    for most in (256, 3):
+        monkeypatch.setattr(grain_spell, "MOST_ITERATIONS", most)
+        lattice = Lattice(rows=30, columns=40, cell_size=0.01, slab_height=0.15e-3)
+        bed = Bed(lattice, np.zeros(lattice.shape), np.full(lattice.shape, 20))
+        flight = model(name)(model(name).Parameters(load=1.0), lattice)
+        flight.advance(bed, Segment(0, 30, 0, lattice.cells, 200.0), STREAM, 0, 0)
+        beds.append((bed.sand.copy(), flight.motion.copy()))
+    np.testing.assert_array_equal(beds[0][0], beds[1][0])
+    np.testing.assert_array_equal(beds[0][1], beds[1][1])
 
 
 @pytest.mark.parametrize("bounces", [0, 5])

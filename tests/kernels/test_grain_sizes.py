@@ -12,7 +12,7 @@ from barchan.bed import Bed
 from barchan.kernels import grain_creep, grain_splash
 from barchan.kernels.grain_bed import LEFT, MOVED
 from barchan.kernels.grain_flight import move
-from barchan.models.grain_ground import GrainGround
+from barchan.models.grain_ground import GrainGround, room_for
 from barchan.models.grain_slots import free_slots, grains_in
 from barchan.models.streamlines import WindOverWaves
 from barchan.simulation import Simulation
@@ -49,7 +49,7 @@ def simulation():
 def test_grains_of_each_size_fly_as_if_there_were_no_others():
     made = simulation()
     model, wind = made.model, made.forcing.wind_of(0)
-    ground = GrainGround(model.parameters, made.bed, 270.0, 300)
+    ground = GrainGround(model.parameters, made.bed, 270.0, room_for(300))
     random = np.random.default_rng(1)
     motion, marks = free_slots(300)
     motion[:2] = random.uniform(1.5, 4.0, (2, 300))
@@ -165,7 +165,7 @@ def test_splash_by_size_equals_the_obvious_one(seed):
     model, wind, bed = made.model, made.forcing.wind_of(0), made.bed
     bed.sand[...] = np.random.default_rng(seed).integers(0, 14, bed.sand.shape)
     count = 80
-    ground = GrainGround(model.parameters, bed, 270.0, count, model.sizes.mixture(bed))
+    ground = GrainGround(model.parameters, bed, 270.0, room_for(count, True), model.sizes.mixture(bed))
     ground.shuffle_anew(seed)
     events, rule = impacts(ground, count, seed), model.splash(wind)
     random = np.random.default_rng(seed)
@@ -183,9 +183,7 @@ def test_splash_by_size_equals_the_obvious_one(seed):
                 entries[...] = copy
         events.impact[...] = 0.0
         events.impact[k] = copies[type(events)._fields.index("impact")][k]
-        grain_splash.eject(
-            *(0, count, grains, ground.arrays, ground.scale, ground.grid, rule, events, ground.counts)
-        )
+        eject(count, grains, ground, rule)
         slow.hit(k, events, lambda k=k: slopes_before_creep(slow, made, events, k))
         layer, deep = slow.stacks.counts(3)
         np.testing.assert_array_equal(ground.arrays.mixture.layer, layer)
@@ -207,6 +205,14 @@ def slopes_before_creep(slow, made, events, k):
     ground = GrainGround(made.model.parameters, bed)
     height = ground.arrays.height
     return surface_at(events.x[k], events.y[k], height, made.lattice.cell_size, ground.grid)[1:]
+
+
+def eject(count, grains, ground, rule):
+    """Take and launch ejecta."""
+    events, ejecta = ground.events, ground.ejecta
+    about = grains, ground.arrays, ground.scale, ground.grid, rule, events, ejecta
+    number = grain_splash.eject(np.array([count]), count, *about, ground.counts)
+    grain_splash.throw(0, number, grains, rule, events, ejecta)
 
 
 def test_ejecta_and_speeds_scale_as_published():

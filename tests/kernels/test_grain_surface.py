@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from barchan.bed import Bed, Lattice
-from barchan.kernels.grain_surface import beyond, renew_mesh, renew_mesh_about, renew_mesh_of_patch
+from barchan.kernels.grain_surface import beyond, note_stale, renew_mesh, renew_stale
 from barchan.models import model
 from barchan.models.grain_ground import GrainGround
 
@@ -39,6 +39,15 @@ def mesh(ground):
     return np.array(found).T
 
 
+def renew_changed(ground, row, about):
+    """Renew the mesh where stacks changed in a row, and in as many about it."""
+    note_stale(row, about, about, ground.arrays, ground.grid)
+    rows = ground.grid.rows
+    for first, last in ((rows // 2, rows), (0, rows // 2)):
+        renew_stale(first, last, ground.arrays, ground.grid)
+    assert not ground.arrays.stale.any()
+
+
 @pytest.mark.parametrize("boundary", ["periodic", "open"])
 @pytest.mark.parametrize("shape", [(8, 8), (8, 11), (9, 13)])
 def test_bounds_and_means_follow_the_surface(shape, boundary):
@@ -47,7 +56,7 @@ def test_bounds_and_means_follow_the_surface(shape, boundary):
     rows, cols = shape
     for cell in range(rows * cols):
         ground.arrays.height[cell] = ground.arrays.lid[cell] = random.random()
-        renew_mesh_about(cell, ground.arrays, ground.grid)
+        renew_changed(ground, cell // cols, 0)
         np.testing.assert_array_equal((ground.arrays.top, ground.arrays.base), mesh(ground))
 
 
@@ -65,5 +74,5 @@ def test_a_patch_renews_all_that_it_touches(shape, boundary):
             if boundary == "periodic" or (0 <= row + r < rows and 0 <= col + c < cols)
         ]
         ground.arrays.height[about] = random.random(len(about))
-        renew_mesh_of_patch(row, col, ground.arrays, ground.grid)
+        renew_changed(ground, row, 1)
         np.testing.assert_array_equal((ground.arrays.top, ground.arrays.base), mesh(ground))

@@ -33,7 +33,7 @@ WESTERLY = Segment(0, 1, 0, LATTICE.cells, 270.0)
 
 def blowing(flight, bed, x, height):
     """Wind speeds as the kernels find them at a place (cells) and heights (m) over the bed."""
-    ground = flight.ground_of(bed, 270.0, 0)
+    ground = flight.ground_of(bed, 270.0)
     air = flight.blow(ground, WESTERLY)
     grains = grains_in(*free_slots(len(height)))
     grains.x[:], grains.y[:], grains.z[:] = x, 8.0, height
@@ -95,9 +95,9 @@ def test_low_plants_leave_the_roughness_and_displacement_of_the_field():
 def test_the_shelter_of_crests_is_lifted_too():
     flight, bed = flat(plants=[GRASS], shelter_angle=15.0)
     bed.sand[:, 20] = 400
-    ground = flight.ground_of(bed, 270.0, 0)
+    ground = flight.ground_of(bed, 270.0)
     ground.spread_lid()
-    bare = flat(shelter_angle=15.0)[0].ground_of(bed, 270.0, 0)
+    bare = flat(shelter_angle=15.0)[0].ground_of(bed, 270.0)
     bare.spread_lid()
     lift = 2 / 3 * 0.05
     rise = (ground.arrays.base - bare.arrays.base).reshape(LATTICE.shape)
@@ -112,7 +112,7 @@ def test_at_open_edges_plants_stand_up_to_the_edge():
         flight = model("wang_hu")(model("wang_hu").Parameters(plants=[{**GRASS, "east": 1.0}]), lattice)
         bed = Bed(lattice, np.zeros(lattice.shape), np.ones(lattice.shape, np.int32))
         flight.prepare(bed, 1)
-        rise = flight.ground_of(bed, 270.0, 0).arrays.lift.reshape(lattice.shape)
+        rise = flight.ground_of(bed, 270.0).arrays.lift.reshape(lattice.shape)
         assert rise[8, -1] == pytest.approx(share * 2 / 3 * 0.05)
 
 
@@ -159,7 +159,7 @@ def test_without_plants_there_is_no_field_and_nothing_to_paint_or_draw():
     assert simulation.model.paintable() == {}
     assert "plants" not in simulation.model.facts()
     assert layers_of(scenario) == ()
-    assert simulation.model.ground_of(simulation.bed, 270.0, 0).arrays.lift is None
+    assert simulation.model.ground_of(simulation.bed, 270.0).arrays.lift is None
 
 
 def test_frames_carry_plants_and_pictures_show_them():
@@ -187,9 +187,9 @@ def test_later_stands_replace_earlier_ones():
 
 def test_shares_of_the_height_may_change_during_a_run():
     simulation = Simulation(barchan.load(SMALL))
-    ground = [simulation.model.ground_of(simulation.bed, 270.0, 0).arrays.lift.max()]
+    ground = [simulation.model.ground_of(simulation.bed, 270.0).arrays.lift.max()]
     simulation.apply(SetParameter(key="model.plant_displacement", value=0.5))
-    ground.append(simulation.model.ground_of(simulation.bed, 270.0, 0).arrays.lift.max())
+    ground.append(simulation.model.ground_of(simulation.bed, 270.0).arrays.lift.max())
     np.testing.assert_allclose(ground, [0.05 * 2 / 3, 0.025], rtol=1e-6)
 
 

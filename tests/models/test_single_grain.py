@@ -78,13 +78,13 @@ def test_the_published_drag_lets_fine_sand_fall_far_too_fast():
 def test_a_falling_grain_reaches_its_settling_speed():
     """Straight from the kernels: still air, a long fall."""
     from barchan.kernels.grain_landing import fly
-    from barchan.models.grain_ground import GrainGround
+    from barchan.models.grain_ground import GrainGround, room_for
     from barchan.models.grain_slots import free_slots, grains_in
 
     wang_hu = model("wang_hu")
     flight = wang_hu(wang_hu.Parameters(drag="reynolds", wind_speed=0.0), LATTICE)
     ground = GrainGround(
-        flight.parameters, Bed(LATTICE, np.zeros(LATTICE.shape), np.ones(LATTICE.shape)), slots=1
+        flight.parameters, Bed(LATTICE, np.zeros(LATTICE.shape), np.ones(LATTICE.shape)), room=room_for(1)
     )
     grains = grains_in(*free_slots(1), None)
     grains.z[0], grains.held[0] = 100.0, 1

@@ -2,7 +2,8 @@
 
 A parcel is the sand of one cell, as high as one unit of the bed. A grain takes one along, from the nearest
 stack, or as many as a patch of nine stacks gives. Exchange happens one grain after the other in the order of
-slots, so it is the same however the flight was shared among threads.
+slots, so it is the same however the flight was shared among threads. The mesh is left as it was: rows of it
+that must be computed anew before grains fly on are noted.
 """
 
 import numpy as np
@@ -10,7 +11,7 @@ from numba import njit
 
 from barchan.kernels.avalanche import COL_STEP, ROW_STEP, neighbour
 from barchan.kernels.grain_state import NOWHERE, OUT, PATCH, free_slot
-from barchan.kernels.grain_surface import renew_mesh, renew_mesh_about, renew_mesh_of_patch
+from barchan.kernels.grain_surface import note_stale, renew_mesh
 from barchan.kernels.lending import lent
 from barchan.kernels.mixture import available, kind_of, put, take
 from barchan.kernels.settle import CHECKED, let_go, upset
@@ -19,6 +20,9 @@ MOVED, LEFT, CAPPED, TRAVEL_X, TRAVEL_Y, FLOWN, LOST = range(7)
 """What the counts of a step hold, in grains; travel in ``TRAVEL_UNIT``."""
 COUNTS = 7
 """How many they are; after them follow those that left, by size."""
+
+_MIDDLE = 4
+"""Parcels of a patch on the middle stack, where none is missing."""
 
 
 @njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
@@ -34,10 +38,32 @@ def _share(direction):
     return 2 if ROW_STEP[direction] * COL_STEP[direction] == 0 else 1
 
 
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+def _lay_row(west, at_sides, between, ground, scale):
+    """Lay parcels on three cells side by side."""
+    _change(np.uint64(west), at_sides, ground, scale)
+    _change(np.uint64(west + 1), between, ground, scale)
+    _change(np.uint64(west + 2), at_sides, ground, scale)
+
+
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+def _is_plain(mixture, row, col, grid):
+    """Whether sand is all alike and a patch has all its nine stacks about the middle one."""
+    if mixture is not None:
+        return False
+    return 0 < row < grid.rows - 1 and 0 < col < grid.cols - 1
+
+
 @njit(cache=True, nogil=True, error_model="numpy")
 def _lay_patch(cell, kind, ground, scale, grid):
     """Lay a grain's parcels over a cell and its neighbours; missing ones leave their share to the cell."""
     row, col = cell // grid.cols, cell % grid.cols
+    note_stale(row, 1, 1, ground, grid)
+    if _is_plain(ground.mixture, row, col, grid):
+        _lay_row(cell - grid.cols - 1, 1, 2, ground, scale)
+        _lay_row(cell - 1, 2, _MIDDLE, ground, scale)
+        _lay_row(cell + grid.cols - 1, 1, 2, ground, scale)
+        return
     rest = PATCH
     for k in range(8):
         r, c = neighbour(row, col, k, grid)
@@ -48,13 +74,28 @@ def _lay_patch(cell, kind, ground, scale, grid):
             rest -= _share(k)
     _change(cell, rest, ground, scale)
     put(ground.mixture, cell, kind, rest)
-    renew_mesh_of_patch(row, col, ground, grid)
+
+
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+def _is_deep(cell, sand, grid):
+    """Whether all nine stacks of a patch have what it may ask of any."""
+    least = sand[np.uint64(cell)]
+    for middle in (cell - grid.cols, cell, cell + grid.cols):
+        least = min(least, min(sand[np.uint64(middle - 1)], sand[np.uint64(middle + 1)]))
+        least = min(least, sand[np.uint64(middle)])
+    return least >= _MIDDLE
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
 def _take_patch(cell, kind, ground, scale, grid):
     """Take them; the cell gives what its neighbours have not. False: it cannot, and nothing changed."""
     row, col = cell // grid.cols, cell % grid.cols
+    note_stale(row, 1, 1, ground, grid)
+    if _is_plain(ground.mixture, row, col, grid) and _is_deep(cell, ground.sand, grid):
+        _lay_row(cell - grid.cols - 1, -1, -2, ground, scale)
+        _lay_row(cell - 1, -2, -_MIDDLE, ground, scale)
+        _lay_row(cell + grid.cols - 1, -1, -2, ground, scale)
+        return True
     rest = PATCH
     for k in range(8):
         r, c = neighbour(row, col, k, grid)
@@ -72,7 +113,6 @@ def _take_patch(cell, kind, ground, scale, grid):
             parcels = min(_share(k), available(ground.mixture, ground.sand, kind, other))
             _change(other, -parcels, ground, scale)
             take(ground.mixture, other, kind, parcels)
-    renew_mesh_of_patch(row, col, ground, grid)
     return True
 
 
@@ -82,7 +122,7 @@ def lay_down(cell, kind, ground, scale, grid):
     if scale.carried == 1:
         _change(cell, 1, ground, scale)
         put(ground.mixture, cell, kind, 1)
-        renew_mesh_about(cell, ground, grid)
+        note_stale(cell // grid.cols, 0, 0, ground, grid)
     else:
         _lay_patch(cell, kind, ground, scale, grid)
 
@@ -96,7 +136,7 @@ def take_up(cell, kind, ground, scale, grid):
         return False
     _change(cell, -1, ground, scale)
     take(ground.mixture, cell, kind, 1)
-    renew_mesh_about(cell, ground, grid)
+    note_stale(cell // grid.cols, 0, 0, ground, grid)
     return True
 
 

@@ -212,7 +212,23 @@ def _find_low(start, count, grains, grid, top, cell, value):
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
-def _move_blocks(first, last, grains, air, grid, ground, near, work):
+def work_space():
+    """What a thread needs to move grains block by block."""
+    cell = np.empty(BLOCK, np.int32)
+    wind = np.empty(BLOCK, np.float32)
+    share = np.empty(BLOCK, np.float32)
+    climb = np.empty(BLOCK, np.float32)
+    turn = np.empty(BLOCK, np.float32)
+    return cell, wind, share, climb, turn
+
+
+@njit(cache=True, nogil=True, error_model="numpy")
+def move_blocks(first, last, grains, air, grid, ground, near, work):
+    """Let the slots from ``first`` to before ``last`` fly for one time step.
+
+    Writes those that left the field or lie below the highest corner of their mesh cell into ``near``, from
+    ``first`` on, and returns how many they are. The rest is for ``land``.
+    """
     cell, wind, share, climb, turn = work
     found = first
     for start in range(first, last, BLOCK):
@@ -234,16 +250,6 @@ def _move_blocks(first, last, grains, air, grid, ground, near, work):
 
 @njit(cache=True, nogil=True, error_model="numpy")
 def move(first, last, grains, air, grid, ground, near):
-    """Let the slots from ``first`` to before ``last`` fly for one time step.
-
-    Writes those that left the field or lie below the highest corner of their mesh cell into ``near``, from
-    ``first`` on, and returns how many they are. The rest is for ``land``.
-    """
+    """The same with work space of its own."""
     grains, air, ground, near = lent((grains, air, ground, near))
-    cell = np.empty(BLOCK, np.int32)
-    wind = np.empty(BLOCK, np.float32)
-    share = np.empty(BLOCK, np.float32)
-    climb = np.empty(BLOCK, np.float32)
-    turn = np.empty(BLOCK, np.float32)
-    work = cell, wind, share, climb, turn
-    return _move_blocks(first, last, grains, air, grid, ground, near, work)
+    return move_blocks(first, last, grains, air, grid, ground, near, work_space())

@@ -7,7 +7,7 @@ from barchan.kernels.grain_bounce import bounce
 from barchan.kernels.grain_flight import move
 from barchan.kernels.grain_lift import lift
 from barchan.kernels.grain_splash import rebound
-from barchan.kernels.grain_state import FLYING, GONE, NOWHERE, record_end
+from barchan.kernels.grain_state import FLYING, GONE, LOST_UNIT, NOWHERE, record_end
 from barchan.kernels.grain_surface import height_at, surface_at
 from barchan.kernels.lending import lent
 from barchan.kernels.mixture import kind_of, set_kind
@@ -55,7 +55,8 @@ def _splash(k, slot, start, x, y, surface, east, north, grains, air, rule, event
     events.impact[k] = rebound(slot, start, surface, east, north, grains, rule)
     if grains.held[slot] == FLYING:
         u, v = u - grains.u[slot], v - grains.v[slot]
-    events.lost[k] = np.float64(u) * air.wind_x + np.float64(v) * air.wind_y
+    lost = np.float64(u) * air.wind_x + np.float64(v) * air.wind_y
+    events.lost[k] = np.int64(np.rint(lost * LOST_UNIT))
 
 
 @njit(cache=True, nogil=True, error_model="numpy")

@@ -7,7 +7,15 @@ from barchan.kernels.grain_bed import FLOWN, exchange, settle_about
 from barchan.kernels.grain_landing import fly
 from barchan.kernels.grain_lift import lift
 from barchan.kernels.grain_state import FLYING, NOWHERE
+from barchan.kernels.grain_surface import renew_stale
 from barchan.kernels.random import derive
+
+
+@njit(cache=True, nogil=True, error_model="numpy")
+def _exchange_one(grains, ground, scale, grid, events, counts):
+    """Exchange the sand of the only entry, and let the mesh follow at once."""
+    exchange(0, 1, grains, ground, scale, grid, events, counts)
+    renew_stale(0, grid.rows, ground, grid)
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
@@ -25,11 +33,11 @@ def trajectories(count, key, grains, air, ground, scale, grid, rules, splash, sl
         if source == NOWHERE:
             continue
         events.slot[0], events.rest[0], events.source[0] = 0, NOWHERE, source
-        exchange(0, 1, grains, ground, scale, grid, events, counts)
+        _exchange_one(grains, ground, scale, grid, events, counts)
         while grains.held[0] == FLYING:
             counts[FLOWN] += 1
             if fly(0, 1, start, grains, air, grid, ground, scale, in_flight, splash, events):
-                exchange(0, 1, grains, ground, scale, grid, events, counts)
+                _exchange_one(grains, ground, scale, grid, events, counts)
         end = events.rest[0] if events.rest[0] >= 0 else source
         settle_about(source, end, ground, scale, sequences, start, grid, repose, queue, waiting)
 

@@ -18,9 +18,6 @@ from barchan.kernels.grain_surface import nearest_cell, surface_at
 from barchan.kernels.lending import lent
 from barchan.kernels.mixture import amount, kind_of, set_kind
 
-LOST_UNIT = 1 << 20
-"""Parts of 1 m/s in which the speed that impacts take is counted, so that sums are exact."""
-
 MOST_EJECTA = 8
 """Ejecta of one impact at most."""
 
@@ -139,57 +136,90 @@ def _pace(sorting, kind, other):
 
 
 @njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
-def _next_free(at, events, found, grains):
-    """The next entry from ``at`` on whose slot is free."""
-    while at < found and (events.slot[at] < 0 or grains.held[events.slot[at]] != FREE):
-        at += 1
-    return at
-
-
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
-def _note_lost(speed, cell, lost, counts):
-    counts[LOST] += speed
-    if lost is not None:
-        lost[cell] += speed
+def _note_lost(lost, cell, places, counts):
+    counts[LOST] += lost
+    if places is not None:
+        places[cell] += lost
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
-def eject(first, found, grains, ground, scale, grid, rule, events, counts):
-    """Throw grains out where others hit the bed, for the entries ``first`` to before ``found``.
+def _gather(found, piece, grains, events, ejecta):
+    """List impacts and free slots of the events of all pieces; how many there are of each."""
+    hits = free = 0
+    for number in range(found.size):
+        for k in range(number * piece, number * piece + found[number]):
+            ejecta.hits[hits] = k
+            hits += events.impact[k] != 0.0
+            slot = events.slot[k]
+            ejecta.free[free] = slot
+            free += slot >= 0 and grains.held[slot] == FREE
+    return hits, free
 
-    They take free slots. Where none is left the air carries all it can, and nothing more is thrown out.
-    """
-    grains, ground, rule, events, counts = lent((grains, ground, rule, events, counts))
-    free = _next_free(first, events, found, grains)
-    for k in range(first, found):
-        speed = events.impact[k]
-        if speed == 0.0:
+
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+def _dig(k, cell, number, free, taken, grains, ground, scale, grid, rule, events, ejecta):
+    """Take the parcels of ``number`` ejecta of entry ``k``; how many of the ``free`` slots are taken then."""
+    x, y, start = events.x[k], events.y[k], events.start[k]
+    hitting = kind_of(events.kind, k)
+    for one in range(number):
+        if taken == free:
+            break
+        surface, east, north = surface_at(x, y, ground.height, scale.cell_size, grid)
+        part = draw(start, KIND_DRAWS + one)
+        kind = _thrown_kind(rule.sorting, hitting, cell, ground.mixture, part)
+        if kind < 0 or not take_up(cell, kind, ground, scale, grid):
             continue
-        start = events.start[k]
-        x, y = events.x[k], events.y[k]
-        cell = nearest_cell(x, y, grid)
-        _note_lost(np.int64(np.rint(events.lost[k] * LOST_UNIT)), cell, ground.lost, counts)
-        hitting = kind_of(events.kind, k)
-        plenty = _plenty(rule.sorting, hitting, cell, ground.mixture)
-        number = rule.number * speed * plenty + draw(start, EJECTA_DRAWS)
-        mean = rule.fastest * (1.0 - math.exp(-speed / rule.scale))
-        for one in range(min(np.int64(number), MOST_EJECTA)):
-            free = _next_free(free, events, found, grains)
-            if free == found:
-                break
-            surface, east, north = surface_at(x, y, ground.height, scale.cell_size, grid)
-            part = draw(start, KIND_DRAWS + one)
-            kind = _thrown_kind(rule.sorting, hitting, cell, ground.mixture, part)
-            if kind < 0 or not take_up(cell, kind, ground, scale, grid):
-                continue
-            at = EJECTA_DRAWS + 1 + one * DRAWS_PER_EJECTUM
-            angle = exponential(draw(start, at), rule.eject_angle, _QUARTER_TURN)
-            azimuth = rule.spread * (2.0 * draw(start, at + 1) - 1.0)
-            pace = _pace(rule.sorting, hitting, kind)
-            fast = exponential(draw(start, at + 2), mean * pace, speed)
-            u, v, w = thrown(events.u[k], events.v[k], azimuth, angle, fast, east, north)
-            counts[MOVED] += 1
-            slot = events.slot[free]
-            launch(slot, x, y, np.float32(surface), np.float32(u), np.float32(v), np.float32(w), grains)
-            set_kind(grains.kind, slot, kind)
+        slot = ejecta.free[taken]
+        ejecta.entry[taken], ejecta.number[taken], ejecta.slot[taken] = k, one, slot
+        ejecta.surface[taken], ejecta.east[taken], ejecta.north[taken] = surface, east, north
+        set_kind(grains.kind, slot, kind)
+        taken += 1
+    return taken
+
+
+@njit(cache=True, nogil=True, error_model="numpy")
+def eject(found, piece, grains, ground, scale, grid, rule, events, ejecta, counts):
+    """Take the sand of what impacts throw out, impact by impact; how many. Launching is for ``throw``.
+
+    Of each piece, of as many slots, there are as many events as ``found``. Where no slot is free any more the
+    air carries all it can, and nothing more is thrown out. Without a ``rule`` nothing ever is.
+    """
+    if rule is None:
+        return 0
+    found, grains, ground, rule = lent((found, grains, ground, rule))
+    events, ejecta, counts = lent((events, ejecta, counts))
+    hits, free = _gather(found, piece, grains, events, ejecta)
+    taken = 0
+    for at in range(hits):
+        k = ejecta.hits[at]
+        cell = nearest_cell(events.x[k], events.y[k], grid)
+        _note_lost(events.lost[k], cell, ground.lost, counts)
+        plenty = _plenty(rule.sorting, kind_of(events.kind, k), cell, ground.mixture)
+        most = rule.number * events.impact[k] * plenty + draw(events.start[k], EJECTA_DRAWS)
+        number = min(np.int64(most), MOST_EJECTA)
+        if number > 0:
+            about = grains, ground, scale, grid, rule, events, ejecta
+            taken = _dig(k, cell, number, free, taken, *about)
         push(rule.creep, k, cell, ground, scale, grid, events, counts)
+    counts[MOVED] += taken
+    return taken
+
+
+@njit(cache=True, nogil=True, error_model="numpy")
+def throw(first, last, grains, rule, events, ejecta):
+    """Launch some of the ejecta whose sand was taken. Each has a slot of its own: threads may share them."""
+    if rule is None:
+        return
+    grains, rule, events, ejecta = lent((grains, rule, events, ejecta))
+    for at in range(first, last):
+        k, one, slot = ejecta.entry[at], ejecta.number[at], ejecta.slot[at]
+        speed, start = events.impact[k], events.start[k]
+        draws = EJECTA_DRAWS + 1 + one * DRAWS_PER_EJECTUM
+        angle = exponential(draw(start, draws), rule.eject_angle, _QUARTER_TURN)
+        azimuth = rule.spread * (2.0 * draw(start, draws + 1) - 1.0)
+        mean = rule.fastest * (1.0 - math.exp(-speed / rule.scale))
+        pace = _pace(rule.sorting, kind_of(events.kind, k), kind_of(grains.kind, slot))
+        fast = exponential(draw(start, draws + 2), mean * pace, speed)
+        u, v, w = thrown(events.u[k], events.v[k], azimuth, angle, fast, ejecta.east[at], ejecta.north[at])
+        u, v, w = np.float32(u), np.float32(v), np.float32(w)
+        launch(slot, events.x[k], events.y[k], np.float32(ejecta.surface[at]), u, v, w, grains)

@@ -98,6 +98,8 @@ class Ground(NamedTuple):
     base: np.ndarray
     """The mean of the lid over each mesh cell (m) and what plants lift it by: the wind's height counts from
     there."""
+    stale: np.ndarray
+    """Rows of mesh cells (1, else 0; uint8) of whose stacks some have changed since."""
     mixture: Mixture | None = None
     """Where sand of which size lies, where there are several."""
     near: np.ndarray | None = None
@@ -187,11 +189,30 @@ class Events(NamedTuple):
     """Its velocity then (m/s)."""
     v: np.ndarray
     lost: np.ndarray
-    """Speed along the wind that the impact took (m/s)."""
+    """Speed along the wind that the impact took (``LOST_UNIT``)."""
     start: np.ndarray
     """Where the random numbers of the impact start."""
     kind: np.ndarray | None = None
     """The grain's size, where there are several."""
+
+
+class Ejecta(NamedTuple):
+    """Parcels that impacts throw out in an iteration, and what that takes; see ``grain_splash``."""
+
+    hits: np.ndarray
+    """Entries of ``Events`` that are impacts, in their order."""
+    free: np.ndarray
+    """Slots that are free, in the order of entries."""
+    entry: np.ndarray
+    """By parcel: the impact's entry."""
+    number: np.ndarray
+    """Which one of the impact's it is."""
+    slot: np.ndarray
+    """The slot that it flies in."""
+    surface: np.ndarray
+    """Height (m) of the surface when it was thrown out, and its slopes."""
+    east: np.ndarray
+    north: np.ndarray
 
 
 NOWHERE, OUT = -1, -2
@@ -201,6 +222,9 @@ PATCH = 16
 
 TRAVEL_UNIT = 1 << 16
 """Parts of a cell in which travel is counted, so that sums are exact."""
+
+LOST_UNIT = 1 << 20
+"""Parts of 1 m/s in which the speed that impacts take is counted, for the same reason."""
 
 
 @njit(cache=True, nogil=True, error_model="numpy", forceinline=True)

@@ -8,6 +8,8 @@ cell let flight leave the interpolation to grains that are about to land.
 import numpy as np
 from numba import njit
 
+from barchan.kernels.lending import lent
+
 _QUARTER = np.float32(0.25)
 
 
@@ -106,40 +108,36 @@ def _renew_span(south, north, count, ground):
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
-def renew_mesh(ground, grid):
-    """Compute bound and mean of every mesh cell."""
+def _renew_row(row, ground, grid):
     last = grid.cols - 1
-    for row in range(grid.rows):
-        north, _ = beyond(row, last, grid)
-        _renew_span(row * grid.cols, north * grid.cols, last, ground)
-        _renew(row, last, ground, grid)
-
-
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
-def renew_mesh_about(cell, ground, grid):
-    """Compute bound and mean of the four mesh cells that a stack is a corner of."""
-    row = cell // grid.cols
-    col = cell - row * grid.cols
-    south = row - 1 if row > 0 else grid.rows - 1
-    west = col - 1 if col > 0 else grid.cols - 1
-    _renew(row, col, ground, grid)
-    _renew(south, col, ground, grid)
-    _renew(row, west, ground, grid)
-    _renew(south, west, ground, grid)
+    north, _ = beyond(row, last, grid)
+    _renew_span(row * grid.cols, north * grid.cols, last, ground)
+    _renew(row, last, ground, grid)
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
-def renew_mesh_of_patch(row, col, ground, grid):
-    """The same for the sixteen mesh cells about a stack and its eight neighbours."""
-    inside = 2 <= row < grid.rows - 2 and 2 <= col < grid.cols - 2
-    for step_row in range(-2, 2):
-        r = row + step_row
-        if inside:
-            at = r * grid.cols + col - 2
-            _renew_span(at, at + grid.cols, 4, ground)
-            continue
-        r = r + grid.rows if r < 0 else (r - grid.rows if r >= grid.rows else r)
-        for step_col in range(-2, 2):
-            c = col + step_col
-            c = c + grid.cols if c < 0 else (c - grid.cols if c >= grid.cols else c)
-            _renew(r, c, ground, grid)
+def renew_mesh(ground, grid):
+    """Compute bound and mean of every mesh cell."""
+    for row in range(grid.rows):
+        _renew_row(row, ground, grid)
+
+
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+def note_stale(row, before, after, ground, grid):
+    """Note that stacks have changed from ``before`` rows south of a row to as many as ``after`` north of it.
+
+    The row of mesh cells south of the first of them has corners there too.
+    """
+    for step in range(-before - 1, after + 1):
+        r = row + step
+        ground.stale[r + grid.rows if r < 0 else (r - grid.rows if r >= grid.rows else r)] = 1
+
+
+@njit(cache=True, nogil=True, error_model="numpy")
+def renew_stale(first, last, ground, grid):
+    """Compute bound and mean of mesh cells anew in those rows, of some, of which stacks have changed."""
+    ground = lent(ground)
+    for row in range(first, last):
+        if ground.stale[row]:
+            ground.stale[row] = 0
+            _renew_row(row, ground, grid)

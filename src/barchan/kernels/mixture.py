@@ -11,7 +11,10 @@ from typing import NamedTuple
 import numpy as np
 from numba import njit
 
-from barchan.kernels.random import GOLDEN, below, high, mix
+from barchan.kernels.random import GOLDEN, below, derive, high, mix
+
+_OWN = 4
+"""What draws of sizes have as their number under a key."""
 
 
 class Mixture(NamedTuple):
@@ -67,6 +70,13 @@ def nth(counts, cell, at):
         if at < 0:
             return kind
     return counts.shape[0] - 1
+
+
+@njit(cache=True, nogil=True, error_model="numpy")
+def shuffle_anew(mixture, key):
+    """Start the draws of sizes anew under a key."""
+    if mixture is not None:
+        mixture.turn[0] = derive(key, _OWN)
 
 
 @njit(cache=True, nogil=True, error_model="numpy")

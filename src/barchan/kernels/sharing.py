@@ -1,19 +1,22 @@
-"""Slots shared among threads: compiled code that lets go of Python's lock, each thread with slots of its own.
+"""Threads that help one that leads: compiled code that lets go of Python's lock, and a board (``board``).
 
-What a thread does depends on nothing that another one does, so the bits are the same for any number.
+What a piece of work gives depends on nothing that other threads do, so the bits are the same for any number.
 """
 
 import ctypes
 import os
 import sys
 import threading
-from collections.abc import Callable
-from concurrent.futures import Future, ThreadPoolExecutor
-from contextlib import suppress
+from collections.abc import Callable, Iterator
+from concurrent.futures import Future, ThreadPoolExecutor, wait
+from contextlib import contextmanager, suppress
 from functools import cache
 
-LEAST = 20480
-"""Slots below which a thread is not worth its start."""
+import numpy as np
+from numpy.typing import NDArray
+
+LEAST = 4096
+"""Slots for each thread below which it is not worth its start."""
 
 
 def thread_count() -> int:
@@ -43,11 +46,20 @@ class Worker:
         self._thread = ThreadPoolExecutor(1)
         self._id = self._thread.submit(threading.get_native_id).result()
         self._kept_off = -1
+        self._work: Future[object] | None = None
 
-    def submit(self, work: Callable[[int, int], int], first: int, last: int) -> "Future[int]":
-        """Let it work; the result to come."""
+    def submit(self, work: Callable[[], object]) -> None:
+        """Let it work; raises what ended its work before, if that was an error."""
+        before, self._work = self._work, None
+        if before is not None and before.done():
+            before.result()
         self._keep_off()
-        return self._thread.submit(work, first, last)
+        self._work = self._thread.submit(work)
+
+    def wait(self) -> None:
+        """Wait until it has worked."""
+        if self._work is not None:
+            wait([self._work])
 
     def _keep_off(self) -> None:
         find = _processor_finder()
@@ -59,22 +71,56 @@ class Worker:
                 os.sched_setaffinity(self._id, others or {here})
 
 
-@cache
-def _workers(_process: int, count: int) -> list[Worker]:
-    return [Worker() for _ in range(count)]
+class Workers:
+    """The workers of this process, each of which works for one leader at a time."""
+
+    def __init__(self) -> None:
+        """Start with none: they come when they are asked for."""
+        self._free: list[Worker] = []
+        self._made = 0
+        self._lock = threading.Lock()
+
+    @contextmanager
+    def taken(self, most: int) -> Iterator[list[Worker]]:
+        """Up to ``most`` workers that nobody else has; there are no more than that in all."""
+        with self._lock:
+            if not self._free and self._made < most:
+                missing = most - self._made
+                self._free += [Worker() for _ in range(missing)]
+                self._made += missing
+            count = max(0, min(most, len(self._free)))
+            mine, self._free = self._free[:count], self._free[count:]
+        try:
+            yield mine
+        finally:
+            with self._lock:
+                self._free += mine
 
 
-def shared(work: Callable[[int, int], int], slots: int, block: int, threads: int) -> list[tuple[int, int]]:
-    """Call ``work(first, last)`` for shares of the slots; the first slot and the result of each, in order."""
-    shares = max(1, min(threads, slots // LEAST))
-    size = -(-slots // (shares * block)) * block
-    firsts = list(range(0, slots, size))
-    if len(firsts) == 1:
-        return [(0, work(0, slots))]
-    workers = _workers(os.getpid(), threads - 1)
-    others = [
-        worker.submit(work, first, min(first + size, slots))
-        for worker, first in zip(workers, firsts[1:], strict=False)
-    ]
-    results = [work(0, size), *(other.result() for other in others)]
-    return list(zip(firsts, results, strict=True))
+_workers = [Workers()]
+
+
+def _start_anew() -> None:
+    """A forked process has none of the threads, and maybe a lock that nobody opens."""
+    _workers[0] = Workers()
+
+
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(after_in_child=_start_anew)
+
+
+@contextmanager
+def helped(work: Callable[[], object], board: NDArray[np.int64], helpers: int) -> Iterator[int]:
+    """Have ``work`` done in as many helpers, or as many as are free; tells how many.
+
+    Helpers come to the board when they can, and go when it closes: at the end, whatever ends it.
+    """
+    from barchan.kernels.board import close
+
+    with _workers[0].taken(helpers) as workers:
+        try:
+            for worker in workers:
+                worker.submit(work)
+            yield len(workers)
+        finally:
+            close(board)

@@ -33,11 +33,11 @@ class GrainGround:
         rules: GrainFlight,
         bed: Bed,
         direction: float = 270.0,
-        slots: int = 0,
+        room: Any = None,
         mixture: Any = None,
         plants: Hold | None = None,
     ) -> None:
-        """Take a bed under a wind from ``direction`` (degrees), for grains in some slots.
+        """Take a bed under a wind from ``direction`` (degrees), with room for grains (``room_for``).
 
         Sand of several sizes comes with its ``mixture``, a field with ``plants`` with their hold on the wind.
         """
@@ -60,7 +60,8 @@ class GrainGround:
         height = (level * self.scale.part).astype(np.float32)
         lid = height if rules.shelter_angle is None else height.copy()
         top, base = np.zeros((2, lattice.cells), np.float32)
-        self.arrays = Ground(bed.sand.reshape(-1), level, height, lid, top, base, mixture)
+        stale = np.zeros(lattice.shape[0], np.uint8)
+        self.arrays = Ground(bed.sand.reshape(-1), level, height, lid, top, base, stale, mixture)
         if plants is not None:
             self.arrays = self.arrays._replace(lift=plants.lift, taken=np.zeros_like(plants.lift))
         renew_mesh(self.arrays, self.grid)
@@ -68,12 +69,12 @@ class GrainGround:
         self.waiting = np.zeros(lattice.cells, np.uint8)
         sizes = 1 if mixture is None else len(mixture.layer)
         self.counts = np.zeros(COUNTS + sizes, np.int64)
-        self.events = _room_for_events(slots, mixture is not None)
+        self.events, self.ejecta = room or room_for(0)
 
     def lost_speed(self) -> NDArray[np.float64]:
         """Speed (m/s) along the wind that impacts took since last asked: by cell, or a cell's mean."""
         from barchan.kernels.grain_bed import LOST
-        from barchan.kernels.grain_splash import LOST_UNIT
+        from barchan.kernels.grain_state import LOST_UNIT
 
         if self.arrays.lost is None:
             lost = np.asarray(self.counts[LOST] / self.lattice.cells)
@@ -102,24 +103,12 @@ class GrainGround:
             taken = friction / KARMAN * self.plants.logarithm
             self.arrays = self.arrays._replace(taken=taken.astype(np.float32))
 
-    def count_flight(self, slots: int) -> None:
-        """Count an iteration of that many slots."""
-        from barchan.kernels.grain_bed import FLOWN
+    def scene(self, grains: Any, air: Any, rules: tuple[Any, Any], splash: Any) -> Any:
+        """All that takes part in an iteration, as the kernels take it."""
+        from barchan.kernels.grain_spell import Scene
 
-        self.counts[FLOWN] += slots
-
-    def eject(self, found: list[tuple[int, int]], grains: Any, splash: Any) -> None:
-        """Throw parcels out where grains hit the bed; ``found`` are the shares of the events."""
-        from barchan.kernels.grain_splash import eject
-
-        total = found[0][1]
-        for first, count in found[1:]:
-            for entries in filter(lambda entries: entries is not None, self.events):
-                entries[total : total + count] = entries[first : first + count].copy()
-            total += count
-        eject(
-            *(0, total, grains, self.arrays, self.scale, self.grid, splash, self.events, self.counts),
-        )
+        about = grains, air, self.grid, self.arrays, self.scale, rules, splash
+        return Scene(*about, self.events, self.ejecta, self.counts)
 
     def shuffle_anew(self, key: int) -> None:
         """Start the draws of sizes anew under a key."""
@@ -201,15 +190,18 @@ class GrainGround:
         )
 
 
-def _room_for_events(slots: int, sorted_by_size: bool) -> Any:
-    from barchan.kernels.grain_state import Events
+def room_for(slots: int, sorted_by_size: bool = False) -> Any:
+    """Room for the events and the ejecta of an iteration, for grains in some slots."""
+    from barchan.kernels.grain_state import Ejecta, Events
 
     near, slot, rest, source, way_x, way_y = np.zeros((6, slots), np.int64)
     x, y = np.zeros((2, slots), np.float32)
-    impact, u, v, lost = np.zeros((4, slots))
+    impact, u, v = np.zeros((3, slots))
+    lost = np.zeros(slots, np.int64)
     kind = np.zeros(slots, np.int32) if sorted_by_size else None
     capped, start = np.zeros(slots, np.uint8), np.zeros(slots, np.uint64)
-    return Events(near, slot, rest, source, way_x, way_y, capped, impact, x, y, u, v, lost, start, kind)
+    events = Events(near, slot, rest, source, way_x, way_y, capped, impact, x, y, u, v, lost, start, kind)
+    return events, Ejecta(*np.zeros((5, slots), np.int64), *np.zeros((3, slots)))
 
 
 def _levels(bed: Bed, one: int) -> NDArray[np.int64]:

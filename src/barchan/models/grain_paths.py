@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from barchan.bed import Bed
+from barchan.models.grain_ground import room_for
 from barchan.models.grain_slots import free_slots, grains_in
 from barchan.streams import Stream, derive
 from barchan.wind.segment import Segment
@@ -49,7 +50,7 @@ def follow(
 
 def _surroundings(model: "GrainModel", bed: Bed, wind: Segment) -> Any:
     """Air, bed and rules as the kernel takes them; a lift-off is sure where the wind lifts at all."""
-    ground = model.ground_of(bed, wind.direction, 1)
+    ground = model.ground_of(bed, wind.direction, room_for(1, model.sizes is not None))
     ground.spread_lid()
     air = model.blow(ground, wind)
     lifts = model.lift_off(wind)

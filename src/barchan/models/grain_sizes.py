@@ -10,7 +10,7 @@ from pydantic_core import InitErrorDetails, PydanticCustomError
 
 from barchan.bed import Bed, FieldInfo
 from barchan.parameters import Parameters, parameter
-from barchan.streams import Stream, derive
+from barchan.streams import Stream
 
 MOST = 4
 """Classes at most."""
@@ -151,7 +151,9 @@ class SortedSand:
 
 def shuffle_anew(mixture: Any, key: int) -> None:
     """Start the draws of sizes anew under a key."""
-    mixture.turn[0] = derive(key, MOST)
+    from barchan.kernels import mixture as kernel
+
+    kernel.shuffle_anew(mixture, np.uint64(key))
 
 
 def mixed(

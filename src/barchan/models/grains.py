@@ -13,11 +13,12 @@ from barchan.errors import ScenarioError
 from barchan.models import grain_checks
 from barchan.models.base import Model, Tally
 from barchan.models.grain_air import HEIGHTS, SQUARED_SPEEDS, log_wind, table
-from barchan.models.grain_ground import GrainGround, repose_limits
+from barchan.models.grain_ground import GrainGround, repose_limits, room_for
 from barchan.models.grain_parameters import GrainFlight
 from barchan.models.grain_plants import PAINTED, PLANT_HEIGHT, PLANT_SHARE, PLANTS, hold, planted
 from barchan.models.grain_sizes import SortedSand
 from barchan.models.grain_slots import close_gaps, free_slots, grains_in
+from barchan.models.grain_spells import shared_scene, spells
 from barchan.streams import Stream, derive
 from barchan.wind.segment import Segment, downwind
 
@@ -172,7 +173,7 @@ class GrainModel(Model):
     def advance(self, bed: Bed, segment: Segment, stream: Stream, still: int, limit: int) -> Tally:
         """Let the grains in the air fly, land and be replaced."""
         total = Tally(still=still, airborne=self.airborne)
-        ground = self.ground_of(bed, segment.direction, self.slots)
+        ground = self.ground_of(bed, segment.direction, self._room)
         grains = self.grains()
         for _ in range(segment.steps):
             ground.counts[:] = 0
@@ -185,12 +186,17 @@ class GrainModel(Model):
         self._store(bed, ground)
         return total
 
-    def ground_of(self, bed: Bed, direction: float, slots: int) -> GrainGround:
-        """A bed under a wind from ``direction`` (degrees), for grains in some slots."""
+    @cached_property
+    def _room(self) -> Any:
+        """Room for what becomes of grains in an iteration, made once: new memory is slow at first."""
+        return room_for(self.slots, self.sizes is not None)
+
+    def ground_of(self, bed: Bed, direction: float, room: Any = None) -> GrainGround:
+        """A bed under a wind from ``direction`` (degrees), with room for what becomes of grains."""
         mixture = None if self.sizes is None else self.sizes.mixture(bed)
         rules = self.parameters
         plants = hold(rules, bed.arrays[PLANT_HEIGHT.name], self.lattice) if rules.plants else None
-        return GrainGround(rules, bed, direction, slots, mixture, plants)
+        return GrainGround(rules, bed, direction, room, mixture, plants)
 
     def _store(self, bed: Bed, ground: GrainGround) -> None:
         if self.sizes is not None:
@@ -204,51 +210,29 @@ class GrainModel(Model):
             self.iteration += 1
             return
         iterations = round(wind.share * rules.iterations_per_step)
-        landing = self._rules(wind)
-        air, felt = self.blow(ground, wind), 0
-        for number in range(iterations):
-            if number == felt + self.wind_every:
-                self.feel(ground, self.wind_every * rules.time_step)
-                air, felt = self.blow(ground, wind), number
-            if number == felt:
-                self._choose_slots()
-            if number % rules.shelter_every == 0:
-                ground.spread_lid()
-            if number and number % rules.collapse_every == 0:
-                ground.settle(derive(stream.key, self.iteration))
-            self._iterate(derive(stream.key, self.iteration), grains, air, ground, *landing)
-            self.iteration += 1
-        self.feel(ground, (iterations - felt) * rules.time_step)
+        for first in range(0, iterations, self.wind_every):
+            air = self.blow(ground, wind)
+            self._choose_slots()
+            count = min(self.wind_every, iterations - first)
+            self._fly(first, count, stream, ground.scene(grains, air, *self._rules(wind)), ground)
+            self.feel(ground, count * rules.time_step)
         ground.settle(derive(stream.key, self.iteration))
+
+    def _fly(self, first: int, count: int, stream: Stream, scene: Any, ground: GrainGround) -> None:
+        """Let grains fly for iterations of a step, in a wind that blows as it is."""
+        rules = self.parameters
+        with shared_scene(scene, stream.key, self.slots_in_use, self.iteration) as fly_until:
+            for number, some in spells(first, first + count, rules.shelter_every, rules.collapse_every):
+                if number % rules.shelter_every == 0:
+                    ground.spread_lid()
+                if number and number % rules.collapse_every == 0:
+                    ground.settle(derive(stream.key, self.iteration))
+                self.iteration += some
+                fly_until(self.iteration)
 
     def _rules(self, wind: Segment) -> tuple[Any, Any]:
         """How grains bounce and are lifted, and what impacts throw out, under a wind."""
         return (self.bounce(), self.lift_off(wind)), self.splash(wind)
-
-    def _iterate(
-        self, key: int, grains: Any, air: Any, ground: GrainGround, rules: tuple[Any, Any], splash: Any
-    ) -> None:
-        """All grains fly for one time step, then those that touched down meet the bed."""
-        from barchan.kernels.grain_bed import exchange
-        from barchan.kernels.grain_flight import BLOCK, move
-        from barchan.kernels.grain_landing import land
-        from barchan.kernels.sharing import shared, thread_count
-
-        arrays, events = ground.arrays, ground.events
-        about = grains, air, ground.grid, arrays
-
-        def fly(first: int, last: int) -> int:
-            count = move(first, last, *about, events.near)
-            return land(first, count, np.uint64(key), *about, ground.scale, rules, splash, events)
-
-        slots = self.slots_in_use
-        found = shared(fly, slots, BLOCK, thread_count())
-        ground.shuffle_anew(derive(key, slots))
-        for first, count in found:
-            exchange(first, count, grains, arrays, ground.scale, ground.grid, events, ground.counts)
-        if splash is not None:
-            ground.eject(found, grains, splash)
-        ground.count_flight(slots)
 
     def _follow(self, key: int, grains: Any, air: Any, ground: GrainGround, wind: Segment) -> None:
         """As many grains as the field has cells fly from lift-off to rest, one after the other."""
@@ -323,7 +307,7 @@ class GrainModel(Model):
 
     def settle(self, bed: Bed, where: NDArray[np.bool_] | None = None) -> int:
         """Relax slopes to the angle of repose."""
-        ground = self.ground_of(bed, _ANY, 0)
+        ground = self.ground_of(bed, _ANY)
         slid = ground.settle_where(np.ones(bed.sand.size, np.bool_) if where is None else where.ravel())
         self._store(bed, ground)
         return slid
