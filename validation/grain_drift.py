@@ -1,11 +1,12 @@
 """Which way waves of sand travel: against the wind after the published rules, downwind with splash.
 
 Waves are laid across fields of 256 × 32 cells of 5 mm once the grains in the air have found their balance,
-after 3 s of flight, 3 seeds; they are 8 cm long and 3 mm high unless it says otherwise. `wang_hu` has 10 m/s
-and steps of 0.5 ms. What 4000 iterations lay down and take, in phase with the wave and a quarter behind it,
-tells how fast the wave grows and travels, by the wind that the bed sees. A grain's sand is a quarter of a
-grain thick and lies over a patch of nine stacks under `ripples`; under `wang_hu`, and on the rough bed, it
-is as thick as a grain and lies on one stack. The rough bed has had 250 s of wind before the wave is laid.
+after 3 s of flight, 3 seeds; they are 8 cm long unless it says otherwise, and a 40th of that high. `wang_hu`
+has 10 m/s and steps of 0.5 ms. What 4000 iterations lay down and take, in phase with the wave and a quarter
+behind it, tells how fast the wave grows and travels, by the wind that the bed sees. A grain's sand is a
+quarter of a grain thick and lies over a patch of nine stacks under `ripples`; under `wang_hu`, and on the
+rough bed, it is as thick as a grain and lies on one stack. The rough bed has had 250 s of wind before the
+wave is laid.
 """
 
 import numpy as np
@@ -21,8 +22,8 @@ COLUMNS, ROWS = 256, 32
 DEPTH = 0.03
 LENGTHS = {4: "32 cm", 8: "16 cm", 16: "8 cm", 24: "5.3 cm", 32: "4 cm"}
 """Waves in a field, and how long they are."""
-HEIGHT = 1.5e-3
-"""Amplitude (m) of the waves."""
+HEIGHT = 1 / 40
+"""Of waves, over their length: lower than ripples that have saturated."""
 WARM_UP, ROUGHENING, SPELL, MEASURED = 120, 200, 6, 80
 """Steps before the waves are laid, or before that on the rough bed; until grains have met them; measured."""
 
@@ -43,7 +44,8 @@ def response(model, waves, warm_up, seed):
     simulation = barchan.Simulation(scenario)
     simulation.advance(warm_up)
     phase = np.arange(COLUMNS) * 2 * np.pi * waves / COLUMNS
-    wave = np.rint(HEIGHT / parcel * np.sin(phase)).astype(np.int32)
+    length = COLUMNS * CELL / waves
+    wave = np.rint(0.5 * HEIGHT * length / parcel * np.sin(phase)).astype(np.int32)
     simulation.bed.sand[...] = simulation.bed.sand + wave
     simulation.ledger.entered += int(wave.sum()) * ROWS
     simulation.advance(SPELL)
@@ -55,7 +57,6 @@ def response(model, waves, warm_up, seed):
     amplitude = 2 * np.mean(before * np.sin(phase))
     growth = 2 * np.mean(change * np.sin(phase)) / amplitude / seconds
     turn = -2 * np.mean(change * np.cos(phase)) / amplitude / seconds
-    length = COLUMNS * CELL / waves
     return {
         "growth": float(growth) * 1e3,
         "speed": float(turn * length / (2 * np.pi) * 1e3),

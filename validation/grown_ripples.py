@@ -1,12 +1,14 @@
 """Ripples of grains that grow by themselves from a flat bed, under `ripples`.
 
-Fields of 256 × 32 cells of 5 mm, sand of 0.15 mm unless it says otherwise, half an hour of wind, 3 seeds. A
-simulated grain's sand is half a grain diameter thick and lies over a patch of nine stacks; once, for
-comparison, a whole diameter on single stacks. For comparison too the wind at 15 m/s blows level
-(`streamline_height` null), or is faster over crests by as much as without friction (`wave_speedup` 1) or by
-twice that. The speed is that of the last ten minutes. Height is 2√2 times the standard deviation of the
-bed, as of a wave; the share that rises is that of the way along the wind: above one half the lee faces are
-shorter than the stoss faces, and steeper.
+Fields of 256 × 32 cells of 5 mm, sand of 0.15 mm unless it says otherwise, half an hour of wind, an hour at
+the three winds, 3 seeds. A simulated grain's sand is half a grain diameter thick and lies over a patch of
+nine stacks; once, for comparison, a whole diameter on single stacks. For comparison too, at 12 m/s, nothing
+is pushed along the bed (`creep_momentum` 0), the stress of the wind on the bed is alike everywhere
+(`crest_stress` and `stoss_stress` 0) or in step with crests (`stoss_stress` 0), or the wind blows level
+(`streamline_height` null). The speed is that of half a minute at
+the end of half an hour. Height is 2√2 times the standard deviation of the bed, as of a wave; the share that
+rises is that of the way along the wind: above one half the lee faces are shorter than the stoss faces, and
+steeper.
 """
 
 import numpy as np
@@ -23,16 +25,17 @@ CELL, DIAMETER, DEPTH = 0.005, 0.15e-3, 0.03
 ROWS, COLUMNS = 32, 256
 THIN = 1 / 32
 """Height of a parcel of the thin sand, in grain diameters; a patch takes sixteen."""
-MINUTE, LAST = 60.0, 30
-"""Seconds of wind between frames, and how many of them."""
-FAST = 10
-"""Frames over which the speed is taken."""
+MINUTE = 60.0
 LOOKS = (10, 20, 30)
 """Minutes after which heights and spacings are told."""
+HOUR = (*LOOKS, 60)
+"""The same at the three winds."""
+FRAME, FRAMES = 5.0, 7
+"""Seconds of wind between the frames that tell the speed, and how many of them."""
 
 
-def grown(speed, diameter, thin, rules, seed):
-    """What half an hour of wind makes of a flat bed."""
+def grown(speed, diameter, thin, rules, looks, seed):
+    """What an hour or half of it makes of a flat bed."""
     parcel = diameter * (THIN if thin else 1.0)
     model = {
         "name": "ripples",
@@ -55,26 +58,38 @@ def grown(speed, diameter, thin, rules, seed):
         }
     )
     simulation = barchan.Simulation(scenario)
-    per_minute = round(MINUTE / simulation.model.step_seconds)
-    beds = []
-    for _ in range(LAST):
-        simulation.advance(per_minute)
-        beds.append(simulation.bed.sand * parcel)
-    moved = migration(np.arange(LAST), beds, lags=FAST)
-    rise = np.diff(_smooth(beds[-1]), axis=1)
-    spacing = [dominant_spacing(beds[at - 1], CELL, 270.0) for at in LOOKS]
-    early, middle, late = (2.0 * np.sqrt(2.0) * float(beds[at - 1].std()) for at in LOOKS)
+    beds = {}
+    for look in looks:
+        simulation.advance(round(look * MINUTE / simulation.model.step_seconds) - simulation.steps_done)
+        beds[look] = simulation.bed.sand * parcel
+        if look == LOOKS[-1]:
+            moved, airborne = _travel(simulation, parcel), simulation.model.flying / scenario.lattice.cells
+    bed = beds[LOOKS[-1]]
+    rise = np.diff(_smooth(bed), axis=1)
+    spacing = {look: dominant_spacing(bed, CELL, 270.0) for look, bed in beds.items()}
+    height = {look: 2.0 * np.sqrt(2.0) * float(bed.std()) for look, bed in beds.items()}
+    early, middle, late = (height[look] for look in LOOKS)
     return {
         "slowing": (late - middle) / (middle - early),
-        "speed": moved.x * CELL / MINUTE * 1e3,
+        "speed": moved.x * CELL / FRAME * 1e3,
         "alike": moved.correlation,
-        **{f"spacing {at}": one * 1e2 for at, one in zip(LOOKS, spacing, strict=True)},
-        **{f"height {at}": 2.0 * np.sqrt(2.0) * float(beds[at - 1].std()) * 1e3 for at in LOOKS},
-        "index": spacing[-1] / late,
+        **{f"spacing {at}": one * 1e2 for at, one in spacing.items()},
+        **{f"height {at}": one * 1e3 for at, one in height.items()},
+        "index": spacing[LOOKS[-1]] / late,
+        "index at last": spacing[looks[-1]] / height[looks[-1]],
         "rising": float((rise > 0.0).mean()),
-        "slope": float(np.degrees(np.arctan(np.abs(np.diff(beds[-1], axis=1)).mean() / CELL))),
-        "airborne": simulation.model.flying / scenario.lattice.cells,
+        "slope": float(np.degrees(np.arctan(np.abs(np.diff(bed, axis=1)).mean() / CELL))),
+        "airborne": airborne,
     }
+
+
+def _travel(simulation, parcel):
+    """How far ripples travel between frames (cells)."""
+    beds = [simulation.bed.sand * parcel]
+    for _ in range(FRAMES - 1):
+        simulation.advance(round(FRAME / simulation.model.step_seconds))
+        beds.append(simulation.bed.sand * parcel)
+    return migration(np.arange(FRAMES), beds, lags=FRAMES - 1)
 
 
 def _smooth(bed):
@@ -84,17 +99,18 @@ def _smooth(bed):
 
 def rows():
     winds = (10.0, 12.0, 15.0)
-    strong = 15.0, DIAMETER, True
+    middling = 12.0, DIAMETER, True
     cases = {
-        **{f"{speed:g} m/s": (speed, DIAMETER, True, {}) for speed in winds},
-        "15 m/s, grains of 0.30 mm": (15.0, 2 * DIAMETER, True, {}),
-        "12 m/s, whole diameters": (12.0, DIAMETER, False, {}),
-        "15 m/s, wind that blows level": (*strong, {"streamline_height": None}),
-        "15 m/s, speed-up 1": (*strong, {"wave_speedup": 1.0}),
-        "15 m/s, speed-up 2": (*strong, {"wave_speedup": 2.0}),
+        **{f"{speed:g} m/s": (speed, DIAMETER, True, {}, HOUR) for speed in winds},
+        "12 m/s, grains of 0.30 mm": (12.0, 2 * DIAMETER, True, {}, LOOKS),
+        "12 m/s, whole diameters": (12.0, DIAMETER, False, {}, LOOKS),
+        "12 m/s, no creep": (*middling, {"creep_momentum": 0.0}, LOOKS),
+        "12 m/s, stress alike": (*middling, {"crest_stress": 0.0, "stoss_stress": 0.0}, LOOKS),
+        "12 m/s, stress in step": (*middling, {"stoss_stress": 0.0}, LOOKS),
+        "12 m/s, wind that blows level": (*middling, {"streamline_height": None}, LOOKS),
     }
     found = dict(zip(cases, over_seeds(grown, cases.values(), SEEDS), strict=True))
-    fine, coarse = [found[f"{speed:g} m/s"] for speed in winds], found["15 m/s, grains of 0.30 mm"]
+    fine, coarse = [found[f"{speed:g} m/s"] for speed in winds], found["12 m/s, grains of 0.30 mm"]
     for name, result in found.items():
         downwind = sum(value > 0 for value in result["speed"])
         yield Row(
@@ -105,8 +121,9 @@ def rows():
         )
     yield order("speed, 15 against 10 m/s", "more", fine[2]["speed"], fine[0]["speed"], "mm/s")
     for name, result in found.items():
-        when = ", ".join(str(at) for at in LOOKS)
-        heights = ", ".join(spread(result[f"height {at}"], 2) for at in LOOKS)
+        looks = [at for at in HOUR if f"height {at}" in result]
+        when = ", ".join(str(at) for at in looks)
+        heights = ", ".join(spread(result[f"height {at}"], 2) for at in looks)
         yield Row(f"height after {when} min, {name}", "saturates", f"{heights} mm")
         yield Row(
             f"growth in the third ten minutes over that in the second, {name}",
@@ -114,14 +131,24 @@ def rows():
             spread(result["slowing"], 2),
             f"{sum(value < 1.0 for value in result['slowing'])} of {len(SEEDS)} seeds below 1",
         )
-        spacings = ", ".join(spread(result[f"spacing {at}"], 2) for at in LOOKS)
+        spacings = ", ".join(spread(result[f"spacing {at}"], 2) for at in looks)
         yield Row(f"spacing after {when} min, {name}", "grows, then saturates", f"{spacings} cm")
     last = f"spacing {LOOKS[-1]}"
     yield order("spacing, 15 against 10 m/s", "more", fine[2][last], fine[0][last], "cm")
-    yield order("spacing, grains of 0.30 against 0.15 mm", "more", coarse[last], fine[2][last], "cm")
+    yield order("spacing, grains of 0.30 against 0.15 mm", "more", coarse[last], fine[1][last], "cm")
     for name, result in found.items():
-        yield Row(f"ripple index, {name}", "15 to 20", spread(result["index"]))
+        yield Row(f"ripple index after {LOOKS[-1]} min, {name}", "15 to 20", spread(result["index"]))
         yield Row(f"share that rises, {name}", "above 0.5", spread(result["rising"]))
+    for speed, result in zip(winds, fine, strict=True):
+        yield Row(f"ripple index after an hour, {speed:g} m/s", "15 to 20", spread(result["index at last"]))
+    height = f"height {HOUR[-1]}"
+    yield order(
+        "height after an hour, 10 against 15 m/s",
+        "more (Walker 1981)",
+        fine[0][height],
+        fine[2][height],
+        "mm",
+    )
     for name, result in found.items():
         yield Row(f"mean slope, {name}", "–", f"{spread(result['slope'])}°")
         yield Row(f"simulated grains in the air, {name}", "–", f"{spread(result['airborne'])} a cell")

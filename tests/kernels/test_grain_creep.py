@@ -105,23 +105,33 @@ def test_nothing_moves_on_through_plants():
     assert way == pytest.approx([1.0, 0.0])
 
 
-@given(
-    st.floats(-math.pi, math.pi),
-    st.floats(-0.6, 0.6),
-    st.floats(-0.6, 0.6),
-    st.floats(0.0, 0.7),
-    st.floats(1e-3, 0.5),
-)
-def test_a_push_goes_as_far_as_energy_takes_it_and_turns_downslope(angle, east, north, resistance, reach):
+def test_the_wind_over_oblique_crests_turns_grains_aside():
+    made, ground = field()
+    ground.slow(np.full(made.lattice.shape, 0.3))
+    one = np.ones(made.lattice.shape)
+    ground.bend_wind(WindOverWaves(stress=one, side_stress=0.5 * one))
+    _, way, _ = push_from_the_middle(made, ground, (0.2, 0.0))
+    assert way[0] == pytest.approx(float(FARTHEST))
+    assert way[1] == pytest.approx(0.5 * FARTHEST, rel=0.1)
+
+
+FORCES = st.floats(-0.6, 0.6)
+
+
+@given(st.floats(-math.pi, math.pi), FORCES, FORCES, FORCES, FORCES, st.floats(1e-3, 0.5))
+def test_a_push_goes_as_far_as_energy_takes_it_and_turns_to_where_it_is_forced(
+    angle, east, north, help_x, help_y, reach
+):
     x, y = math.cos(angle), math.sin(angle)
-    way_x, way_y = pushed_way(x, y, east, north, resistance, reach)
-    along, aside = way_x * x + way_y * y, way_x * -y + way_y * x
-    rise, rise_aside = east * x + north * y, -east * y + north * x
-    stopping = resistance + rise
+    way_x, way_y = pushed_way(x, y, east, north, 0.67, help_x, help_y, reach)
+    along, aside = way_x * x + way_y * y, way_y * x - way_x * y
+    force_x, force_y = help_x - east, help_y - north
+    stopping = 0.67 - (force_x * x + force_y * y)
     assert along == pytest.approx(reach / stopping if stopping > reach else 1.0, rel=1e-6)
-    assert aside * rise_aside <= 1e-9
-    flat = pushed_way(x, y, 0.0, 0.0, resistance, reach)
-    assert math.hypot(*flat) <= 1.0 + 1e-9
+    assert aside * (force_y * x - force_x * y) >= -1e-9
+    assert math.hypot(*pushed_way(x, y, 0.0, 0.0, 0.67, 0.0, 0.0, reach)) == pytest.approx(
+        min(reach / 0.67, 1.0)
+    )
 
 
 def test_without_momentum_there_is_no_creep():

@@ -119,42 +119,59 @@ class ObviousSplash:
         calm = arrays.lid[cell] > np.float32(parcels * scale.parcel * scale.part) + self.rule.creep.shelter
         return 0.0 if calm else float(arrays.near[cell]) * math.sqrt(arrays.stress[cell])
 
+    def stress_toward(self, cell):
+        rule, arrays = self.rule.creep, self.ground.arrays
+        left = float(arrays.side_stress[cell]) / float(arrays.stress[cell])
+        return rule.wind_x - left * rule.wind_y, rule.wind_y + left * rule.wind_x
+
     def creep(self, k, cell, events, slopes):
         rule, start, layer = self.rule.creep, int(events.start[k]), self.stacks.layers[cell]
         length = math.sqrt(events.u[k] * events.u[k] + events.v[k] * events.v[k])
         toward = events.u[k] / length, events.v[k] / length
-        rise = toward[0] * slopes[0] + toward[1] * slopes[1]
         wind = self.wind_along(cell)
         for size in range(3):
             helped = min(wind / rule.threshold[size], 1.0)
-            stopping = max(rule.friction * (1.0 - helped * helped) + rise, rule.reach[size])
+            helped = rule.friction * helped * helped
+            force = [
+                helped * part - slope for part, slope in zip(self.stress_toward(cell), slopes, strict=True)
+            ]
+            along = toward[0] * force[0] + toward[1] * force[1]
+            stopping = max(rule.friction - along, rule.reach[size])
             way = [
-                rule.reach[size] / stopping * (part - (slope - rise * part) / stopping)
-                for part, slope in zip(toward, slopes, strict=True)
+                rule.reach[size] / stopping * (part + (one - along * part) / stopping)
+                for part, one in zip(toward, force, strict=True)
             ]
             longest = min(max(abs(part) for part in way), 1.0)
             share = layer.count(size) / len(layer) if layer else 0.0
             at = 80 + 64 * size
             number = rule.number[size] * events.impact[k] * share * longest + draw(start, at)
             for one in range(min(int(number), 16)):
-                steps = [
-                    int(math.copysign(draw(start, at + 1 + 2 * one + axis) < abs(part / longest), part))
-                    for axis, part in enumerate(way)
-                ]
+                steps = whole_steps(way, longest, start, at + 1 + 2 * one)
                 if any(steps) and layer.count(size):
-                    self.move(cell, size, *steps)
+                    self.move(cell, size, *steps, start, at + 1 + 2 * one)
 
-    def move(self, cell, size, east, north):
+    def move(self, cell, size, east, north, start, at):
         self.stacks.take(cell, size, 1)
         row, col = divmod(cell, self.shape[1])
-        for _ in range(16):
+        for step in range(1, 17):
             row, col = row + north, col + east
             if not (0 <= row < self.shape[0] and 0 <= col < self.shape[1]):
                 self.gone += 1
                 return
-            if self.wind_along(row * self.shape[1] + col) <= self.rule.creep.threshold[size]:
+            here = row * self.shape[1] + col
+            if self.wind_along(here) <= self.rule.creep.threshold[size]:
                 break
+            way = self.stress_toward(here)
+            east, north = whole_steps(way, max(abs(part) for part in way), start, at + 1024 * step)
         self.stacks.put(row * self.shape[1] + col, size, 1)
+
+
+def whole_steps(way, longest, start, at):
+    """A step of one cell or none along each axis, as likely as the way is long."""
+    return [
+        int(math.copysign(draw(start, at + axis) < abs(part / longest), part))
+        for axis, part in enumerate(way)
+    ]
 
 
 @settings(max_examples=20, deadline=None)
@@ -170,7 +187,8 @@ def test_splash_by_size_equals_the_obvious_one(seed):
     events, rule = impacts(ground, count, seed), model.splash(wind)
     random = np.random.default_rng(seed)
     ground.slow(random.uniform(0.1, 0.6, bed.sand.shape))
-    ground.bend_wind(WindOverWaves(stress=random.uniform(0.1, 4.0, bed.sand.shape)))
+    stress = random.uniform(0.1, 4.0, bed.sand.shape)
+    ground.bend_wind(WindOverWaves(stress=stress, side_stress=stress * random.uniform(-1, 1, stress.shape)))
     ground.spread_lid()
     slow = ObviousSplash(rule, ground, bed.lattice.shape)
     copies = [None if entries is None else entries.copy() for entries in events]

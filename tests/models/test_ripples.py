@@ -8,7 +8,7 @@ from barchan.models import model
 from barchan.models.slowed_wind import SlowedWind
 from barchan.simulation import Simulation
 from barchan.streams import Stream
-from barchan.wind.segment import Segment
+from barchan.wind.segment import Segment, downwind
 
 SMALL = {
     "barchan": 1,
@@ -73,13 +73,29 @@ def test_grains_slow_the_wind_where_they_land():
     wind = SlowedWind(ripples.Parameters(sharing_width=0.02), lattice)
     lost = np.zeros(lattice.shape)
     lost[8, 32] = 1e4
-    wind.feel(lost, 0.025)
+    wind.feel(lost, 0.025, 270.0)
     near = wind.friction(0.4)
     assert near[8, 32] == near.min() < 0.399
     assert near[8, 0] == pytest.approx(0.4)
     alike = SlowedWind(ripples.Parameters(sharing_width=None), lattice)
-    alike.feel(lost, 0.025)
+    alike.feel(lost, 0.025, 270.0)
     assert float(alike.stress) == pytest.approx(wind.stress.mean())
+
+
+@pytest.mark.parametrize("direction", [270.0, 0.0, 225.0])
+def test_what_is_slowed_stays_near_the_way_of_the_wind(direction):
+    ripples = model("ripples")
+    lattice = barchan.load(SMALL, lattice__rows=64, lattice__columns=64).lattice
+    wind = SlowedWind(ripples.Parameters(sharing_width=0.04, sharing_across=0.01), lattice)
+    lost = np.zeros(lattice.shape)
+    lost[32, 32] = 1.0
+    wind.feel(lost, 0.025, direction)
+    y, x = (np.indices(lattice.shape) - 32) * lattice.cell_size
+    east, north = downwind(direction)
+    along, across = east * x + north * y, east * y - north * x
+    share = wind.stress / wind.stress.sum()
+    widths = [float(np.sqrt((share * way**2).sum())) for way in (along, across)]
+    assert widths == pytest.approx([0.04, 0.01], rel=0.05)
 
 
 def test_wind_by_place_is_the_same_wind_where_it_has_none():

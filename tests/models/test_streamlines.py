@@ -111,6 +111,7 @@ def test_the_wind_over_waves_is_bounded_where_ground_is_steep():
     assert (wind.gain.min(), wind.gain.max()) == (0.1, 2.0)
     assert (wind.aside.min(), wind.aside.max()) == (-0.3, 0.3)
     assert (wind.stress.min(), wind.stress.max()) == (pytest.approx(0.01), 4.0)
+    assert (np.abs(wind.side_stress) <= wind.stress).all()
     low, (rise, faster, _) = 1e-3 * bed, streamlines(1e-3 * bed, field, 270.0, HEIGHT)
     wind = wind_over_waves(low, field, 270.0, HEIGHT, 2.0, (4.0, 0.0))
     np.testing.assert_array_equal(wind.rise, rise)
@@ -132,8 +133,17 @@ def test_stress_is_highest_ahead_of_crests(direction):
     np.testing.assert_allclose(along.stress, 1.0, atol=1e-12)
 
 
+def test_stress_turns_across_oblique_crests():
+    field = lattice(rows=64)
+    number = 2 * np.pi / (64 * WIDTH)
+    x, y = np.meshgrid(np.arange(64) * WIDTH, np.arange(64) * WIDTH)
+    bed = 1e-3 * np.sin(number * (x + y))
+    wind = wind_over_waves(bed, field, 270.0, None, 0.0, (4.0, 2.0))
+    np.testing.assert_allclose(wind.side_stress, wind.stress - 1.0, atol=1e-12)
+
+
 def test_a_wind_that_is_not_to_differ_does_not():
-    assert wind_over_waves(np.zeros((24, 64)), lattice(), 270.0, None, 2.0, (0.0, 0.0)) == (None,) * 4
+    assert wind_over_waves(np.zeros((24, 64)), lattice(), 270.0, None, 2.0, (0.0, 0.0)) == (None,) * 5
     calm = wind_over_waves(np.zeros((24, 64)), lattice(), 270.0, HEIGHT, 0.0, (0.0, 0.0))
     assert (calm.gain, calm.aside, calm.stress) == (None, None, None)
 

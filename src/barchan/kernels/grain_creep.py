@@ -25,6 +25,9 @@ FARTHEST = 16
 CREEP_DRAWS, DRAWS_PER_SIZE = 80, 64
 """Where in a slot's sequence the draws of creep begin, and how many each size may take."""
 
+STRIDE = 1024
+"""Draws between those of a way's cells."""
+
 _LEAST = 1e-9
 """Cells; below it a way is none."""
 
@@ -40,6 +43,9 @@ class Creep(NamedTuple):
     """Friction velocity (m/s) near the bed of a wind that keeps them going by itself."""
     friction: float
     """Resistance of the bed over their weight, as a slope (rise over run)."""
+    wind_x: float
+    """Where the wind blows (unit vector)."""
+    wind_y: float
     wind: float
     """Friction velocity (m/s) near the bed, where it has no places."""
     shelter: float
@@ -81,22 +87,32 @@ def wind_along_bed(creep, cell, ground):
 
 
 @njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
-def pushed_way(x, y, east, north, resistance, reach):
-    """How far (cells) a push along (x, y) takes a grain over slopes; downslope too, as long as it moves."""
-    rise = x * east + y * north
-    stopping = max(resistance + rise, reach)
+def along_stress(creep, cell, ground):
+    """Where the stress on the bed at a cell points: 1 along the wind, and a part to the left."""
+    left = _here(ground.side_stress, cell, 0.0) / _here(ground.stress, cell, 1.0)
+    return creep.wind_x - left * creep.wind_y, creep.wind_y + left * creep.wind_x
+
+
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+def pushed_way(x, y, east, north, friction, help_x, help_y, reach):
+    """How far (cells) a push along (x, y) takes a grain: until the bed, slope and wind have stopped it.
+
+    Slopes and the wind's ``help`` are shares of its weight; what is across its way turns it.
+    """
+    force_x, force_y = help_x - east, help_y - north
+    along = x * force_x + y * force_y
+    stopping = max(friction - along, reach)
     length = reach / stopping
-    aside_x, aside_y = east - rise * x, north - rise * y
-    return length * (x - aside_x / stopping), length * (y - aside_y / stopping)
+    return length * (x + (force_x - along * x) / stopping), length * (y + (force_y - along * y) / stopping)
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
-def _move(cell, kind, way_x, way_y, creep, ground, scale, grid, counts):
+def _move(cell, kind, way_x, way_y, start, at, creep, ground, scale, grid, counts):
     """Move a grain's sand on until the wind stops it, or out of the field, if there is enough of its size."""
     if not take_up(cell, kind, ground, scale, grid):
         return
     counts[MOVED] += 1
-    for _ in range(FARTHEST):
+    for step in range(1, FARTHEST + 1):
         row, inside_y = _step(cell // grid.cols, way_y, grid.rows, grid.wrap_across)
         col, inside_x = _step(cell % grid.cols, way_x, grid.cols, grid.wrap_along)
         counts[TRAVEL_X] += way_x * TRAVEL_UNIT
@@ -108,6 +124,10 @@ def _move(cell, kind, way_x, way_y, creep, ground, scale, grid, counts):
         cell = row * grid.cols + col
         if wind_along_bed(creep, cell, ground) <= creep.threshold[kind]:
             break
+        x, y = along_stress(creep, cell, ground)
+        longest = max(abs(x), abs(y))
+        way_x = _whole(x / longest, draw(start, at + step * STRIDE))
+        way_y = _whole(y / longest, draw(start, at + step * STRIDE + 1))
     lay_down(cell, kind, ground, scale, grid)
 
 
@@ -133,15 +153,20 @@ def push(creep, k, cell, ground, scale, grid, events, counts):
             return
         _, east, north = surface_at(events.x[k], events.y[k], ground.height, scale.cell_size, grid)
         wind = wind_along_bed(creep, cell, ground)
+        wind_x, wind_y = along_stress(creep, cell, ground)
         for kind in range(creep.number.size):
             carried = min(wind / creep.threshold[kind], 1.0)
-            resistance = creep.friction * (1.0 - carried * carried)
-            way_x, way_y = pushed_way(u / speed, v / speed, east, north, resistance, creep.reach[kind])
+            helped = creep.friction * carried * carried
+            way_x, way_y = pushed_way(
+                *(u / speed, v / speed, east, north),
+                *(creep.friction, helped * wind_x, helped * wind_y, creep.reach[kind]),
+            )
             longest = max(min(max(abs(way_x), abs(way_y)), 1.0), _LEAST)
             at = CREEP_DRAWS + kind * DRAWS_PER_SIZE
             number = creep.number[kind] * events.impact[k] * _share(ground.mixture, kind, cell) * longest
             for one in range(min(np.int64(number + draw(start, at)), MOST_PUSHES)):
-                step_x = _whole(way_x / longest, draw(start, at + 1 + 2 * one))
-                step_y = _whole(way_y / longest, draw(start, at + 2 + 2 * one))
+                draws = at + 1 + 2 * one
+                step_x = _whole(way_x / longest, draw(start, draws))
+                step_y = _whole(way_y / longest, draw(start, draws + 1))
                 if step_x != 0 or step_y != 0:
-                    _move(cell, kind, step_x, step_y, creep, ground, scale, grid, counts)
+                    _move(cell, kind, step_x, step_y, start, draws, creep, ground, scale, grid, counts)

@@ -114,6 +114,8 @@ class Ground(NamedTuple):
     """Part of the wind that blows to the left of its way (float32), there too."""
     stress: np.ndarray | None = None
     """Shear stress of the wind on each cell over that on a level bed (float32), where waves change it."""
+    side_stress: np.ndarray | None = None
+    """The same to the left of the wind."""
     lift: np.ndarray | None = None
     """Height (m, float32) by which plants lift the wind over each mesh cell, where there are any."""
     taken: np.ndarray | None = None

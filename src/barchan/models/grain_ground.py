@@ -49,7 +49,7 @@ class GrainGround:
         lattice = bed.lattice
         periodic_y, periodic_x = lattice.periodic
         self.rules, self.lattice, self.plants = rules, lattice, plants
-        self.frame = WindFrame.of(direction)
+        self.direction, self.frame = direction, WindFrame.of(direction)
         self.grid = Grid(*lattice.shape, periodic_x, periodic_y)
         one = 1 << FRACTION_BITS
         self.scale = Scale(one, lattice.thickness / one, lattice.cell_size, rules.carried)
@@ -92,10 +92,12 @@ class GrainGround:
 
     def bend_wind(self, wind: WindOverWaves) -> None:
         """Let the wind follow the bed."""
-        rise, gain, aside, stress = (
+        rise, gain, aside, *stress = (
             None if part is None else part.reshape(-1).astype(np.float32) for part in wind
         )
-        self.arrays = self.arrays._replace(rise=rise, gain=gain, aside=aside, stress=stress)
+        self.arrays = self.arrays._replace(
+            rise=rise, gain=gain, aside=aside, stress=stress[0], side_stress=stress[1]
+        )
 
     def roughen(self, friction: float) -> None:
         """Let plants take their part from a wind of that friction velocity (m/s)."""

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from barchan.bed import Lattice
 from barchan.models.ripple_parameters import RipplesParameters
+from barchan.wind.segment import downwind
 
 
 def sorting(rules: RipplesParameters, creeps: NDArray[np.bool_]) -> Any:
@@ -23,8 +24,12 @@ def sorting(rules: RipplesParameters, creeps: NDArray[np.bool_]) -> Any:
     return Sorting(np.where(creeps, 0.0, ratio**2), np.minimum(ratio**-2, 1.0))
 
 
-def creep(rules: RipplesParameters, lattice: Lattice, creeps: NDArray[np.bool_], wind: float) -> Any:
-    """How sizes are pushed, in a wind of some friction velocity (m/s) near the bed where it has no places.
+def creep(
+    rules: RipplesParameters, lattice: Lattice, creeps: NDArray[np.bool_], wind: float, direction: float
+) -> Any:
+    """How sizes are pushed, in a wind from a direction (degrees).
+
+    ``wind`` is its friction velocity (m/s) near the bed where it has no places.
 
     Those that ``creeps`` marks are too heavy to be thrown out, and take the momentum of ejecta as well. None:
     no momentum, no creep.
@@ -41,6 +46,7 @@ def creep(rules: RipplesParameters, lattice: Lattice, creeps: NDArray[np.bool_],
         speed**2 / (2.0 * rules.gravity * lattice.cell_size),
         np.array([one.impact_threshold() for one in rules.by_size]),
         math.tan(math.radians(rules.repose_angle)),
+        *downwind(direction),
         wind,
         max(rules.diameter, rules.carried * lattice.thickness),
     )

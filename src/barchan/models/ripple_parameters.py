@@ -49,9 +49,18 @@ class RipplesParameters(GrainFlight):
         gt=0,
         le=10,
         group="wind",
-        meaning="Width (standard deviation) over which the air shares the momentum that grains take from it; "
-        "over the whole field if null, and then grains crowd into lanes.",
+        meaning="Width (standard deviation) along the wind over which the air shares the momentum that "
+        "grains take from it; over the whole field if null, and then grains crowd into lanes.",
         source="ours",
+    )
+    sharing_across: float = parameter(
+        0.02,
+        unit="m",
+        gt=0,
+        le=10,
+        group="wind",
+        meaning="The same across the wind. Where it is as wide, lanes of grains break ripples up into pits.",
+        source="ours: what is slowed spreads by some tenth or fifth of its way",
     )
     streamline_height: float | None = parameter(
         0.01,

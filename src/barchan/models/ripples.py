@@ -22,26 +22,30 @@ from barchan.wind.segment import Segment, downwind
 class Ripples(GrainModel):
     """Sand ripples by splash: impacts throw grains out, which hop a little downwind.
 
-    Grains fly as in ``wang_hu``, with drag that depends on the Reynolds number. Five closures are added:
+    Grains fly as in ``wang_hu``, with drag that depends on the Reynolds number. Seven closures are added:
 
     * near the bed, below the focus, the wind is slowed by the momentum that grains take from it;
     * over waves the air rises and falls along the streamlines of ``streamline_height``; with
       ``wave_speedup`` it is faster over crests too, and turns across oblique ones;
+    * its stress on the bed is higher on crests and on faces that look upwind (Fourrière et al. 2010);
     * behind crests the wind blows above a line that falls at ``shelter_angle``;
     * a grain that hits the bed rebounds with a probability that grows with its speed, or stays;
-    * it throws others out, more and faster ones the faster it was.
+    * it throws others out, more and faster ones the faster it was;
+    * what is left of its momentum pushes grains along the bed, until friction and slope stop them; the wind
+      helps, and where its stress is that of the impact threshold it keeps them going.
 
     So the number of grains in the air finds its own balance, where each impact replaces one. The wind itself
     lifts hardly a grain, enough to start. Sand moves where grains fall, on the faces that look upwind, and
-    makes short hops downwind from there: the instability of Anderson (1987).
+    makes short ways downwind from there: the instability of Anderson (1987). Crests that reach into wind
+    beyond the impact threshold lose what comes: there ripples saturate.
 
     Sand of several ``sizes`` keeps in each cell how many parcels of each lie in an active layer (Hirano 1971)
     and below it. An impact of size i at speed v throws out (a v / √(g D)) (d_i / d_s) f_s grains of size s,
     D being the mean diameter and f_s the share of s in the layer (Kok & Renno 2009), hence (d_s / d_i)² times
     as many parcels as their share, for a parcel holds the fewer grains the coarser they are. Their speed is
     that of ejecta in sand of one size, times (d_i / d_s)² where they are coarser: no size takes more than its
-    share of the momentum. Sizes whose impact threshold is above the wind's friction velocity creep: their
-    share of momentum pushes parcels of them along the bed, downwind and downslope.
+    share of the momentum. Sizes whose impact threshold is above the wind's friction velocity are not thrown
+    out, they only creep.
 
     Known deviations: a simulated grain stands for many, which rebound and are thrown out together, so it
     roughens the bed the more the thicker its sand is; the wind over waves is that of one height for all
@@ -105,7 +109,7 @@ class Ripples(GrainModel):
 
     def feel(self, ground: GrainGround, seconds: float) -> None:
         """Let the wind near the bed adjust to the momentum that impacts took."""
-        self.near_bed.feel(ground.lost_speed(), seconds)
+        self.near_bed.feel(ground.lost_speed(), seconds, ground.direction)
 
     def blow(self, ground: GrainGround, wind: Segment) -> Any:
         """Slow the wind over the ground, let it follow that, and find what it does to grains."""
@@ -178,7 +182,10 @@ class Ripples(GrainModel):
             rules.ejecta_momentum / rules.ejecta * unit if rules.ejecta else 0.0,
             *(rules.ejecta_scale * unit, math.radians(rules.ejecta_angle)),
             *(math.radians(rules.azimuth_spread), rules.max_bounces),
-            creep(rules, self.lattice, self.creeping(wind), self.near_bed_friction(friction)),
+            creep(
+                *(rules, self.lattice, self.creeping(wind)),
+                *(self.near_bed_friction(friction), wind.direction),
+            ),
             None if self.sizes is None else sorting(rules, self.creeping(wind)),
         )
 

@@ -4,10 +4,10 @@ import math
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.ndimage import gaussian_filter1d
 
 from barchan.bed import Lattice
 from barchan.models.ripple_parameters import RipplesParameters
+from barchan.models.streamlines import Spectrum
 
 RESPONSE = 0.05
 """Time (s) over which the wind near the bed adjusts to the grains: about a hop."""
@@ -26,12 +26,15 @@ class SlowedWind:
         self.stress = np.zeros(lattice.shape if self.by_place else ())
         """Stress (Pa) that grains take, as of late."""
 
-    def feel(self, lost: NDArray[np.float64], seconds: float) -> None:
-        """Adjust to the speed (m/s) along the wind that impacts took in some seconds, by cell."""
+    def feel(self, lost: NDArray[np.float64], seconds: float, direction: float) -> None:
+        """Adjust to the speed (m/s) that impacts took in some seconds, by cell, under a wind.
+
+        That comes from ``direction`` (degrees).
+        """
         rules = self.rules
         thickness = rules.carried * self.lattice.thickness
         mass = rules.weight * rules.grain_density * (1.0 - rules.porosity) * thickness
-        lost = self._shared(lost) if self.by_place else np.asarray(lost.mean())
+        lost = self._shared(lost, direction) if self.by_place else np.asarray(lost.mean())
         self.stress += (mass * lost / seconds - self.stress) * -math.expm1(-seconds / RESPONSE)
 
     def friction(self, friction: float) -> NDArray[np.float64]:
@@ -41,8 +44,8 @@ class SlowedWind:
         left = friction**2 - self.stress / self.rules.air_density
         return np.asarray(np.sqrt(np.maximum(left, (LEAST_SHARE * friction) ** 2)))
 
-    def _shared(self, lost: NDArray[np.float64]) -> NDArray[np.float64]:
-        width = (self.rules.sharing_width or 0.0) / self.lattice.cell_size
-        for axis, joined in enumerate(self.lattice.periodic):
-            lost = gaussian_filter1d(lost, width, axis=axis, mode="wrap" if joined else "nearest")
-        return lost
+    def _shared(self, lost: NDArray[np.float64], direction: float) -> NDArray[np.float64]:
+        """The wind carries what is lost along, and spreads it less to its sides."""
+        along, across = self.rules.sharing_width or 0.0, self.rules.sharing_across
+        waves = Spectrum(lost, self.lattice, direction)
+        return waves.field(np.exp(-0.5 * ((along * waves.along_wind) ** 2 + (across * waves.to_left) ** 2)))

@@ -31,18 +31,20 @@ class WindOverWaves(NamedTuple):
     aside: NDArray[np.float64] | None = None
     """Speed to the left over that above a level bed."""
     stress: NDArray[np.float64] | None = None
-    """Shear stress on each cell over that on a level bed."""
+    """Shear stress along the wind on each cell over that on a level bed."""
+    side_stress: NDArray[np.float64] | None = None
+    """The same to the left of it."""
 
 
 class Spectrum:
-    """The waves of a bed that a wind from ``direction`` (degrees) blows over.
+    """The waves of a bed, or of any field, that a wind from ``direction`` (degrees) blows over.
 
     A wave h has wave number k, of which k_w is along the wind and k_l to its left. At an open edge the bed is
     mirrored.
     """
 
     def __init__(self, surface: NDArray, lattice: Lattice, direction: float) -> None:
-        """Take the bed's ``surface`` (m) apart."""
+        """Take the ``surface`` apart."""
         self.shape, self.joined, self.cell_size = lattice.shape, lattice.periodic, lattice.cell_size
         mirrored = [(0, 0 if wraps else size) for wraps, size in zip(self.joined, self.shape, strict=True)]
         bed = np.pad(np.asarray(surface, np.float64), mirrored, mode="symmetric")
@@ -77,13 +79,15 @@ class Spectrum:
         """Speed to the left that comes to it, as a share: (k_w k_l / k) h exp(-k height)."""
         return over_mesh(self.field(self.ahead * self.to_left * np.exp(-self.number * height)), self.joined)
 
-    def stress(self, crests: float, stoss: float) -> NDArray[np.float64]:
-        """Stress on the bed that comes to it, as a share: (A + i B) (k_w² / k) h for waves with k_w > 0.
+    def stress(self, crests: float, stoss: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Stress on the bed that comes to it along the wind and to its left, as a share.
 
-        A (``crests``) is what it rises by on crests, B (``stoss``) on faces that look upwind, so that it is
-        highest ahead of crests (Fourrière et al. 2010).
+        It is (A + i B) (k_w / k) h times k_w and times k_l, for waves with k_w > 0. A (``crests``) is what it
+        rises by on crests, B (``stoss``) on faces that look upwind, so that it is highest ahead of crests
+        (Fourrière et al. 2010).
         """
-        return self.field(self.ahead * self.along_wind * (crests + 1j * stoss * np.sign(self.along_wind)))
+        turned = self.ahead * (crests + 1j * stoss * np.sign(self.along_wind))
+        return self.field(turned * self.along_wind), self.field(turned * self.to_left)
 
 
 def wind_over_waves(
@@ -111,7 +115,9 @@ def wind_over_waves(
             aside = np.clip(speedup * waves.aside(height), -STEEPEST, STEEPEST)
             found = found._replace(gain=gain, aside=aside)
     if any(stress):
-        found = found._replace(stress=np.clip(1.0 + waves.stress(*stress), LEAST**2, MOST**2))
+        along, aside = waves.stress(*stress)
+        along = np.clip(1.0 + along, LEAST**2, MOST**2)
+        found = found._replace(stress=along, side_stress=np.clip(aside, -along, along))
     return found
 
 
