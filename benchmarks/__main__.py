@@ -59,6 +59,9 @@ def report(only: str) -> Iterator[str]:
             one, two, same = grains.updates(preset, changes)
             yield f"| {name} | {one:.0f} | {two:.0f} ({two / one:.2f} times) | {'yes' if same else 'no'} |"
         yield ""
+        about = f"advances of some {grains.ITERATIONS} iterations, on one thread and on two in turns"
+        yield f"Rates are the best of spells, {about}."
+        yield ""
         seconds = grains.seed_003_seconds()
         yield f"Seed 003's 3000 iterations: {seconds:.1f} s, against {grains.PUBLISHED_SECONDS:.0f} s there."
     if not only:
