@@ -2,11 +2,10 @@
 
 Waves are laid across fields of 256 × 32 cells of 5 mm once the grains in the air have found their balance,
 after 3 s of flight, 3 seeds; they are 8 cm long unless it says otherwise, and a 40th of that high. `wang_hu`
-has 10 m/s and steps of 0.5 ms. What 4000 iterations lay down and take, in phase with the wave and a quarter
-behind it, tells how fast the wave grows and travels, by the wind that the bed sees. A grain's sand is a
-quarter of a grain thick and lies over a patch of nine stacks under `ripples`; under `wang_hu`, and on the
-rough bed, it is as thick as a grain and lies on one stack. The rough bed has had 250 s of wind before the
-wave is laid.
+has 10 m/s and steps of 0.5 ms. How the amplitude and the phase of that wave in the bed change in 4000
+iterations tells how fast it grows and travels, by the wind that the bed sees. A grain's sand is a quarter of
+a grain thick and lies over a patch of nine stacks under `ripples`; under `wang_hu`, and on the rough bed, it
+is as thick as a grain and lies on one stack. The rough bed has had 250 s of wind before the wave is laid.
 """
 
 import numpy as np
@@ -24,8 +23,9 @@ LENGTHS = {4: "32 cm", 8: "16 cm", 16: "8 cm", 24: "5.3 cm", 32: "4 cm"}
 """Waves in a field, and how long they are."""
 HEIGHT = 1 / 40
 """Of waves, over their length: lower than ripples that have saturated."""
-WARM_UP, ROUGHENING, SPELL, MEASURED = 120, 200, 6, 80
-"""Steps before the waves are laid, or before that on the rough bed; until grains have met them; measured."""
+WARM_UP, ROUGHENING, SPELL, MEASURED, LOOKS = 120, 200, 6, 80, 8
+"""Steps before the waves are laid, or before that on the rough bed; until grains have met them; measured; and
+how often their phase is looked at."""
 
 
 def response(model, waves, warm_up, seed):
@@ -51,12 +51,13 @@ def response(model, waves, warm_up, seed):
     simulation.advance(SPELL)
     before = simulation.bed.sand.mean(axis=0)
     slope = np.diff(simulation.bed.sand - before, axis=1).std() * parcel / CELL
-    simulation.advance(MEASURED)
-    change = simulation.bed.sand.mean(axis=0) - before
+    found = [np.mean(before * np.exp(-1j * phase))]
+    for _ in range(LOOKS):
+        simulation.advance(MEASURED // LOOKS)
+        found.append(np.mean(simulation.bed.sand.mean(axis=0) * np.exp(-1j * phase)))
     seconds = simulation.model.step_seconds * MEASURED
-    amplitude = 2 * np.mean(before * np.sin(phase))
-    growth = 2 * np.mean(change * np.sin(phase)) / amplitude / seconds
-    turn = -2 * np.mean(change * np.cos(phase)) / amplitude / seconds
+    growth = np.log(abs(found[-1] / found[0])) / seconds
+    turn = -np.angle(np.array(found[1:]) / found[:-1]).sum() / seconds
     return {
         "growth": float(growth) * 1e3,
         "speed": float(turn * length / (2 * np.pi) * 1e3),
@@ -115,18 +116,15 @@ def _speed(what, published, found, sign):
 
 READING = """
 Lifted from anywhere, sand is lost alike everywhere and gained where faces look upwind: the waves travel
-against the wind, as seed 000 reports. Where lee faces give none, the windward ones lose it too and the
-waves travel downwind.
+against the wind, as seed 000 reports. Where lee faces give none, the windward ones lose it too and the waves
+travel downwind.
 
-With splash waves of 4 to 8 cm travel downwind in every wind and seed, faster in stronger wind, and waves of
-16 and 32 cm against it. Uphill grains lose speed to gravity, so fewer are thrown out than come to rest, and
-over a slope as long as a few hops the windward face gains what the lee face loses. Lester, Murray, Durán,
-Andreotti and Claudin (2025, Nature Geoscience 18) derive too that the direction hangs on a small difference,
-and that ripples turn where hops are short beside the wavelength. A wind that blows level adds to it, for it
-presses grains onto windward faces: in it waves of 32 cm travel upwind two fifths faster, and those of 8 cm
-hardly travel downwind. On a bed that whole parcels have roughened to slopes of 11 to 12° waves travel
-downwind too, at half the speed in weak winds and twice it at 15 m/s.
+With splash and grains that are pushed along the bed waves of all lengths travel downwind in every wind and
+seed, faster in stronger wind, and of those below 16 cm the shorter ones faster; on a bed that whole parcels
+have roughened to slopes of 13 to 14° too, at less than half the speed. Lester, Murray, Durán, Andreotti and
+Claudin (2025, Nature Geoscience 18) derive that the direction hangs on a small difference of what flies, and
+that ripples turn where hops are short beside the wavelength; here pushed grains outweigh it.
 
-Growth is slow: the waves that grow fastest, 5 to 16 cm long, need 10 to 35 minutes of wind to grow by e. At
-15 m/s waves of 32 cm shrink.
+These waves are a 40th as high as long. Those of 8 cm neither grow nor shrink much, others shrink: sines are
+not the shape that ripples take, and a bed that is left to itself has as high ones of 10 to 11 cm.
 """

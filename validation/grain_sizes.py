@@ -97,8 +97,10 @@ def rows():
 
 
 READING = """
-Coarse grains gather at crests, in every seed but one at 15 m/s, and most where they are too heavy to fly and
-creep; there the difference grows between ten and twenty minutes. With 0.40 mm at 15 m/s it is gone by then.
-It is small; crests of coarse grains alone, as on megaripples, do not come out. In the air coarse grains of
-0.40 mm are a tenth of the sand, of three tenths in the bed.
+That coarse grains gather at crests does not come out: the lower third of the bed has the coarser surface in
+every case and seed, by 2 to 10 in a hundred. It came out, weakly, before fine grains were pushed along the
+bed. Now the wind takes these over crests, where they cover what is coarse on the lee face; the next trough
+uncovers it, and loses its fine sand first. Real coarse grains stay on crests that the wind cannot take them
+over; why ours do not was not found out. In the air coarse grains of 0.40 mm are a seventh of the sand, of
+three tenths in the bed.
 """
