@@ -100,7 +100,7 @@ def count_done(board):
 def await_done(board, pieces):
     """Wait until as many pieces of all rounds are done."""
     spins = 0
-    while load(board, DONE) != pieces:
+    while count_done(board) != pieces:
         spins = _wait(spins)
 
 

@@ -117,8 +117,7 @@ class Ripples(GrainModel):
         about = rules.streamline_height, rules.wave_speedup, (rules.crest_stress, rules.stoss_stress)
         ground.bend_wind(wind_over_waves(surface, self.lattice, wind.direction, *about))
         if self.near_bed.by_place:
-            friction = self.parameters.friction_velocity(self.speed(wind))
-            ground.slow(self.near_bed.friction(friction))
+            ground.slow(self.near_bed.friction(rules.friction_velocity(self.speed(wind))))
         return super().blow(ground, wind)
 
     def near_bed_friction(self, friction: float) -> float:
