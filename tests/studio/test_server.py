@@ -196,6 +196,12 @@ def test_a_second_window_takes_over(served):
             assert closed.value.rcvd.code == 4001
 
 
+def last_halt(browser, run):
+    """The step that the last frame of a run shows, 0 where it shows it running."""
+    status = next(header["status"] for header, _ in reversed(browser.frames) if header["run"] == run)
+    return 0 if status["running"] else status["step"]
+
+
 def test_two_models_run_step_by_step_on_the_same_ground(served):
     with served.browser() as browser:
         browser.until_frame()
@@ -204,17 +210,10 @@ def test_two_models_run_step_by_step_on_the_same_ground(served):
         browser.until(lambda told, _: told.get("run") == "b" and told.get("status", {}).get("step", 0) > 40)
         browser.say("pause")
         browser.until_told("pair", running=False)
-        steps, seeds = {}, {}
-
-        def both_halted(header, fields):
-            if fields is not None and not header["status"]["running"]:
-                steps[header["run"]] = header["status"]["step"]
-            return len(steps) == 2 and steps["a"] == steps["b"] > 40
-
-        browser.until(both_halted)
-        for told in browser.told:
-            if told["tell"] == "scenario":
-                seeds[told["run"]] = told["scenario"]["run"]["seed"]
+        # Each shows every meeting: the last frame of one that waits there may have come before the pause did.
+        while not (halted := {name: last_halt(browser, name) for name in "ab"})["a"] == halted["b"] > 40:
+            browser.hear()
+        seeds = {t["run"]: t["scenario"]["run"]["seed"] for t in browser.told if t["tell"] == "scenario"}
         browser.say("alone")
         browser.until_told("runs", runs=["a"])
     assert seeds["a"] == seeds["b"]
