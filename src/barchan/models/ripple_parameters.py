@@ -263,9 +263,8 @@ class RipplesParameters(GrainFlight):
         gt=0,
         le=100,
         group="sand",
-        meaning="Thickness of the layer that impacts reach in sand of several sizes, in diameters of "
-        "the coarsest.",
-        source="Hirano 1971 for the layer; its thickness is ours",
+        meaning="Thickness of the layer that impacts reach in sand of several sizes, in mean diameters.",
+        source="Hirano 1971 for the layer; its thickness is ours: two layers of grains",
     )
     creep_momentum: float = parameter(
         0.6,

@@ -203,7 +203,7 @@ class Ripples(GrainModel):
         rules = self.parameters
         if not rules.classes:
             return None
-        thickness = rules.active_layer * rules.classes[-1].diameter
+        thickness = rules.active_layer * rules.diameter
         return SortedSand(rules.classes, max(1, round(thickness / self.lattice.thickness)))
 
     def surface_diameter(self, bed: Bed) -> NDArray[np.float64]:
