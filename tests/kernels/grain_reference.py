@@ -241,3 +241,45 @@ class ReferenceFlight:
             size = self.bed.lattice.shape[1 - axis]
             way = (float(there) - float(start) + grain.laps[axis] * size) * 2**16
             self.travel[axis] += int(np.rint(way)) * self.rules.carried
+
+
+EIGHT = [(0, 1), (1, 0), (0, -1), (-1, 0), (1, 1), (1, -1), (-1, -1), (-1, 1)]
+"""Steps (row, column) to the neighbours, in the order in which sand is exchanged with them."""
+
+
+def smooth(level, sand, rule, parcel, joined):
+    """Wang & Hu's filter on a field of levels (parts) and of sand, both changed in place; parcels moved.
+
+    Beyond an open edge the bed goes on as it is at the edge, but exchanges no sand.
+    """
+    before = level.astype(object)
+    (rows, cols), (joined_y, joined_x) = before.shape, joined
+    face, corner = (2 - math.sqrt(2)) / 4, (math.sqrt(2) - 1) / 4
+
+    def beside(row, col, step):
+        r, c = row + step[0], col + step[1]
+        r = r % rows if joined_y else min(max(r, 0), rows - 1)
+        return r, c % cols if joined_x else min(max(c, 0), cols - 1)
+
+    def is_sharp(cell):
+        sums = [sum(before[beside(*cell, step)] for step in steps) for steps in (EIGHT[:4], EIGHT[4:])]
+        return abs(face * float(sums[0]) + corner * float(sums[1]) - float(before[cell])) >= rule.least
+
+    sharp = [cell for cell in np.ndindex(rows, cols) if is_sharp(cell)]
+    places, moved = set(sharp), 0
+    for cell in sharp:
+        for number, step in enumerate(EIGHT):
+            other = beside(*cell, step)
+            beyond = any(
+                abs(other[axis] - cell[axis]) != abs(step[axis]) for axis in (0, 1) if not joined[axis]
+            )
+            if beyond or (other in places and other <= cell):
+                continue
+            weight = face if number < 4 else corner
+            parcels = int(rule.gain * weight * float(before[other] - before[cell]) / parcel)
+            parcels = min(max(parcels, -int(sand[cell])), int(sand[other]))
+            for place, gain in ((cell, parcels), (other, -parcels)):
+                sand[place] += gain
+                level[place] += gain * parcel
+            moved += abs(parcels)
+    return moved

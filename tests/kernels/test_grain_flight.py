@@ -90,6 +90,7 @@ def test_kernels_equal_the_obvious_flight_bit_for_bit(
         ("wang_hu", {}),
         ("wang_hu", {"footprint": "patch", "max_bounces": 5}),
         ("wang_hu", {"plants": [STAND]}),
+        ("wang_hu", {"collapse": "filter", "filter_scale": 50.0}),
         ("ripples", {"plants": [STAND], "sharing_width": 0.03, "weight": 0.02, "entrainment": 0.05}),
         ("ripples", {"time_step": 1e-3, "weight": 0.02, "entrainment": 0.05, "load": 2.0}),
     ],

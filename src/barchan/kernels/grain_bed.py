@@ -26,7 +26,8 @@ _MIDDLE = 4
 
 
 @njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
-def _change(cell, parcels, ground, scale):
+def pile_up(cell, parcels, ground, scale):
+    """Add parcels to a stack, or take them off it."""
     ground.sand[cell] += parcels
     ground.level[cell] += parcels * scale.parcel
     ground.height[cell] = np.float32(ground.level[cell] * scale.part)
@@ -41,9 +42,9 @@ def _share(direction):
 @njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
 def _lay_row(west, at_sides, between, ground, scale):
     """Lay parcels on three cells side by side."""
-    _change(np.uint64(west), at_sides, ground, scale)
-    _change(np.uint64(west + 1), between, ground, scale)
-    _change(np.uint64(west + 2), at_sides, ground, scale)
+    pile_up(np.uint64(west), at_sides, ground, scale)
+    pile_up(np.uint64(west + 1), between, ground, scale)
+    pile_up(np.uint64(west + 2), at_sides, ground, scale)
 
 
 @njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
@@ -69,10 +70,10 @@ def _lay_patch(cell, kind, ground, scale, grid):
         r, c = neighbour(row, col, k, grid)
         other = r * grid.cols + c
         if other != cell:
-            _change(other, _share(k), ground, scale)
+            pile_up(other, _share(k), ground, scale)
             put(ground.mixture, other, kind, _share(k))
             rest -= _share(k)
-    _change(cell, rest, ground, scale)
+    pile_up(cell, rest, ground, scale)
     put(ground.mixture, cell, kind, rest)
 
 
@@ -104,14 +105,14 @@ def _take_patch(cell, kind, ground, scale, grid):
             rest -= min(_share(k), available(ground.mixture, ground.sand, kind, other))
     if available(ground.mixture, ground.sand, kind, cell) < rest:
         return False
-    _change(cell, -rest, ground, scale)
+    pile_up(cell, -rest, ground, scale)
     take(ground.mixture, cell, kind, rest)
     for k in range(8):
         r, c = neighbour(row, col, k, grid)
         other = r * grid.cols + c
         if other != cell:
             parcels = min(_share(k), available(ground.mixture, ground.sand, kind, other))
-            _change(other, -parcels, ground, scale)
+            pile_up(other, -parcels, ground, scale)
             take(ground.mixture, other, kind, parcels)
     return True
 
@@ -120,7 +121,7 @@ def _take_patch(cell, kind, ground, scale, grid):
 def lay_down(cell, kind, ground, scale, grid):
     """Lay the sand of a grain of some size on a cell, or over it and its neighbours."""
     if scale.carried == 1:
-        _change(cell, 1, ground, scale)
+        pile_up(cell, 1, ground, scale)
         put(ground.mixture, cell, kind, 1)
         note_stale(cell // grid.cols, 0, 0, ground, grid)
     else:
@@ -134,7 +135,7 @@ def take_up(cell, kind, ground, scale, grid):
         return _take_patch(cell, kind, ground, scale, grid)
     if available(ground.mixture, ground.sand, kind, cell) == 0:
         return False
-    _change(cell, -1, ground, scale)
+    pile_up(cell, -1, ground, scale)
     take(ground.mixture, cell, kind, 1)
     note_stale(cell // grid.cols, 0, 0, ground, grid)
     return True

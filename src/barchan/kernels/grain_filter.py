@@ -13,12 +13,19 @@ import numpy as np
 from numba import njit
 
 from barchan.kernels.avalanche import neighbour
-from barchan.kernels.grain_bed import renew_surface
+from barchan.kernels.grain_bed import pile_up
+from barchan.kernels.grain_surface import note_stale, renew_stale
 from barchan.kernels.lending import lent
 from barchan.kernels.mixture import slide
 
 FACE_WEIGHT = (2.0 - math.sqrt(2.0)) / 4.0
 CORNER_WEIGHT = (math.sqrt(2.0) - 1.0) / 4.0
+
+_MOVES = 2
+"""Mark of cells that may move sand; 1 of those that are too steep, and move less than a parcel."""
+
+_PARCEL = 0.99
+"""From so much on it may be a parcel, however numbers are rounded."""
 
 
 class Filter(NamedTuple):
@@ -38,27 +45,67 @@ def _beside(place, size, wrap):
 
 
 @njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
-def _is_sharp(below, here, above, west, col, east, least):
-    """Whether a cell of row ``here`` differs too much from the weighted mean of its neighbours."""
+def _mark(below, here, above, west, col, east, factors, least):
+    """The mark of a cell of row ``here``: whether it differs too much from its neighbours' weighted mean.
+
+    Most that do differ too little from each neighbour to move a parcel. ``factors`` make parcels of
+    differences to neighbours at a face and at a corner.
+    """
+    middle = here[col]
     faces = here[east] + here[west] + above[col] + below[col]
     corners = above[east] + above[west] + below[east] + below[west]
     mean = FACE_WEIGHT * np.float64(faces) + CORNER_WEIGHT * np.float64(corners)
-    return abs(mean - np.float64(here[col])) >= least
+    high = max(max(here[east], here[west]), max(above[col], below[col]))
+    low = min(min(here[east], here[west]), min(above[col], below[col]))
+    at_faces = factors[0] * np.float64(max(high - middle, middle - low))
+    high = max(max(above[east], above[west]), max(below[east], below[west]))
+    low = min(min(above[east], above[west]), min(below[east], below[west]))
+    at_corners = factors[1] * np.float64(max(high - middle, middle - low))
+    is_sharp = abs(mean - np.float64(middle)) >= least
+    return np.uint8(is_sharp) + np.uint8(is_sharp & (max(at_faces, at_corners) >= _PARCEL))
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
-def _find_sharp(level, grid, rule, sharp):
-    """Mark the cells that do so, the columns at the edges first."""
+def _mark_row(row, level, grid, factors, least, marks):
+    """Mark the cells of a row, the columns at the edges first; the highest mark."""
     cols = grid.cols
-    for row in range(grid.rows):
-        south, north = _beside(row, grid.rows, grid.wrap_across)
-        below, above = level[south * cols : (south + 1) * cols], level[north * cols : (north + 1) * cols]
-        here, marks = level[row * cols : (row + 1) * cols], sharp[row * cols : (row + 1) * cols]
-        for col in (0, cols - 1):
-            west, east = _beside(col, cols, grid.wrap_along)
-            marks[col] = _is_sharp(below, here, above, west, col, east, rule.least)
-        for west in range(cols - 2):
-            marks[west + 1] = _is_sharp(below, here, above, west, west + 1, west + 2, rule.least)
+    south, north = _beside(row, grid.rows, grid.wrap_across)
+    below, above = level[south * cols : (south + 1) * cols], level[north * cols : (north + 1) * cols]
+    here = level[row * cols : (row + 1) * cols]
+    for col in (0, cols - 1):
+        west, east = _beside(col, cols, grid.wrap_along)
+        marks[col] = _mark(below, here, above, west, col, east, factors, least)
+    for west in range(cols - 2):
+        marks[west + 1] = _mark(below, here, above, west, west + 1, west + 2, factors, least)
+    highest = marks[0]
+    for col in range(cols):
+        highest = max(highest, marks[col])
+    return highest
+
+
+@njit(cache=True, nogil=True, error_model="numpy")
+def _exchange(cell, before, marks, ground, scale, grid, rule):
+    """Let a cell exchange parcels with its neighbours; how many moved."""
+    moved = 0
+    row, col = cell // grid.cols, cell % grid.cols
+    for k in range(8):
+        r, c = neighbour(row, col, k, grid)
+        other = r * grid.cols + c
+        if marks[other] and other <= cell:
+            continue
+        weight = FACE_WEIGHT if k < 4 else CORNER_WEIGHT
+        flow = rule.gain * weight * np.float64(before[other] - before[cell]) / scale.parcel
+        parcels = np.int64(flow)
+        parcels = min(max(parcels, -np.int64(ground.sand[cell])), np.int64(ground.sand[other]))
+        if parcels != 0:
+            pile_up(cell, parcels, ground, scale)
+            pile_up(other, -parcels, ground, scale)
+            note_stale(row, 0, 0, ground, grid)
+            note_stale(r, 0, 0, ground, grid)
+            slide(ground.mixture, other, cell, parcels)
+            slide(ground.mixture, cell, other, -parcels)
+            moved += abs(parcels)
+    return moved
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
@@ -69,29 +116,19 @@ def smooth_slopes(ground, scale, grid, rule):
     corner on, and no cell gives more than it has.
     """
     ground = lent(ground)
+    cols = grid.cols
     before = ground.level.copy()
-    sharp = np.zeros(before.size, np.bool_)
-    _find_sharp(before, grid, rule, sharp)
+    marks, highest = np.empty(before.size, np.uint8), np.empty(grid.rows, np.uint8)
+    factors = rule.gain * FACE_WEIGHT / scale.parcel, rule.gain * CORNER_WEIGHT / scale.parcel
+    for row in range(grid.rows):
+        here = marks[row * cols : (row + 1) * cols]
+        highest[row] = _mark_row(row, before, grid, factors, rule.least, here)
     moved = 0
-    for cell in range(before.size):
-        if not sharp[cell]:
-            continue
-        for k in range(8):
-            r, c = neighbour(cell // grid.cols, cell % grid.cols, k, grid)
-            other = r * grid.cols + c
-            if sharp[other] and other <= cell:
-                continue
-            weight = FACE_WEIGHT if k < 4 else CORNER_WEIGHT
-            flow = rule.gain * weight * np.float64(before[other] - before[cell]) / scale.parcel
-            parcels = np.int64(flow)
-            parcels = min(max(parcels, -np.int64(ground.sand[cell])), np.int64(ground.sand[other]))
-            ground.sand[cell] += parcels
-            ground.sand[other] -= parcels
-            ground.level[cell] += parcels * scale.parcel
-            ground.level[other] -= parcels * scale.parcel
-            slide(ground.mixture, other, cell, parcels)
-            slide(ground.mixture, cell, other, -parcels)
-            moved += abs(parcels)
+    for row in range(grid.rows):
+        if highest[row] == _MOVES:
+            for cell in range(row * cols, (row + 1) * cols):
+                if marks[cell] == _MOVES:
+                    moved += _exchange(cell, before, marks, ground, scale, grid, rule)
     if moved > 0:
-        renew_surface(ground, scale, grid)
+        renew_stale(0, grid.rows, ground, grid)
     return moved
