@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Callable
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -20,6 +21,9 @@ HEIGHTS = -20, 7
 
 SQUARED_SPEEDS = -24, 14
 """Doublings of 1 m²/s² that the table of the drag covers: 0.2 mm/s to 128 m/s."""
+
+_KEPT = 8
+"""Winds whose tables are kept: they are asked for again and again."""
 
 
 def table(of: Callable[[NDArray], NDArray], doublings: tuple[int, int]) -> Any:
@@ -44,6 +48,14 @@ def log_wind(height: NDArray, friction: float, roughness: float, displacement: f
     return friction / KARMAN * np.log(ratio)
 
 
+def unstable_wind(
+    height: NDArray, friction: float, roughness: float, displacement: float, stability: float
+) -> NDArray:
+    """The same, where it blows faster by ``stability`` (m/s)."""
+    speed = log_wind(height, friction, roughness, displacement)
+    return speed + np.where(speed > 0.0, stability, 0.0)
+
+
 def focused_wind(
     height: NDArray, friction: float, least: float, roughness: float, focus: float, displacement: float
 ) -> NDArray:
@@ -65,6 +77,29 @@ def above_focus(
     """What the wind speed (m/s) gains above the focus (m)."""
     ratio = np.maximum((height - displacement) / max(focus - displacement, roughness), 1.0)
     return friction / KARMAN * np.log(ratio)
+
+
+@lru_cache(_KEPT)
+def log_table(friction: float, roughness: float, displacement: float, stability: float) -> Any:
+    """The table of a wind by the law of the wall, which ``stability`` (m/s) speeds up where it blows."""
+    return table(lambda height: unstable_wind(height, friction, roughness, displacement, stability), HEIGHTS)
+
+
+@lru_cache(_KEPT)
+def tables_about_focus(
+    friction: float, roughness: float, focus: float, displacement: float
+) -> tuple[Any, Any]:
+    """Those of a wind in a layer of grains: its shape below the focus, and what comes to it above.
+
+    The shape is for a friction velocity of 1 m/s near the bed.
+    """
+    about = roughness, focus, displacement
+    return (
+        table(
+            lambda height: focused_wind(height, 1.0, 1.0, *about) - above_focus(height, 1.0, *about), HEIGHTS
+        ),
+        table(lambda height: above_focus(height, friction, *about), HEIGHTS),
+    )
 
 
 def natural_drag(speed: NDArray, diameter: float, viscosity: float) -> NDArray:

@@ -6,10 +6,10 @@ from numpy.typing import NDArray
 
 def following(values: NDArray[np.float64], axis: int, joined: bool) -> NDArray[np.float64]:
     """The values one place on along an axis; at an open edge the last ones again."""
-    size = values.shape[axis]
-    after = np.arange(1, size + 1)
-    after[-1] = 0 if joined else size - 1
-    return np.asarray(np.take(values, after, axis))
+    found = np.empty_like(values)
+    there, here = values.swapaxes(0, axis), found.swapaxes(0, axis)
+    here[:-1], here[-1] = there[1:], there[0 if joined else -1]
+    return found
 
 
 def over_mesh(values: NDArray[np.float64], periodic: tuple[bool, bool]) -> NDArray[np.float64]:

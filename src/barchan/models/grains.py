@@ -12,7 +12,7 @@ from barchan.bed import Bed, Lattice
 from barchan.errors import ScenarioError
 from barchan.models import grain_checks
 from barchan.models.base import Model, Tally
-from barchan.models.grain_air import HEIGHTS, SQUARED_SPEEDS, log_wind, table
+from barchan.models.grain_air import HEIGHTS, SQUARED_SPEEDS, table, unstable_wind
 from barchan.models.grain_ground import GrainGround, repose_limits, room_for
 from barchan.models.grain_parameters import GrainFlight
 from barchan.models.grain_plants import PAINTED, PLANT_HEIGHT, PLANT_SHARE, PLANTS, hold, planted
@@ -269,8 +269,7 @@ class GrainModel(Model):
     def wind_profile(self, height: NDArray[np.float64], friction: float) -> NDArray[np.float64]:
         """Wind speed (m/s) at heights (m) above the surface, of a wind with this friction velocity (m/s)."""
         rules = self.parameters
-        speed = log_wind(height, friction, rules.roughness_length, rules.displacement)
-        return speed + np.where(speed > 0.0, rules.stability, 0.0)
+        return unstable_wind(height, friction, rules.roughness_length, rules.displacement, rules.stability)
 
     def wind_tables(self, friction: float) -> tuple[Any, Any]:
         """The wind by height over the surface as the kernels take it, and nothing to come to it."""
@@ -292,8 +291,14 @@ class GrainModel(Model):
         profile, above = self.wind_tables(friction)
         lengths = [move / self.lattice.cell_size for move in moves]
         found: tuple[Any, ...] = tuple(np.float32(number) for number in (*numbers, *lengths, *moves))
-        return Air(profile, self._drag_table(), *found)._replace(above=above)
+        return Air(profile, self._drag_table, *found)._replace(above=above)
 
+    def change(self, parameters: Any) -> None:
+        """Take new parameters from now on; state is kept."""
+        super().change(parameters)
+        self.__dict__.pop("_drag_table", None)
+
+    @cached_property
     def _drag_table(self) -> Any:
         """The share of a velocity difference that drag takes away in a time step, for each size."""
         tables = [table(partial(_drag_at, one), SQUARED_SPEEDS) for one in self.parameters.by_size]

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from barchan.bed import Bed, Lattice
 from barchan.models.base import Derived, OwnMeasure
-from barchan.models.grain_air import HEIGHTS, above_focus, focused_wind, table
+from barchan.models.grain_air import focused_wind, tables_about_focus
 from barchan.models.grain_ground import GrainGround
 from barchan.models.grain_sizes import SortedSand
 from barchan.models.grain_sorting import creep, sorting
@@ -129,14 +129,7 @@ class Ripples(GrainModel):
         if not self.near_bed.by_place:
             return super().wind_tables(friction)
         rules = self.parameters
-        about = rules.roughness_length, rules.focus_height, rules.displacement
-        return (
-            table(
-                lambda height: focused_wind(height, 1.0, 1.0, *about) - above_focus(height, 1.0, *about),
-                HEIGHTS,
-            ),
-            table(lambda height: above_focus(height, friction, *about), HEIGHTS),
-        )
+        return tables_about_focus(friction, rules.roughness_length, rules.focus_height, rules.displacement)
 
     def wind_profile(self, height: NDArray[np.float64], friction: float) -> NDArray[np.float64]:
         """Wind speed (m/s) at heights (m) above the surface."""

@@ -47,5 +47,4 @@ class SlowedWind:
     def _shared(self, lost: NDArray[np.float64], direction: float) -> NDArray[np.float64]:
         """The wind carries what is lost along, and spreads it less to its sides."""
         along, across = self.rules.sharing_width or 0.0, self.rules.sharing_across
-        waves = Spectrum(lost, self.lattice, direction)
-        return waves.field(np.exp(-0.5 * ((along * waves.along_wind) ** 2 + (across * waves.to_left) ** 2)))
+        return Spectrum(lost, self.lattice, direction).shared(along, across)

@@ -1,5 +1,6 @@
 """A wind over a bed of waves: how steeply it rises and falls, how fast it blows, how it drags at the bed."""
 
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -16,6 +17,9 @@ theory does not tell."""
 
 LEAST, MOST = 0.1, 2.0
 """Speed over that above a level bed, in the troughs of waves at least and over their crests at most."""
+
+_KEPT = 2
+"""Lattices and winds whose wave numbers, and shares of waves, are kept: they are found anew at every wind."""
 
 
 class WindOverWaves(NamedTuple):
@@ -36,48 +40,96 @@ class WindOverWaves(NamedTuple):
     """The same to the left of it."""
 
 
-class Spectrum:
-    """The waves of a bed, or of any field, that a wind from ``direction`` (degrees) blows over.
+class WaveNumbers:
+    """Wave numbers of the waves on a lattice, and along a wind from ``direction`` (degrees) and to its left.
 
-    A wave h has wave number k, of which k_w is along the wind and k_l to its left. At an open edge the bed is
-    mirrored.
+    At an open edge the bed is mirrored.
     """
 
-    def __init__(self, surface: NDArray, lattice: Lattice, direction: float) -> None:
-        """Take the ``surface`` apart."""
-        self.shape, self.joined, self.cell_size = lattice.shape, lattice.periodic, lattice.cell_size
-        mirrored = [(0, 0 if wraps else size) for wraps, size in zip(self.joined, self.shape, strict=True)]
-        bed = np.pad(np.asarray(surface, np.float64), mirrored, mode="symmetric")
-        self._size = bed.shape
-        across, along = (2 * np.pi * np.fft.fftfreq(size, lattice.cell_size) for size in bed.shape)
-        across, along = across[:, None], np.abs(along[: bed.shape[1] // 2 + 1])
+    def __init__(self, lattice: Lattice, direction: float) -> None:
+        """Find them, and the unit vector along the wind."""
+        mirrored = [
+            size if wraps else 2 * size for size, wraps in zip(lattice.shape, lattice.periodic, strict=True)
+        ]
+        self.rows, self.columns = mirrored
+        across, along = (2 * np.pi * np.fft.fftfreq(size, lattice.cell_size) for size in mirrored)
+        across, along = across[:, None], np.abs(along[: self.columns // 2 + 1])
         self.number = np.hypot(across, along)
         self.east, self.north = downwind(direction)
         self.along_wind = self.east * along + self.north * across
         self.to_left = self.east * across - self.north * along
         self.ahead = self.along_wind / np.where(self.number > 0.0, self.number, 1.0)
+
+
+@lru_cache(_KEPT)
+def _wave_numbers(lattice: Lattice, direction: float) -> WaveNumbers:
+    return WaveNumbers(lattice, direction)
+
+
+@lru_cache(_KEPT)
+def _streamline_shares(lattice: Lattice, direction: float, height: float) -> NDArray[np.float64]:
+    """What streamlines at a ``height`` (m) have of each wave: exp(-k height)."""
+    return np.asarray(np.exp(-_wave_numbers(lattice, direction).number * height))
+
+
+@lru_cache(_KEPT)
+def _stress_shares(
+    lattice: Lattice, direction: float, crests: float, stoss: float
+) -> tuple[NDArray, NDArray]:
+    """What the stress has of each, along the wind and to its left; see ``Spectrum.stress``."""
+    waves = _wave_numbers(lattice, direction)
+    turned = waves.ahead * (crests + 1j * stoss * np.sign(waves.along_wind))
+    return turned * waves.along_wind, turned * waves.to_left
+
+
+@lru_cache(_KEPT)
+def _sharing_shares(lattice: Lattice, direction: float, along: float, across: float) -> NDArray[np.float64]:
+    """What is left of each by a Gaussian's width (m) ``along`` the wind and one ``across`` it."""
+    waves = _wave_numbers(lattice, direction)
+    return np.asarray(np.exp(-0.5 * ((along * waves.along_wind) ** 2 + (across * waves.to_left) ** 2)))
+
+
+class Spectrum:
+    """The waves of a bed, or of any field, that a wind from ``direction`` (degrees) blows over.
+
+    A wave h has wave number k, of which k_w is along the wind and k_l to its left.
+    """
+
+    def __init__(self, surface: NDArray, lattice: Lattice, direction: float) -> None:
+        """Take the ``surface`` apart."""
+        self.lattice, self.direction = lattice, direction
+        self.numbers = _wave_numbers(lattice, direction)
+        bed = np.asarray(surface, np.float64)
+        if not all(lattice.periodic):
+            mirrored = [
+                (0, 0 if wraps else size) for wraps, size in zip(lattice.periodic, lattice.shape, strict=True)
+            ]
+            bed = np.pad(bed, mirrored, mode="symmetric")
         self.waves = rfft2(bed)
 
-    def field(self, share: NDArray[np.float64]) -> NDArray[np.float64]:
+    def field(self, share: NDArray) -> NDArray[np.float64]:
         """The sum over all waves of the ``share`` of each."""
-        rows, columns = self.shape
-        return np.asarray(irfft2(share * self.waves, s=self._size)[:rows, :columns])
+        rows, columns = self.lattice.shape
+        whole = irfft2(share * self.waves, s=(self.numbers.rows, self.numbers.columns))
+        return np.asarray(whole[:rows, :columns])
 
     def slope(self, height: float) -> NDArray[np.float64]:
         """Rise over run of streamlines at a ``height`` (m): they follow waves by the share exp(-k height)."""
-        line = self.field(np.exp(-self.number * height))
-        east, north = (_mean_step(line, axis, self.joined) for axis in (1, 0))
-        return (self.east * east + self.north * north) / self.cell_size
+        line = self.field(_streamline_shares(self.lattice, self.direction, height))
+        east, north = (_mean_step(line, axis, self.lattice.periodic) for axis in (1, 0))
+        return (self.numbers.east * east + self.numbers.north * north) / self.lattice.cell_size
 
     def faster(self, height: float) -> NDArray[np.float64]:
         """Speed that comes to it without friction, as a share: (k_w² / k) h exp(-k height) (Lamb 1932)."""
-        return over_mesh(
-            self.field(self.ahead * self.along_wind * np.exp(-self.number * height)), self.joined
-        )
+        return self._over_mesh(self.numbers.along_wind, height)
 
     def aside(self, height: float) -> NDArray[np.float64]:
         """Speed to the left that comes to it, as a share: (k_w k_l / k) h exp(-k height)."""
-        return over_mesh(self.field(self.ahead * self.to_left * np.exp(-self.number * height)), self.joined)
+        return self._over_mesh(self.numbers.to_left, height)
+
+    def _over_mesh(self, way: NDArray[np.float64], height: float) -> NDArray[np.float64]:
+        share = self.numbers.ahead * way * _streamline_shares(self.lattice, self.direction, height)
+        return over_mesh(self.field(share), self.lattice.periodic)
 
     def stress(self, crests: float, stoss: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """Stress on the bed that comes to it along the wind and to its left, as a share.
@@ -86,8 +138,12 @@ class Spectrum:
         rises by on crests, B (``stoss``) on faces that look upwind, so that it is highest ahead of crests
         (Fourrière et al. 2010).
         """
-        turned = self.ahead * (crests + 1j * stoss * np.sign(self.along_wind))
-        return self.field(turned * self.along_wind), self.field(turned * self.to_left)
+        along, aside = _stress_shares(self.lattice, self.direction, crests, stoss)
+        return self.field(along), self.field(aside)
+
+    def shared(self, along: float, across: float) -> NDArray[np.float64]:
+        """The field spread by a Gaussian of a width (m) ``along`` the wind and one ``across`` it."""
+        return self.field(_sharing_shares(self.lattice, self.direction, along, across))
 
 
 def wind_over_waves(

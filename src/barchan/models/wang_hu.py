@@ -5,6 +5,7 @@ from typing import Any, ClassVar, Literal, Self
 
 from pydantic import model_validator
 
+from barchan.models.grain_air import log_table
 from barchan.models.grain_parameters import GrainFlight
 from barchan.models.grains import GrainModel
 from barchan.parameters import parameter
@@ -135,6 +136,11 @@ class WangHu(GrainModel):
     )
     Parameters = WangHuParameters
     parameters: WangHuParameters
+
+    def wind_tables(self, friction: float) -> tuple[Any, Any]:
+        """Those of the law of the wall, which all winds of a speed share."""
+        rules = self.parameters
+        return log_table(friction, rules.roughness_length, rules.displacement, rules.stability), None
 
     def lift_off(self, wind: Segment, chance: float = 1.0) -> Any:
         """From anywhere, with a speed and an angle drawn evenly."""
