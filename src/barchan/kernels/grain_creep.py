@@ -83,13 +83,13 @@ def wind_along_bed(creep, cell, ground):
     """Friction velocity (m/s) of the wind along the bed at a cell: none in shelter and among plants."""
     if ground.lid[cell] > ground.height[cell] + creep.shelter or _here(ground.lift, cell, 0.0) > 0.0:
         return 0.0
-    return _here(ground.near, cell, creep.wind) * math.sqrt(_here(ground.stress, cell, 1.0))
+    return _here(ground.near, cell, creep.wind) * math.sqrt(np.float64(ground.stress[cell]))
 
 
 @njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
 def along_stress(creep, cell, ground):
     """Where the stress on the bed at a cell points: 1 along the wind, and a part to the left."""
-    left = _here(ground.side_stress, cell, 0.0) / _here(ground.stress, cell, 1.0)
+    left = np.float64(ground.side_stress[cell]) / np.float64(ground.stress[cell])
     return creep.wind_x - left * creep.wind_y, creep.wind_y + left * creep.wind_x
 
 
@@ -146,27 +146,26 @@ def push(creep, k, cell, ground, scale, grid, events, counts):
 
     Sand moves by whole cells, so there are fewer pushes than grains, by as much as their way is shorter.
     """
-    if creep is not None:
-        u, v, start = events.u[k], events.v[k], events.start[k]
-        speed = math.sqrt(u * u + v * v)
-        if speed == 0.0:
-            return
-        _, east, north = surface_at(events.x[k], events.y[k], ground.height, scale.cell_size, grid)
-        wind = wind_along_bed(creep, cell, ground)
-        wind_x, wind_y = along_stress(creep, cell, ground)
-        for kind in range(creep.number.size):
-            carried = min(wind / creep.threshold[kind], 1.0)
-            helped = creep.friction * carried * carried
-            way_x, way_y = pushed_way(
-                *(u / speed, v / speed, east, north),
-                *(creep.friction, helped * wind_x, helped * wind_y, creep.reach[kind]),
-            )
-            longest = max(min(max(abs(way_x), abs(way_y)), 1.0), _LEAST)
-            at = CREEP_DRAWS + kind * DRAWS_PER_SIZE
-            number = creep.number[kind] * events.impact[k] * _share(ground.mixture, kind, cell) * longest
-            for one in range(min(np.int64(number + draw(start, at)), MOST_PUSHES)):
-                draws = at + 1 + 2 * one
-                step_x = _whole(way_x / longest, draw(start, draws))
-                step_y = _whole(way_y / longest, draw(start, draws + 1))
-                if step_x != 0 or step_y != 0:
-                    _move(cell, kind, step_x, step_y, start, draws, creep, ground, scale, grid, counts)
+    u, v, start = events.u[k], events.v[k], events.start[k]
+    speed = math.sqrt(u * u + v * v)
+    if speed == 0.0:
+        return
+    _, east, north = surface_at(events.x[k], events.y[k], ground.height, scale.cell_size, grid)
+    wind = wind_along_bed(creep, cell, ground)
+    wind_x, wind_y = along_stress(creep, cell, ground)
+    for kind in range(creep.number.size):
+        carried = min(wind / creep.threshold[kind], 1.0)
+        helped = creep.friction * carried * carried
+        way_x, way_y = pushed_way(
+            *(u / speed, v / speed, east, north),
+            *(creep.friction, helped * wind_x, helped * wind_y, creep.reach[kind]),
+        )
+        longest = max(min(max(abs(way_x), abs(way_y)), 1.0), _LEAST)
+        at = CREEP_DRAWS + kind * DRAWS_PER_SIZE
+        number = creep.number[kind] * events.impact[k] * _share(ground.mixture, kind, cell) * longest
+        for one in range(min(np.int64(number + draw(start, at)), MOST_PUSHES)):
+            draws = at + 1 + 2 * one
+            step_x = _whole(way_x / longest, draw(start, draws))
+            step_y = _whole(way_y / longest, draw(start, draws + 1))
+            if step_x != 0 or step_y != 0:
+                _move(cell, kind, step_x, step_y, start, draws, creep, ground, scale, grid, counts)

@@ -58,8 +58,8 @@ class Splash(NamedTuple):
     """Half the range of azimuths about the impact's own."""
     most: int
     """Rebounds after which a grain stays where it lands."""
-    creep: Creep | None = None
-    """How impacts push grains along the bed; None: they do not."""
+    creep: Creep
+    """How impacts push grains along the bed."""
     sorting: Sorting | None = None
     """What size changes; None: all grains are alike."""
 

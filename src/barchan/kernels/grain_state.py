@@ -113,7 +113,7 @@ class Ground(NamedTuple):
     aside: np.ndarray | None = None
     """Part of the wind that blows to the left of its way (float32), there too."""
     stress: np.ndarray | None = None
-    """Shear stress of the wind on each cell over that on a level bed (float32), where waves change it."""
+    """Shear stress of the wind on each cell over that on a level bed (float32), where grains creep."""
     side_stress: np.ndarray | None = None
     """The same to the left of the wind."""
     lift: np.ndarray | None = None

@@ -91,12 +91,14 @@ class GrainGround:
         self.arrays = self.arrays._replace(near=near, lost=lost)
 
     def bend_wind(self, wind: WindOverWaves) -> None:
-        """Let the wind follow the bed."""
-        rise, gain, aside, *stress = (
-            None if part is None else part.reshape(-1).astype(np.float32) for part in wind
-        )
+        """Let the wind follow the bed, and its stress, which is 1 where that is alike."""
+        alike, none = np.ones(self.lattice.shape), np.zeros(self.lattice.shape)
         self.arrays = self.arrays._replace(
-            rise=rise, gain=gain, aside=aside, stress=stress[0], side_stress=stress[1]
+            rise=_flat(wind.rise),
+            gain=_flat(wind.gain),
+            aside=_flat(wind.aside),
+            stress=_flat(alike if wind.stress is None else wind.stress),
+            side_stress=_flat(none if wind.side_stress is None else wind.side_stress),
         )
 
     def roughen(self, friction: float) -> None:
@@ -204,6 +206,10 @@ def room_for(slots: int, sorted_by_size: bool = False) -> Any:
     capped, start = np.zeros(slots, np.uint8), np.zeros(slots, np.uint64)
     events = Events(near, slot, rest, source, way_x, way_y, capped, impact, x, y, u, v, lost, start, kind)
     return events, Ejecta(*np.zeros((5, slots), np.int64), *np.zeros((3, slots)))
+
+
+def _flat(part: NDArray[np.float64] | None) -> NDArray[np.float32] | None:
+    return None if part is None else part.reshape(-1).astype(np.float32)
 
 
 def _levels(bed: Bed, one: int) -> NDArray[np.int64]:

@@ -31,16 +31,13 @@ def creep(
 
     ``wind`` is its friction velocity (m/s) near the bed where it has no places.
 
-    Those that ``creeps`` marks are too heavy to be thrown out, and take the momentum of ejecta as well. None:
-    no momentum, no creep.
+    Those that ``creeps`` marks are too heavy to be thrown out, and take the momentum of ejecta as well.
     """
     from barchan.kernels.grain_creep import Creep
 
     diameters = np.array([one.diameter for one in rules.by_size])
     speed = rules.creep_speed * np.sqrt(rules.gravity * diameters)
     momentum = rules.creep_momentum + np.where(creeps, rules.ejecta_momentum, 0.0)
-    if not momentum.any():
-        return None
     return Creep(
         momentum / speed,
         speed**2 / (2.0 * rules.gravity * lattice.cell_size),
