@@ -306,8 +306,7 @@ def test_two_models_side_by_side(studio):
     studio.page.get_by_label("Compare with another model").select_option("momiji")
     studio.until("window.barchan.app.runs[1]?.status?.step > 60")
     studio.pause()
-    time.sleep(0.5)
-    assert studio.status(0)["step"] == studio.status(1)["step"]
+    studio.until("new Set(window.barchan.app.runs.map((run) => run.status.step)).size === 1")
     each = studio.picture()
     studio.ask("window.barchan.app.view.set({ side: 'difference' })")
     time.sleep(0.3)

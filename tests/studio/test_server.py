@@ -33,7 +33,7 @@ def test_a_browser_that_confirms_nothing_gets_two_frames_while_the_run_goes_on(s
         assert len(browser.frames) == FRAMES_IN_FLIGHT
         browser.say("confirm", run="a")
         later = browser.until_frame()[0]["status"]["live"]
-    assert later > first + 20
+    assert later > first + FRAMES_IN_FLIGHT
 
 
 def memory(pid: int) -> float:
