@@ -12,6 +12,7 @@ from barchan.kernels.grain_bed import MOVED, TRAVEL_X, TRAVEL_Y
 from barchan.kernels.grain_creep import FARTHEST, push, pushed_way
 from barchan.kernels.grain_state import TRAVEL_UNIT
 from barchan.models.grain_ground import GrainGround, room_for
+from barchan.models.grain_plants import Hold
 from barchan.models.streamlines import WindOverWaves
 from barchan.simulation import Simulation
 from barchan.streams import derive
@@ -20,10 +21,7 @@ DIAMETER, WIDTH = 0.15e-3, 0.005
 
 
 def field(**rules):
-    """A level field of 12 × 12 cells of fine parcels, and its ground under a wind from the west.
-
-    Its stress on the bed is alike everywhere, and none until the wind is slowed to what it is to be.
-    """
+    """A level field of 12 × 12 cells of fine parcels, and its ground in calm air."""
     scenario = {
         "barchan": 1,
         "lattice": {"rows": 12, "columns": 12, "cell_size": WIDTH, "slab_height": DIAMETER / 16},
@@ -33,8 +31,7 @@ def field(**rules):
     }
     made = Simulation(barchan.load(scenario))
     ground = GrainGround(made.model.parameters, made.bed, 270.0, room_for(1))
-    ground.slow(np.zeros(made.lattice.shape))
-    ground.bend_wind(WindOverWaves())
+    ground.drag(np.array(0.0), WindOverWaves())
     return made, ground
 
 
@@ -73,7 +70,7 @@ def test_pushes_take_their_share_of_momentum_and_stop_by_friction():
 
 def test_no_grain_goes_on_for_ever():
     made, ground = field()
-    ground.slow(np.full(made.lattice.shape, 0.5))
+    ground.drag(np.array(0.5), WindOverWaves())
     _, way, _ = push_from_the_middle(made, ground, (0.2, 0.0))
     assert way == pytest.approx([float(FARTHEST), 0.0])
 
@@ -82,7 +79,7 @@ def test_a_wind_below_the_impact_threshold_helps_grains_along():
     made, ground = field()
     found = []
     for friction in (0.0, 0.12, 0.18):
-        ground.slow(np.full(made.lattice.shape, friction))
+        ground.drag(np.array(friction), WindOverWaves())
         ground.counts[:] = 0
         moved, way, creep = push_from_the_middle(made, ground, (2.0, 0.0))
         assert way == pytest.approx([1.0, 0.0])
@@ -93,29 +90,27 @@ def test_a_wind_below_the_impact_threshold_helps_grains_along():
 
 def test_grains_go_on_over_crests_until_the_wind_is_too_weak():
     made, ground = field()
-    ground.slow(np.full(made.lattice.shape, 0.19))
     stress = np.ones(made.lattice.shape)
     stress[:, 5:9] = 2.0
-    ground.bend_wind(WindOverWaves(stress=stress))
+    ground.drag(np.array(0.19), WindOverWaves(stress=stress))
     _, way, _ = push_from_the_middle(made, ground, (0.2, 0.0))
     assert way == pytest.approx([3.0, 0.0])
 
 
 def test_nothing_moves_on_through_plants():
     made, ground = field()
-    ground.slow(np.full(made.lattice.shape, 0.3))
-    lift = np.zeros(made.lattice.cells, np.float32)
-    lift.reshape(made.lattice.shape)[:, 7:] = 0.01
-    ground.arrays = ground.arrays._replace(lift=lift)
+    lift = np.zeros(made.lattice.shape, np.float32)
+    lift[:, 7:] = 0.01
+    ground.plants = Hold(lift.reshape(-1), np.zeros(made.lattice.cells))
+    ground.drag(np.array(0.3), WindOverWaves())
     _, way, _ = push_from_the_middle(made, ground, (0.2, 0.0))
     assert way == pytest.approx([1.0, 0.0])
 
 
 def test_the_wind_over_oblique_crests_turns_grains_aside():
     made, ground = field()
-    ground.slow(np.full(made.lattice.shape, 0.3))
     one = np.ones(made.lattice.shape)
-    ground.bend_wind(WindOverWaves(stress=one, side_stress=0.5 * one))
+    ground.drag(np.array(0.3), WindOverWaves(stress=one, side_stress=0.5 * one))
     _, way, _ = push_from_the_middle(made, ground, (0.2, 0.0))
     assert way[0] == pytest.approx(float(FARTHEST))
     assert way[1] == pytest.approx(0.5 * FARTHEST, rel=0.1)
@@ -142,6 +137,6 @@ def test_a_push_goes_as_far_as_energy_takes_it_and_turns_to_where_it_is_forced(
 
 def test_without_momentum_there_is_no_creep():
     made, ground = field(creep_momentum=0.0)
-    ground.slow(np.full(made.lattice.shape, 0.5))
+    ground.drag(np.array(0.5), WindOverWaves())
     moved, _, _ = push_from_the_middle(made, ground, (2.0, 0.0))
     assert moved == 0

@@ -86,8 +86,9 @@ def impacts(ground, count, seed):
 class ObviousSplash:
     """Ejecta and creep by size over single stacks, parcel by parcel."""
 
-    def __init__(self, rule, ground, shape):
+    def __init__(self, rule, ground, shape, wind):
         mixture = ground.arrays.mixture
+        self.near, self.stress, self.side_stress = wind
         layers, deeps = (
             [np.repeat(range(3), counts[:, cell]).tolist() for cell in range(counts.shape[1])]
             for counts in (mixture.layer, mixture.deep)
@@ -117,11 +118,11 @@ class ObviousSplash:
         arrays, scale = self.ground.arrays, self.ground.scale
         parcels = len(self.stacks.layers[cell]) + len(self.stacks.deeps[cell])
         calm = arrays.lid[cell] > np.float32(parcels * scale.parcel * scale.part) + self.rule.creep.shelter
-        return 0.0 if calm else float(arrays.near[cell]) * math.sqrt(arrays.stress[cell])
+        return 0.0 if calm else float(self.near[cell]) * math.sqrt(self.stress[cell])
 
     def stress_toward(self, cell):
-        rule, arrays = self.rule.creep, self.ground.arrays
-        left = float(arrays.side_stress[cell]) / float(arrays.stress[cell])
+        rule = self.rule.creep
+        left = float(self.side_stress[cell]) / float(self.stress[cell])
         return rule.wind_x - left * rule.wind_y, rule.wind_y + left * rule.wind_x
 
     def creep(self, k, cell, events, slopes):
@@ -186,11 +187,13 @@ def test_splash_by_size_equals_the_obvious_one(seed):
     ground.shuffle_anew(seed)
     events, rule = impacts(ground, count, seed), model.splash(wind)
     random = np.random.default_rng(seed)
-    ground.slow(random.uniform(0.1, 0.6, bed.sand.shape))
-    stress = random.uniform(0.1, 4.0, bed.sand.shape)
-    ground.bend_wind(WindOverWaves(stress=stress, side_stress=stress * random.uniform(-1, 1, stress.shape)))
+    near, stress = random.uniform(0.1, 0.6, bed.sand.shape), random.uniform(0.1, 4.0, bed.sand.shape)
+    aside = stress * random.uniform(-1, 1, stress.shape)
+    ground.slow(near)
+    ground.drag(near, WindOverWaves(stress=stress, side_stress=aside))
     ground.spread_lid()
-    slow = ObviousSplash(rule, ground, bed.lattice.shape)
+    wind_by_cell = [part.reshape(-1).astype(np.float32) for part in (near, stress, aside)]
+    slow = ObviousSplash(rule, ground, bed.lattice.shape, wind_by_cell)
     copies = [None if entries is None else entries.copy() for entries in events]
     motion, marks = free_slots(count)
     grains = grains_in(motion, marks, np.zeros(count, np.int32))

@@ -56,15 +56,9 @@ def _is_plain(mixture, row, col, grid):
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
-def _lay_patch(cell, kind, ground, scale, grid):
+def _lay_shares(cell, kind, ground, scale, grid):
     """Lay a grain's parcels over a cell and its neighbours; missing ones leave their share to the cell."""
     row, col = cell // grid.cols, cell % grid.cols
-    note_stale(row, 1, 1, ground, grid)
-    if _is_plain(ground.mixture, row, col, grid):
-        _lay_row(cell - grid.cols - 1, 1, 2, ground, scale)
-        _lay_row(cell - 1, 2, _MIDDLE, ground, scale)
-        _lay_row(cell + grid.cols - 1, 1, 2, ground, scale)
-        return
     rest = PATCH
     for k in range(8):
         r, c = neighbour(row, col, k, grid)
@@ -88,15 +82,9 @@ def _is_deep(cell, sand, grid):
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
-def _take_patch(cell, kind, ground, scale, grid):
+def _take_shares(cell, kind, ground, scale, grid):
     """Take them; the cell gives what its neighbours have not. False: it cannot, and nothing changed."""
     row, col = cell // grid.cols, cell % grid.cols
-    note_stale(row, 1, 1, ground, grid)
-    if _is_plain(ground.mixture, row, col, grid) and _is_deep(cell, ground.sand, grid):
-        _lay_row(cell - grid.cols - 1, -1, -2, ground, scale)
-        _lay_row(cell - 1, -2, -_MIDDLE, ground, scale)
-        _lay_row(cell + grid.cols - 1, -1, -2, ground, scale)
-        return True
     rest = PATCH
     for k in range(8):
         r, c = neighbour(row, col, k, grid)
@@ -115,6 +103,30 @@ def _take_patch(cell, kind, ground, scale, grid):
             pile_up(other, -parcels, ground, scale)
             take(ground.mixture, other, kind, parcels)
     return True
+
+
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+def _lay_patch(cell, kind, ground, scale, grid):
+    row, col = cell // grid.cols, cell % grid.cols
+    note_stale(row, 1, 1, ground, grid)
+    if _is_plain(ground.mixture, row, col, grid):
+        _lay_row(cell - grid.cols - 1, 1, 2, ground, scale)
+        _lay_row(cell - 1, 2, _MIDDLE, ground, scale)
+        _lay_row(cell + grid.cols - 1, 1, 2, ground, scale)
+    else:
+        _lay_shares(cell, kind, ground, scale, grid)
+
+
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+def _take_patch(cell, kind, ground, scale, grid):
+    row, col = cell // grid.cols, cell % grid.cols
+    note_stale(row, 1, 1, ground, grid)
+    if _is_plain(ground.mixture, row, col, grid) and _is_deep(cell, ground.sand, grid):
+        _lay_row(cell - grid.cols - 1, -1, -2, ground, scale)
+        _lay_row(cell - 1, -2, -_MIDDLE, ground, scale)
+        _lay_row(cell + grid.cols - 1, -1, -2, ground, scale)
+        return True
+    return _take_shares(cell, kind, ground, scale, grid)
 
 
 @njit(cache=True, nogil=True, error_model="numpy", forceinline=True)

@@ -46,8 +46,6 @@ class Creep(NamedTuple):
     wind_x: float
     """Where the wind blows (unit vector)."""
     wind_y: float
-    wind: float
-    """Friction velocity (m/s) near the bed, where it has no places."""
     shelter: float
     """Depth (m) below the line that shelters in which the wind still reaches grains: that line is not drawn
     anew for each that leaves."""
@@ -71,25 +69,15 @@ def _whole(part, chance):
 
 
 @njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
-def _here(places, cell, everywhere):
-    """The value of a cell, where there are such; else the one for everywhere."""
-    if places is None:
-        return everywhere
-    return np.float64(places[cell])
-
-
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
 def wind_along_bed(creep, cell, ground):
-    """Friction velocity (m/s) of the wind along the bed at a cell: none in shelter and among plants."""
-    if ground.lid[cell] > ground.height[cell] + creep.shelter or _here(ground.lift, cell, 0.0) > 0.0:
-        return 0.0
-    return _here(ground.near, cell, creep.wind) * math.sqrt(np.float64(ground.stress[cell]))
+    """Friction velocity (m/s) of the wind along the bed at a cell: none in shelter."""
+    return 0.0 if ground.lid[cell] > ground.height[cell] + creep.shelter else ground.bed_wind[cell]
 
 
 @njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
 def along_stress(creep, cell, ground):
     """Where the stress on the bed at a cell points: 1 along the wind, and a part to the left."""
-    left = np.float64(ground.side_stress[cell]) / np.float64(ground.stress[cell])
+    left = ground.bed_turn[cell]
     return creep.wind_x - left * creep.wind_y, creep.wind_y + left * creep.wind_x
 
 
@@ -106,7 +94,7 @@ def pushed_way(x, y, east, north, friction, help_x, help_y, reach):
     return length * (x + (force_x - along * x) / stopping), length * (y + (force_y - along * y) / stopping)
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
 def _move(cell, kind, way_x, way_y, start, at, creep, ground, scale, grid, counts):
     """Move a grain's sand on until the wind stops it, or out of the field, if there is enough of its size."""
     if not take_up(cell, kind, ground, scale, grid):
@@ -140,7 +128,7 @@ def _share(mixture, kind, cell):
     return mixture.layer[kind, cell] / held if held > 0 else 0.0
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
 def push(creep, k, cell, ground, scale, grid, events, counts):
     """Push sand along where the impact of entry ``k`` hit the bed.
 

@@ -112,10 +112,10 @@ class Ground(NamedTuple):
     """Wind speed over that above a level bed (float32), where it is faster over waves."""
     aside: np.ndarray | None = None
     """Part of the wind that blows to the left of its way (float32), there too."""
-    stress: np.ndarray | None = None
-    """Shear stress of the wind on each cell over that on a level bed (float32), where grains creep."""
-    side_stress: np.ndarray | None = None
-    """The same to the left of the wind."""
+    bed_wind: np.ndarray | None = None
+    """Friction velocity (m/s, float64) of the wind along the bed at each cell, where grains creep."""
+    bed_turn: np.ndarray | None = None
+    """Stress of the wind to its left over that along it (float64), there too."""
     lift: np.ndarray | None = None
     """Height (m, float32) by which plants lift the wind over each mesh cell, where there are any."""
     taken: np.ndarray | None = None

@@ -91,15 +91,24 @@ class GrainGround:
         self.arrays = self.arrays._replace(near=near, lost=lost)
 
     def bend_wind(self, wind: WindOverWaves) -> None:
-        """Let the wind follow the bed, and its stress, which is 1 where that is alike."""
-        alike, none = np.ones(self.lattice.shape), np.zeros(self.lattice.shape)
+        """Let the wind follow the bed."""
         self.arrays = self.arrays._replace(
-            rise=_flat(wind.rise),
-            gain=_flat(wind.gain),
-            aside=_flat(wind.aside),
-            stress=_flat(alike if wind.stress is None else wind.stress),
-            side_stress=_flat(none if wind.side_stress is None else wind.side_stress),
+            rise=_flat(wind.rise), gain=_flat(wind.gain), aside=_flat(wind.aside)
         )
+
+    def drag(self, near: NDArray[np.float64], wind: WindOverWaves) -> None:
+        """Let the wind drag at the bed, with a friction velocity (m/s) ``near`` it, by cell or for all.
+
+        It has no hold on the bed among plants.
+        """
+        cells, stress, aside = self.arrays.level.size, _flat(wind.stress), _flat(wind.side_stress)
+        found = np.broadcast_to(near, self.lattice.shape).reshape(-1).astype(np.float32).astype(np.float64)
+        if stress is not None:
+            found *= np.sqrt(stress.astype(np.float64))
+        if self.plants is not None:
+            found[self.plants.lift > 0.0] = 0.0
+        turn = np.zeros(cells) if stress is None or aside is None else aside.astype(np.float64) / stress
+        self.arrays = self.arrays._replace(bed_wind=found, bed_turn=turn)
 
     def roughen(self, friction: float) -> None:
         """Let plants take their part from a wind of that friction velocity (m/s)."""

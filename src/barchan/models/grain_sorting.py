@@ -24,12 +24,8 @@ def sorting(rules: RipplesParameters, creeps: NDArray[np.bool_]) -> Any:
     return Sorting(np.where(creeps, 0.0, ratio**2), np.minimum(ratio**-2, 1.0))
 
 
-def creep(
-    rules: RipplesParameters, lattice: Lattice, creeps: NDArray[np.bool_], wind: float, direction: float
-) -> Any:
+def creep(rules: RipplesParameters, lattice: Lattice, creeps: NDArray[np.bool_], direction: float) -> Any:
     """How sizes are pushed, in a wind from a direction (degrees).
-
-    ``wind`` is its friction velocity (m/s) near the bed where it has no places.
 
     Those that ``creeps`` marks are too heavy to be thrown out, and take the momentum of ejecta as well.
     """
@@ -44,6 +40,5 @@ def creep(
         np.array([one.impact_threshold() for one in rules.by_size]),
         math.tan(math.radians(rules.repose_angle)),
         *downwind(direction),
-        wind,
         max(rules.diameter, rules.carried * lattice.thickness),
     )

@@ -115,9 +115,13 @@ class Ripples(GrainModel):
         """Slow the wind over the ground, let it follow that, and find what it does to grains."""
         rules, surface = self.parameters, ground.arrays.height.reshape(self.lattice.shape)
         about = rules.streamline_height, rules.wave_speedup, (rules.crest_stress, rules.stoss_stress)
-        ground.bend_wind(wind_over_waves(surface, self.lattice, wind.direction, *about))
+        friction = rules.friction_velocity(self.speed(wind))
+        near = self.near_bed.friction(friction)
+        over_waves = wind_over_waves(surface, self.lattice, wind.direction, *about)
+        ground.bend_wind(over_waves)
         if self.near_bed.by_place:
-            ground.slow(self.near_bed.friction(rules.friction_velocity(self.speed(wind))))
+            ground.slow(near)
+        ground.drag(near, over_waves)
         return super().blow(ground, wind)
 
     def near_bed_friction(self, friction: float) -> float:
@@ -167,17 +171,13 @@ class Ripples(GrainModel):
 
         rules = self.parameters
         unit = math.sqrt(rules.gravity * rules.diameter)
-        friction = rules.friction_velocity(self.speed(wind))
         return Splash(
             *(rules.rebound_most, rules.rebound_rate, rules.restitution, math.radians(rules.rebound_angle)),
             rules.ejecta / unit,
             rules.ejecta_momentum / rules.ejecta * unit if rules.ejecta else 0.0,
             *(rules.ejecta_scale * unit, math.radians(rules.ejecta_angle)),
             *(math.radians(rules.azimuth_spread), rules.max_bounces),
-            creep(
-                *(rules, self.lattice, self.creeping(wind)),
-                *(self.near_bed_friction(friction), wind.direction),
-            ),
+            creep(rules, self.lattice, self.creeping(wind), wind.direction),
             None if self.sizes is None else sorting(rules, self.creeping(wind)),
         )
 
