@@ -83,7 +83,7 @@ def _mark_row(row, level, grid, factors, least, marks):
     return highest
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
 def _exchange(cell, before, marks, ground, scale, grid, rule):
     """Let a cell exchange parcels with its neighbours; how many moved."""
     moved = 0
@@ -109,16 +109,17 @@ def _exchange(cell, before, marks, ground, scale, grid, rule):
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
-def smooth_slopes(ground, scale, grid, rule):
+def smooth_slopes(ground, scale, grid, rule, before, marks):
     """Smooth the surface once where it bends too sharply; returns how many parcels moved.
 
     Where the filter works is found on the surface as it was; sand then moves cell by cell from the southwest
-    corner on, and no cell gives more than it has.
+    corner on, and no cell gives more than it has. ``before`` and ``marks`` (both over the cells) are work
+    space; ``marks`` is all zero afterwards.
     """
-    ground = lent(ground)
+    ground, before, marks = lent((ground, before, marks))
     cols = grid.cols
-    before = ground.level.copy()
-    marks, highest = np.empty(before.size, np.uint8), np.empty(grid.rows, np.uint8)
+    before[:] = ground.level
+    highest = np.empty(grid.rows, np.uint8)
     factors = rule.gain * FACE_WEIGHT / scale.parcel, rule.gain * CORNER_WEIGHT / scale.parcel
     for row in range(grid.rows):
         here = marks[row * cols : (row + 1) * cols]
@@ -131,4 +132,5 @@ def smooth_slopes(ground, scale, grid, rule):
                     moved += _exchange(cell, before, marks, ground, scale, grid, rule)
     if moved > 0:
         renew_stale(0, grid.rows, ground, grid)
+    marks[:] = 0
     return moved

@@ -163,7 +163,7 @@ class GrainGround:
         from barchan.kernels.grain_filter import smooth_slopes
 
         if self.rules.collapse == "filter":
-            smooth_slopes(self.arrays, self.scale, self.grid, self.filter)
+            smooth_slopes(self.arrays, self.scale, self.grid, self.filter, self.queue, self.waiting)
             return
         settle_steep(
             *(self.arrays, self.scale, self.sequences, np.uint64(key), self.grid, self.repose),

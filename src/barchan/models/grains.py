@@ -161,8 +161,11 @@ class GrainModel(Model):
 
     def _choose_slots(self) -> None:
         """Leave free slots but the spare ones out of flight; grains move up where too many lie between."""
-        kinds = () if self.kinds is None else (self.kinds,)
         used, spare = self.slots_in_use, self.spare_slots
+        if spare >= self.slots:
+            self.slots_in_use = self.slots
+            return
+        kinds = () if self.kinds is None else (self.kinds,)
         last = close_gaps((*self.motion, *self.marks, *kinds), self.marks[0, :used] != 0, spare)
         self.slots_in_use = min(last + spare, self.slots)
 
