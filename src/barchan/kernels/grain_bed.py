@@ -83,7 +83,7 @@ def _is_deep(cell, sand, grid):
 
 @njit(cache=True, nogil=True, error_model="numpy")
 def _take_shares(cell, kind, ground, scale, grid):
-    """Take them; the cell gives what its neighbours have not. False: it cannot, and nothing changed."""
+    """Take a grain's parcels; the cell gives what others have not. False: it cannot, nothing changed."""
     row, col = cell // grid.cols, cell % grid.cols
     rest = PATCH
     for k in range(8):
@@ -107,6 +107,7 @@ def _take_shares(cell, kind, ground, scale, grid):
 
 @njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
 def _lay_patch(cell, kind, ground, scale, grid):
+    """The same as ``_lay_shares``; the usual case needs no call, which hands over the whole ground."""
     row, col = cell // grid.cols, cell % grid.cols
     note_stale(row, 1, 1, ground, grid)
     if _is_plain(ground.mixture, row, col, grid):
@@ -119,6 +120,7 @@ def _lay_patch(cell, kind, ground, scale, grid):
 
 @njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
 def _take_patch(cell, kind, ground, scale, grid):
+    """The same as ``_take_shares``, made part of the caller too."""
     row, col = cell // grid.cols, cell % grid.cols
     note_stale(row, 1, 1, ground, grid)
     if _is_plain(ground.mixture, row, col, grid) and _is_deep(cell, ground.sand, grid):
