@@ -9,7 +9,7 @@ import time
 import numpy as np
 
 import barchan
-from barchan.kernels import sharing
+from barchan.kernels.core import threads as thread_pool
 
 CASES: tuple[tuple[str, str, dict[str, int]], ...] = (
     ("`wang_hu`, `szabo-10`", "szabo-10", {}),
@@ -29,17 +29,17 @@ def updates(preset: str, changes: dict[str, int], spells: int = 40) -> tuple[flo
     runs = [barchan.Simulation(barchan.load(preset, run__seed=1, **changes)) for _ in range(2)]
     steps = max(1, ITERATIONS // runs[0].model.parameters.iterations_per_step)
     best = [0.0, 0.0]
-    whole = sharing.thread_count
+    whole = thread_pool.thread_count
     try:
         for spell in range(spells + 1):
             for at, simulation in enumerate(runs):
-                sharing.thread_count = lambda threads=at + 1: threads
+                thread_pool.thread_count = lambda threads=at + 1: threads
                 began = time.perf_counter()
                 tally = simulation.advance(steps)
                 rate = tally.polls / (time.perf_counter() - began) / 1e6
                 best[at] = max(best[at], rate) if spell else 0.0
     finally:
-        sharing.thread_count = whole
+        thread_pool.thread_count = whole
     return best[0], best[1], bool(np.array_equal(runs[0].bed.sand, runs[1].bed.sand))
 
 

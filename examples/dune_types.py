@@ -15,9 +15,9 @@ from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
 
 import barchan
-from barchan.analysis.assessment import scenario_drift
 from barchan.figures.maps import shaded
 from barchan.figures.style import extent
+from barchan.theory.assessment import scenario_drift
 
 SUPPLIES = (3, 5, 8, 16)
 """Slabs on a cell."""

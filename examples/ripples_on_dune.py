@@ -13,9 +13,9 @@ from pathlib import Path
 import numpy as np
 
 import barchan
-from barchan.analysis import dominant_spacing
 from barchan.figures.composition import laid_over
 from barchan.figures.oblique import oblique_view
+from barchan.measures import dominant_spacing
 
 FACTOR = 5
 """Fine cells to a cell of the dune."""

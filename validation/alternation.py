@@ -9,8 +9,8 @@ from itertools import product
 
 import numpy as np
 
-from barchan.analysis.crest_theory import gross_transport
-from barchan.analysis.drift import drift_of
+from barchan.theory.crests import gross_transport
+from barchan.theory.drift import drift_of
 from validation.orientation import BISECTORS, LEAST_COHERENCE, SEEDS, crest, difference, winds
 from validation.study import Row, over_seeds
 

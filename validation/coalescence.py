@@ -10,7 +10,7 @@ import numpy as np
 from scipy.ndimage import gaussian_filter1d
 
 import barchan
-from barchan.analysis import dominant_spacing
+from barchan.measures import dominant_spacing
 from validation.study import Row, over_seeds, spread
 
 TITLE = "Coalescence of ridges"

@@ -10,8 +10,8 @@ unless their order is random.
 import numpy as np
 
 import barchan
-from barchan.analysis.orientation import crest_orientation
-from barchan.analysis.spacing import dominant_spacing
+from barchan.measures.orientation import crest_orientation
+from barchan.measures.spacing import dominant_spacing
 from validation.orientation import difference
 from validation.study import Row, over_seeds
 

@@ -14,8 +14,8 @@ are the same runs with sand that slides to the steepest neighbour, as the seed's
 import numpy as np
 
 import barchan
-from barchan.analysis import crest_orientation, dominant_spacing
-from barchan.analysis.field import smoothed
+from barchan.measures import crest_orientation, dominant_spacing
+from barchan.measures.filters import smoothed
 from validation.study import Row, order, over_seeds, spread
 
 TITLE = "Ripples of grains over four terrains"

@@ -13,8 +13,8 @@ one half the lee faces are shorter than the stoss faces, and steeper.
 import numpy as np
 
 import barchan
-from barchan.analysis.migration import migration
-from barchan.analysis.spacing import dominant_spacing
+from barchan.measures.migration import migration
+from barchan.measures.spacing import dominant_spacing
 from validation.study import Row, order, over_seeds, spread
 
 TITLE = "Ripples of grains that grow by themselves"

@@ -7,7 +7,7 @@ axis, across it. If hops only compressed the field along the wind, the scale acr
 """
 
 import barchan
-from barchan.analysis import dominant_spacing
+from barchan.measures import dominant_spacing
 from validation.study import Row, number, over_seeds, spread
 
 TITLE = "Hop length 1 against 5"

@@ -14,8 +14,8 @@ positive for barchans ([measures](measures.md#dunes-one-by-one)).
 import numpy as np
 
 import barchan
-from barchan.analysis.dunes import find_dunes
-from barchan.analysis.horns import horns
+from barchan.measures.dunes import find_dunes
+from barchan.measures.horns import horns
 from validation.study import Row, measures_after, over_seeds, spread
 
 TITLE = "Hop lengths that make dunes"

@@ -12,8 +12,8 @@ from itertools import product
 import numpy as np
 
 import barchan
-from barchan.analysis.dunes import find_dunes
-from barchan.analysis.horns import horns
+from barchan.measures.dunes import find_dunes
+from barchan.measures.horns import horns
 from validation.direction_quality import ANGLES, SEEDS, VARIANTS
 from validation.mixed_axes import LEAST
 from validation.study import Row, over_seeds

@@ -12,8 +12,8 @@ sides are) and crescent ([measures](measures.md#dunes-one-by-one)).
 import numpy as np
 
 import barchan
-from barchan.analysis.dunes import find_dunes
-from barchan.analysis.horns import horns
+from barchan.measures.dunes import find_dunes
+from barchan.measures.horns import horns
 from validation.study import Row, over_seeds, spread
 
 TITLE = "Mixed axes and oblique hops"

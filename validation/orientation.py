@@ -16,10 +16,10 @@ from pathlib import Path
 import numpy as np
 
 import barchan
-from barchan.analysis.crest_theory import bed_instability, gross_transport
-from barchan.analysis.drift import drift_of
-from barchan.analysis.orientation import crest_orientation
 from barchan.figures.style import new_figure
+from barchan.measures.orientation import crest_orientation
+from barchan.theory.crests import bed_instability, gross_transport
+from barchan.theory.drift import drift_of
 from validation.study import Row, over_seeds
 
 TITLE = "Crests under two winds"

@@ -12,7 +12,7 @@ import numpy as np
 from scipy.ndimage import find_objects, label
 
 import barchan
-from barchan.wind.segment import downwind
+from barchan.directions import downwind
 from validation.study import Row, measures_after, number, order, over_seeds, spread
 
 TITLE = "Plants"

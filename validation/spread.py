@@ -11,8 +11,8 @@ positive for a barchan, negative for a round dune. Straightness is 0 where crest
 import numpy as np
 
 import barchan
-from barchan.analysis.dunes import find_dunes
-from barchan.analysis.horns import horns
+from barchan.measures.dunes import find_dunes
+from barchan.measures.horns import horns
 from validation.study import Row, measures_after, over_seeds, spread
 
 TITLE = "Winds that spread"

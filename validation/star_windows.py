@@ -13,8 +13,8 @@ foot (seed 000, §2.1.3).
 import numpy as np
 
 import barchan
-from barchan.analysis.orientation import crest_orientation
-from barchan.analysis.stars import summits
+from barchan.measures.orientation import crest_orientation
+from barchan.measures.stars import summits
 from validation.study import Row, over_seeds, spread
 
 TITLE = "Star dunes under uneven winds"

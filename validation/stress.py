@@ -8,7 +8,7 @@ memory). Nothing was chosen to make either come out.
 import numpy as np
 
 import barchan
-from barchan.analysis import dominant_spacing
+from barchan.measures import dominant_spacing
 from validation.study import Row, over_seeds, spread
 
 TITLE = "After Pelletier: steady state and roughness"

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 import barchan
-from barchan.analysis.course import last_measures
+from barchan.analysis.time_series import last_measures
 
 SEEDS = tuple(range(1, 6))
 

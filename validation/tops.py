@@ -10,7 +10,7 @@ where its middle lies, from 0 at the windward end to 1 at the lee end.
 import numpy as np
 
 import barchan
-from barchan.analysis.field import smoothed
+from barchan.measures.filters import smoothed
 from validation.stages import STAGES
 from validation.study import Row, order, over_seeds, spread
 

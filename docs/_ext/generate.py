@@ -187,7 +187,7 @@ def commands_page() -> str:
 
 def measures_table() -> str:
     """The table of declared measures."""
-    from barchan.analysis.course import MEASURES, PER_YEAR
+    from barchan.analysis.time_series import MEASURES, PER_YEAR
 
     rows = [(code(m.name), m.title, "–" if m.unit == "-" else m.unit) for m in (*MEASURES, *PER_YEAR)]
     return table(("Name", "What", "Unit"), rows, "30 45 25")
@@ -195,7 +195,7 @@ def measures_table() -> str:
 
 def laws_table() -> str:
     """The flux laws."""
-    from barchan.wind.flux import LAWS
+    from barchan.aeolian.flux import LAWS
 
     rows = [(code(name), law.title, code(law.formula), law.source) for name, law in LAWS.items()]
     return table(("Name", "Law", "Mass flux", "Source"), rows, "18 17 30 35")

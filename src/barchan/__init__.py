@@ -7,10 +7,9 @@
 """
 
 from importlib import import_module
-from importlib.metadata import version
 from typing import TYPE_CHECKING, Any
 
-__version__ = version("barchan")
+from barchan.version import __version__
 
 if TYPE_CHECKING:
     from barchan.archive import branch, load, open_run, resume, run, simulate

@@ -6,7 +6,7 @@ import sys
 import pytest
 from PIL import Image
 
-from barchan.analysis.course import MEASURES
+from barchan.analysis.time_series import MEASURES
 from barchan.archive import load, open_run, run_info
 from barchan.scenario import load_scenario
 from tests.tiny import tiny

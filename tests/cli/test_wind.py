@@ -3,7 +3,7 @@
 import pytest
 from PIL import Image
 
-from barchan.wind.flux import LAWS
+from barchan.aeolian.flux import LAWS
 
 WEAK = "time,speed (m/s),direction\n2024-01-01T00:00,3,270\n2024-01-01T01:00,4,280\n2024-01-01T02:00,0,\n"
 

@@ -4,7 +4,7 @@ import io
 
 import pytest
 
-from barchan.analysis.course import course
+from barchan.analysis.time_series import course
 from barchan.figures.maps import contour_map, relief_map
 from barchan.figures.sections import profile, space_time
 from barchan.figures.series import time_series

@@ -6,10 +6,10 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.colors import Normalize
 from matplotlib.contour import QuadContourSet
 
+from barchan.directions import downwind
 from barchan.errors import BarchanError
 from barchan.figures.maps import contour_map, relief_map, shaded
 from barchan.figures.style import BARE, colour_map
-from barchan.wind.segment import downwind
 from tests.tiny import COLUMNS, ROWS
 
 CORNERS = {"south-west": (2, 3), "south-east": (2, 20), "north-west": (13, 3), "north-east": (13, 20)}

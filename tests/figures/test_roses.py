@@ -5,12 +5,12 @@ import io
 import numpy as np
 import pytest
 
-from barchan.analysis.assessment import assess, assess_record
-from barchan.analysis.drift import drift_of
+from barchan.aeolian import Saltation
 from barchan.figures.roses import roses
-from barchan.wind import Saltation
+from barchan.theory.assessment import assess, assess_record
+from barchan.theory.drift import drift_of
 from barchan.wind.records import read_record
-from tests.analysis.winds import record
+from tests.theory.winds import record
 
 
 def drawn(figure):

@@ -4,9 +4,9 @@ import io
 
 import numpy as np
 
+from barchan.aeolian import Saltation
+from barchan.aeolian.flux import LAWS
 from barchan.figures.sand import flux_laws, thresholds
-from barchan.wind import Saltation
-from barchan.wind.flux import LAWS
 
 
 def test_the_divide_crosses_the_threshold_in_fine_sand():

@@ -9,10 +9,10 @@ from hypothesis import strategies as st
 
 from barchan.archive import dataset_of, simulate
 from barchan.bed import Bed
+from barchan.directions import downwind
 from barchan.figures.sections import profile, section_along_wind, shadow_line, space_time
 from barchan.models import models
 from barchan.simulation import SetParameter, Simulation
-from barchan.wind.segment import downwind
 from tests.tiny import COLUMNS, RIDGES, ROWS, tiny
 
 directions = st.floats(0, 360, exclude_max=True)

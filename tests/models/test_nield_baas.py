@@ -5,7 +5,7 @@ import pytest
 
 import barchan
 from barchan.models.nield_baas import NieldBaas
-from barchan.models.vegetation import SPECIES
+from barchan.plants.layouts import SPECIES
 from barchan.scenario import validate
 from barchan.simulation import SetParameter, Simulation
 from barchan.wind.clock import YEAR

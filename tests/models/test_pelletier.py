@@ -3,8 +3,9 @@
 import numpy as np
 import pytest
 
+from barchan.aeolian.flow_over_relief import stress_coefficients
 from barchan.bed import Bed, Lattice
-from barchan.models.pelletier import Pelletier, stress_coefficients
+from barchan.models.pelletier import Pelletier
 
 
 def wave(lattice, length, height, angle=0.0):

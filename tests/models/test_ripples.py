@@ -4,11 +4,12 @@ import numpy as np
 import pytest
 
 import barchan
+from barchan.directions import downwind
+from barchan.grains.wind_feedback import SlowedWind
 from barchan.models import model
-from barchan.models.slowed_wind import SlowedWind
 from barchan.simulation import Simulation
 from barchan.streams import Stream
-from barchan.wind.segment import Segment, downwind
+from barchan.wind.segment import Segment
 
 SMALL = {
     "barchan": 1,

@@ -5,14 +5,14 @@ from typing import Any, Literal, Union, get_args, get_origin
 from hypothesis import strategies as st
 
 from barchan.bed import LARGEST_ASPECT, LEAST_ASPECT, Lattice
+from barchan.grains.parameters import GrainFlight
 from barchan.ground.area import Area
-from barchan.models.grain_parameters import GrainFlight
-from barchan.models.slab_parameters import SlabTransport
-from barchan.models.species import Species
 from barchan.parameters import NOTE, Parameters
+from barchan.plants.species import Species
 from barchan.scenario import Scenario
+from barchan.slabs.parameters import SlabTransport
 from barchan.wind import MixedAxes, Regime, Steady
-from barchan.wind.courses import Points
+from barchan.wind.speed_ramps import Points
 
 WIDEST = 10**6
 """Numbers without bounds are drawn within this."""

@@ -5,8 +5,8 @@ import math
 import numpy as np
 import pytest
 
-from barchan.analysis import crest_orientation, dominant_spacing, migration
 from barchan.errors import BarchanError
+from barchan.measures import crest_orientation, dominant_spacing, migration
 from barchan.simulation import Simulation
 from tests.tiny import RIDGES, tiny
 

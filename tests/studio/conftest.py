@@ -11,12 +11,12 @@ import uvicorn
 from websockets.sync.client import ClientConnection, connect
 
 from barchan.scenario import Scenario, validate
-from barchan.studio.guard import Guard
 from barchan.studio.protocol import read_frame
-from barchan.studio.serve import listener
-from barchan.studio.server import application
-from barchan.studio.session import Session
-from barchan.studio.store import Store
+from barchan.studio.server.app import application
+from barchan.studio.server.launch import listener
+from barchan.studio.server.security import Guard
+from barchan.studio.server.session import Session
+from barchan.studio.server.workspace import Store
 
 PATIENCE = 60.0
 

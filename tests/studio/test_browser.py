@@ -20,7 +20,7 @@ from PIL import Image
 playwright = pytest.importorskip("playwright.sync_api")
 
 from barchan.scenario import load_scenario  # noqa: E402
-from barchan.studio.server import CLIENT  # noqa: E402
+from barchan.studio.server.app import CLIENT  # noqa: E402
 
 FLAGS = ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
 PATIENCE = 60.0

@@ -4,12 +4,12 @@ import numpy as np
 import pytest
 
 import barchan
-from barchan.analysis.transport import flux
 from barchan.errors import ScenarioError
+from barchan.measures.amounts import flux
 from barchan.models import models
-from barchan.models.slab import SlabModel
 from barchan.scenario import validate
 from barchan.simulation import Simulation
+from barchan.slabs.model import SlabModel
 from barchan.wind import Clock
 from barchan.wind.clock import YEAR, spoken
 from tests.tiny import tiny

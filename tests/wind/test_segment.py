@@ -6,8 +6,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from barchan.directions import bearing, downwind
 from barchan.wind import Segment
-from barchan.wind.segment import bearing, downwind
 
 directions = st.floats(0, 360, exclude_max=True)
 

@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from barchan.analysis.field import gradient
 from barchan.bed import Bed
 from barchan.errors import BarchanError
+from barchan.measures.filters import gradient
 from barchan.models import Derived, Model, models
 from barchan.scenario import Scenario, nearest
 from barchan.simulation import Record, in_force

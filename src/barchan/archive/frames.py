@@ -83,7 +83,7 @@ def coordinate_attributes(name: str) -> dict[str, Any]:
 
 def run_attributes(scenario: Scenario) -> dict[str, Any]:
     """What a run's data say of themselves."""
-    from barchan import __version__
+    from barchan.version import __version__
 
     return {
         "Conventions": "CF-1.11",

@@ -145,7 +145,7 @@ def remark_on(before: str) -> str:
 
 
 def _version() -> str:
-    from barchan import __version__
+    from barchan.version import __version__
 
     return __version__
 

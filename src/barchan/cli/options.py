@@ -33,7 +33,7 @@ def group_from(group: type[Group], options: Any) -> Group:
 
     Raises ScenarioError with every value that is not allowed.
     """
-    from barchan.scenario.wording import problems_of
+    from barchan.scenario.messages import problems_of
 
     values = {} if options is None else {item.name: getattr(options, item.name) for item in fields(options)}
     given = {name: value for name, value in values.items() if value is not None}

@@ -72,7 +72,7 @@ def _draw(outcome: Outcome, quiet: bool) -> str | None:
 
 def print_measures(dataset: "xr.Dataset", scenario: Scenario) -> None:
     """The table of the last frame's measures."""
-    from barchan.analysis.course import last_measures, measures_of
+    from barchan.analysis.time_series import last_measures, measures_of
 
     values = last_measures(dataset, scenario)
     print_table([(m.title, _number(values[m.name]), m.unit) for m in measures_of(scenario)])

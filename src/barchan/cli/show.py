@@ -123,13 +123,13 @@ def show(
 
             figure = space_time(dataset, scenario, at=at, colours=colours)
         elif view in ("paths", "hops"):
-            from barchan.analysis.paths import grain_paths
+            from barchan.analysis.grain_paths import grain_paths
             from barchan.figures.paths import hop_histograms, path_view
 
             followed = grain_paths(frame, scenario, grains or (20 if view == "paths" else 1000))
             figure = (path_view if view == "paths" else hop_histograms)(frame, scenario, followed)
         else:
-            from barchan.analysis.course import course
+            from barchan.analysis.time_series import course
             from barchan.figures.series import time_series
 
             figure = time_series(course(dataset, scenario), scenario)

@@ -38,8 +38,8 @@ def studio(
     from barchan.archive.folder import CHECKPOINT
     from barchan.cli.terminal import console, print_note
     from barchan.scenario import load_scenario
-    from barchan.studio.guard import LOOPBACK
-    from barchan.studio.serve import Studio, serve
+    from barchan.studio.server.launch import Studio, serve
+    from barchan.studio.server.security import LOOPBACK
 
     overrides = pairs(values, studio)
     source = source_at(scenario)

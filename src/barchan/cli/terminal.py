@@ -129,7 +129,7 @@ class Reporter:
 @contextmanager
 def compilation_announced(quiet: bool) -> Iterator[None]:
     """Say so when a kernel is compiled instead of loaded, once."""
-    from barchan.kernels.compiling import told_of_compilation
+    from barchan.kernels.core.compile_notice import told_of_compilation
 
     def tell() -> None:
         if not quiet:

@@ -7,12 +7,12 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 from cyclopts import Parameter
 from cyclopts.validators import Number
 
+from barchan.aeolian.saltation import Saltation
 from barchan.cli.options import group_from, options_of
 from barchan.wind.records.format import RecordFormat
-from barchan.wind.saltation import Saltation
 
 if TYPE_CHECKING:
-    from barchan.analysis.assessment import Assessment
+    from barchan.theory.assessment import Assessment
     from barchan.wind.records import WindRecord
 
     SandOptions = Any
@@ -91,7 +91,7 @@ class _Subject:
 
 
 def _of_record(record: "WindRecord", sand: Saltation, supply: float | None) -> _Subject:
-    from barchan.analysis.assessment import assess_record
+    from barchan.theory.assessment import assess_record
 
     found = assess_record(record, sand, supply)
     return _Subject(
@@ -101,9 +101,9 @@ def _of_record(record: "WindRecord", sand: Saltation, supply: float | None) -> _
 
 def _of_scenario(source: str, supply: float | None) -> _Subject:
     """The wind of a scenario over its own sand: the record that drives it, or its winds by what they move."""
-    from barchan.analysis.assessment import assess, scenario_drift, scenario_supply
     from barchan.archive import source_at
     from barchan.scenario.files import load_scenario
+    from barchan.theory.assessment import assess, scenario_drift, scenario_supply
     from barchan.wind import Recorded
 
     scenario = load_scenario(source_at(source))
@@ -160,7 +160,7 @@ def _span(record: "WindRecord") -> str:
 
 
 def _potential_rows(found: "Assessment") -> Rows:
-    from barchan.analysis.drift import THRESHOLD, energy, in_metres
+    from barchan.theory.drift import THRESHOLD, energy, in_metres
 
     potential = found.potential
     if potential is None:

@@ -6,11 +6,11 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy import ndimage
 
-from barchan.analysis.field import Field, Periodic, gradient, smoothed
 from barchan.analysis.fields import field_of
+from barchan.directions import downwind
 from barchan.errors import BarchanError
+from barchan.measures.filters import Field, Periodic, gradient, smoothed
 from barchan.scenario import Scenario
-from barchan.wind.segment import downwind
 
 if TYPE_CHECKING:
     import xarray as xr

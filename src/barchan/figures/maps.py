@@ -5,10 +5,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from barchan.analysis.field import gradient
 from barchan.errors import BarchanError
 from barchan.figures.layers import BAR, layer_bars, layers_of, overlaid
 from barchan.figures.style import BARE, Colours, colour_map, extent, map_axes, new_figure, smooth
+from barchan.measures.filters import gradient
 from barchan.scenario import Scenario
 
 if TYPE_CHECKING:

@@ -5,11 +5,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from barchan.analysis.paths import broken_at_edges, hops_of
+from barchan.analysis.grain_paths import broken_at_edges, hops_of
+from barchan.directions import downwind
 from barchan.figures.sections import section_along_wind
 from barchan.figures.style import CURVE, SAND, colour_map, extent, new_figure, title
 from barchan.scenario import Scenario
-from barchan.wind.segment import downwind
 
 if TYPE_CHECKING:
     import xarray as xr

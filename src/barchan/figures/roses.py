@@ -6,11 +6,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from barchan.analysis.assessment import Assessment
-from barchan.analysis.crest_theory import Crest
-from barchan.analysis.drift import Drift
-from barchan.analysis.roses import SECTORS, sand_rose, sectors, speed_limits, wind_rose
 from barchan.figures.style import CURVE, GROUND, SAND, SHADOW, new_figure
+from barchan.theory.assessment import Assessment
+from barchan.theory.crests import Crest
+from barchan.theory.drift import Drift
+from barchan.theory.roses import SECTORS, sand_rose, sectors, speed_limits, wind_rose
 from barchan.wind.records import WindRecord
 
 if TYPE_CHECKING:

@@ -4,10 +4,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from barchan.aeolian.flux import LAWS
+from barchan.aeolian.grains import bagnold_threshold, settling_speed, shao_lu
+from barchan.aeolian.saltation import Saltation
 from barchan.figures.style import CURVE, GROUND, SHADOW, new_figure
-from barchan.wind.flux import LAWS
-from barchan.wind.grains import bagnold_threshold, settling_speed, shao_lu
-from barchan.wind.saltation import Saltation
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from barchan.analysis.fields import scenario_at
+from barchan.directions import downwind
 from barchan.figures.style import (
     CURVE,
     GROUND,
@@ -20,7 +21,6 @@ from barchan.figures.style import (
     title,
 )
 from barchan.scenario import Scenario
-from barchan.wind.segment import downwind
 
 if TYPE_CHECKING:
     import xarray as xr

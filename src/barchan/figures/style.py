@@ -6,10 +6,10 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from barchan.analysis.field import smoothed
+from barchan.directions import downwind
+from barchan.measures.filters import smoothed
 from barchan.scenario import Scenario
 from barchan.wind.clock import spoken
-from barchan.wind.segment import downwind
 
 if TYPE_CHECKING:
     import xarray as xr

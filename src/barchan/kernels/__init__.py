@@ -11,6 +11,14 @@ from pathlib import Path
 __all__: list[str] = []
 
 
+def digest_of(folder: Path) -> str:
+    """A digest of all sources in a folder and its subfolders: any edit, move or new file changes it."""
+    digest = hashlib.sha256()
+    for source in sorted(folder.rglob("*.py")):
+        digest.update(f"{source.relative_to(folder).as_posix()}\0".encode() + source.read_bytes() + b"\0")
+    return digest.hexdigest()[:16]
+
+
 def _cache_by_source(folder: Path) -> None:
     """Give every state of the kernels' sources a compilation cache of its own.
 
@@ -22,10 +30,7 @@ def _cache_by_source(folder: Path) -> None:
         return
     if "numba" in sys.modules:
         return
-    digest = hashlib.sha256()
-    for source in sorted(folder.glob("*.py")):
-        digest.update(source.read_bytes())
-    os.environ["NUMBA_CACHE_DIR"] = str(checkout / ".numba_cache" / digest.hexdigest()[:16])
+    os.environ["NUMBA_CACHE_DIR"] = str(checkout / ".numba_cache" / digest_of(folder))
 
 
 _cache_by_source(Path(__file__).resolve().parent)

@@ -3,8 +3,8 @@
 import numpy as np
 from numba import njit
 
-from barchan.kernels.grain_state import TRAVEL_UNIT, draw
-from barchan.kernels.random import derive
+from barchan.kernels.core.random import derive, draw
+from barchan.kernels.core.state import TRAVEL_UNIT
 
 HOP, CREEP = range(2)
 """Numbers of the random sequences of a step."""

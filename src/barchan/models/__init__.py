@@ -8,11 +8,44 @@ import importlib
 import pkgutil
 from functools import cache
 from importlib.metadata import entry_points
+from typing import Any
 
 from barchan.errors import BarchanError
-from barchan.models.base import Curve, Derived, Layer, Model, OwnMeasure, Tally
+from barchan.model import Curve, Derived, Layer, Model, OwnMeasure, Tally
 
-__all__ = ["Curve", "Derived", "Layer", "Model", "OwnMeasure", "Tally", "model", "model_names", "models"]
+_ENGINES = {
+    "GrainModel": "barchan.grains.model",
+    "GrainFlight": "barchan.grains.parameters",
+    "SlabModel": "barchan.slabs.model",
+    "SlabTransport": "barchan.slabs.parameters",
+    "SpeedupModel": "barchan.slabs.speedup",
+    "SpeedupParameters": "barchan.slabs.speedup",
+}
+"""What the engines offer to those who write models, and where it stands."""
+
+__all__ = [
+    "Curve",
+    "Derived",
+    "GrainFlight",
+    "GrainModel",
+    "Layer",
+    "Model",
+    "OwnMeasure",
+    "SlabModel",
+    "SlabTransport",
+    "SpeedupModel",
+    "SpeedupParameters",
+    "Tally",
+    "model",
+    "model_names",
+    "models",
+]
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _ENGINES:
+        raise AttributeError(f"module 'barchan.models' has no attribute '{name}'")
+    return getattr(importlib.import_module(_ENGINES[name]), name)
 
 
 @cache

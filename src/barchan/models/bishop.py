@@ -2,8 +2,8 @@
 
 from typing import ClassVar, Literal
 
-from barchan.models.speedup import SpeedupModel, SpeedupParameters
 from barchan.parameters import parameter
+from barchan.slabs.speedup import SpeedupModel, SpeedupParameters
 
 
 class BishopParameters(SpeedupParameters):

@@ -8,13 +8,13 @@ from numpy.typing import NDArray
 from pydantic import Field
 
 from barchan.bed import Bed, FieldInfo
-from barchan.models.base import Curve, Derived, Layer, OwnMeasure
-from barchan.models.slab import SlabModel
-from barchan.models.slab_parameters import SlabTransport
-from barchan.models.slab_tables import Giving, Rules
-from barchan.models.species import SPECIES, Grass, Mesquite, Shrub, Species
-from barchan.models.vegetation import UniformPlants, Vegetation
+from barchan.model import Curve, Derived, Layer, OwnMeasure
 from barchan.parameters import parameter, redeclared
+from barchan.plants.layouts import UniformPlants, Vegetation
+from barchan.plants.species import SPECIES, Grass, Mesquite, Shrub, Species
+from barchan.slabs.model import SlabModel
+from barchan.slabs.parameters import SlabTransport
+from barchan.slabs.rules import Giving, Rules
 from barchan.streams import Stream
 from barchan.wind.clock import YEAR, spoken
 from barchan.wind.segment import Segment

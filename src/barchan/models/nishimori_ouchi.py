@@ -6,10 +6,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from barchan.bed import Bed
-from barchan.models.base import Model, Tally
+from barchan.directions import downwind
+from barchan.model import Model, Tally
 from barchan.parameters import Parameters, parameter
 from barchan.streams import Stream, derive
-from barchan.wind.segment import Segment, downwind
+from barchan.wind.segment import Segment
 
 
 class NishimoriOuchiParameters(Parameters):

@@ -2,18 +2,20 @@
 
 import math
 from functools import lru_cache
-from typing import Any, ClassVar, Literal
+from typing import ClassVar, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
+from barchan.aeolian.flow_over_relief import stress_coefficients
 from barchan.bed import Bed, Lattice
-from barchan.models.base import Derived, OwnMeasure
-from barchan.models.slab import SlabModel
-from barchan.models.slab_parameters import SlabTransport
-from barchan.models.slab_tables import Giving, Rules
+from barchan.directions import downwind
+from barchan.model import Derived, OwnMeasure
 from barchan.parameters import parameter
-from barchan.wind.segment import Segment, downwind
+from barchan.slabs.model import SlabModel
+from barchan.slabs.parameters import SlabTransport
+from barchan.slabs.rules import Giving, Rules
+from barchan.wind.segment import Segment
 
 
 class PelletierParameters(SlabTransport):
@@ -188,18 +190,3 @@ def _response(
     response = k * (a + 1j * b * np.sign(along)) * (along / k) ** 2 * smooth
     response[0, 0] = 0.0
     return response, 1j * along * smooth
-
-
-def stress_coefficients(ratio: Any) -> tuple[Any, Any]:
-    """A (in phase with height) and B (in phase with slope) for wavelengths over roughness lengths.
-
-    Fourrière, A., Claudin, P. & Andreotti, B. (2010), Journal of Fluid Mechanics 649, 287-328.
-    """
-    r = np.log(np.maximum(ratio, 1.0))
-    a = 2 + (1.0702 + 0.093069 * r + 0.10838 * r**2 + 0.024835 * r**3) / (
-        1 + 0.041603 * r**2 + 0.0010625 * r**4
-    )
-    b = (0.036989 + 0.15765 * r + 0.11518 * r**2 + 0.0020249 * r**3) / (
-        1 + 0.0028725 * r**2 + 0.00053483 * r**4
-    )
-    return a, b

@@ -6,17 +6,20 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from barchan.aeolian.flow_over_relief import wind_over_waves
+from barchan.aeolian.wall import focused_wind
 from barchan.bed import Bed, Lattice
-from barchan.models.base import Derived, OwnMeasure
-from barchan.models.grain_air import focused_wind, tables_about_focus
-from barchan.models.grain_ground import GrainGround
-from barchan.models.grain_sizes import SortedSand
-from barchan.models.grain_sorting import creep, sorting
-from barchan.models.grains import GrainModel
-from barchan.models.ripple_parameters import RipplesParameters
-from barchan.models.slowed_wind import SlowedWind
-from barchan.models.streamlines import wind_over_waves
-from barchan.wind.segment import Segment, downwind
+from barchan.directions import downwind
+from barchan.grains.air import tables_about_focus
+from barchan.grains.bed import GrainGround
+from barchan.grains.model import GrainModel
+from barchan.grains.ripple_parameters import RipplesParameters
+from barchan.grains.sizes import SortedSand
+from barchan.grains.splash import creep, sorting
+from barchan.grains.wind_feedback import SlowedWind
+from barchan.kernels.grains.state import Bounce, LiftOff, Splash
+from barchan.model import Derived, OwnMeasure
+from barchan.wind.segment import Segment
 
 
 class Ripples(GrainModel):
@@ -147,8 +150,6 @@ class Ripples(GrainModel):
 
     def lift_off(self, wind: Segment, chance: float = 1.0) -> Any:
         """By the wind, from anywhere that it reaches and that does not face away from it."""
-        from barchan.kernels.grain_state import LiftOff
-
         rules = self.parameters
         friction = rules.friction_velocity(self.speed(wind))
         return LiftOff(
@@ -161,14 +162,10 @@ class Ripples(GrainModel):
 
     def bounce(self) -> Any:
         """Grains do not bounce; after ``max_bounces`` rebounds they stay."""
-        from barchan.kernels.grain_state import Bounce
-
         return Bounce(0.0, 0.0, 0.0, self.parameters.max_bounces)
 
     def splash(self, wind: Segment) -> Any:
         """Rebounds and ejecta, in SI units."""
-        from barchan.kernels.grain_splash import Splash
-
         rules = self.parameters
         unit = math.sqrt(rules.gravity * rules.diameter)
         return Splash(

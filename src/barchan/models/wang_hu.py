@@ -5,11 +5,13 @@ from typing import Any, ClassVar, Literal, Self
 
 from pydantic import model_validator
 
-from barchan.models.grain_air import log_table
-from barchan.models.grain_parameters import GrainFlight
-from barchan.models.grains import GrainModel
+from barchan.directions import downwind
+from barchan.grains.air import log_table
+from barchan.grains.model import GrainModel
+from barchan.grains.parameters import GrainFlight
+from barchan.kernels.grains.state import Bounce, LiftOff
 from barchan.parameters import parameter
-from barchan.wind.segment import Segment, downwind
+from barchan.wind.segment import Segment
 
 
 class WangHuParameters(GrainFlight):
@@ -144,8 +146,6 @@ class WangHu(GrainModel):
 
     def lift_off(self, wind: Segment, chance: float = 1.0) -> Any:
         """From anywhere, with a speed and an angle drawn evenly."""
-        from barchan.kernels.grain_state import LiftOff
-
         rules = self.parameters
         friction = rules.friction_velocity(self.speed(wind))
         return LiftOff(
@@ -162,7 +162,5 @@ class WangHu(GrainModel):
 
     def bounce(self) -> Any:
         """Damped reflection off the surface."""
-        from barchan.kernels.grain_state import Bounce
-
         rules = self.parameters
         return Bounce(rules.normal_damping, rules.tangential_damping, rules.stop_speed, rules.max_bounces)

@@ -2,9 +2,9 @@
 
 from typing import ClassVar, Literal
 
-from barchan.models.slab import SlabModel
-from barchan.models.slab_parameters import SlabTransport
 from barchan.parameters import parameter, redeclared
+from barchan.slabs.model import SlabModel
+from barchan.slabs.parameters import SlabTransport
 
 
 class WernerParameters(SlabTransport):

@@ -2,7 +2,7 @@
 
 from barchan.scenario.definition import FORMAT, Run, Scenario, SteadyState, Until
 from barchan.scenario.files import load_scenario, preset_names, validate
-from barchan.scenario.wording import nearest
+from barchan.scenario.messages import nearest
 
 __all__ = [
     "FORMAT",

@@ -3,7 +3,7 @@
 from typing import TYPE_CHECKING
 
 from barchan.models import Model
-from barchan.scenario.positions import Path
+from barchan.scenario.source_map import Path
 from barchan.wind import Recorded
 
 if TYPE_CHECKING:

@@ -13,7 +13,7 @@ from barchan.ground.surface import Ground
 from barchan.models import Model, models
 from barchan.parameters import Parameters, parameter
 from barchan.scenario.consistency import inconsistencies
-from barchan.scenario.positions import Places
+from barchan.scenario.source_map import Places
 from barchan.wind import Clock, Forcing, Pace, Steady, Wind
 from barchan.wind.clock import spoken
 

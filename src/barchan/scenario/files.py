@@ -10,10 +10,10 @@ from pydantic import ValidationError
 
 from barchan.errors import Problem, ScenarioError
 from barchan.scenario.definition import Scenario
+from barchan.scenario.messages import nearest, problems_of
 from barchan.scenario.migrations import migrate
-from barchan.scenario.positions import Path as KeyPath
-from barchan.scenario.positions import Places, parse
-from barchan.scenario.wording import nearest, problems_of
+from barchan.scenario.source_map import Path as KeyPath
+from barchan.scenario.source_map import Places, parse
 
 Override = tuple[str, str]
 """A dotted key and the text given for it, as on a command line."""

@@ -14,7 +14,7 @@ from barchan.ground.brush import Falloff
 from barchan.ground.sand import MOST_SLABS
 from barchan.parameters import Parameters, parameter
 from barchan.scenario import Scenario, validate
-from barchan.scenario.wording import problems_of
+from barchan.scenario.messages import problems_of
 from barchan.wind import Wind
 
 MOST_PLANTS = 100.0

@@ -6,13 +6,12 @@ from pydantic import Field
 
 from barchan.wind.clock import Clock
 from barchan.wind.forcing import Forcing
+from barchan.wind.interval import Pace
 from barchan.wind.mixed_axes import MixedAxes
 from barchan.wind.recorded import Recorded
 from barchan.wind.regimes import Regime, Regimes
-from barchan.wind.saltation import Saltation
 from barchan.wind.segment import Segment
 from barchan.wind.steady import Steady
-from barchan.wind.stretch import Pace
 
 Wind = Annotated[Steady | Regimes | MixedAxes | Recorded, Field(discriminator="kind")]
 
@@ -24,7 +23,6 @@ __all__ = [
     "Recorded",
     "Regime",
     "Regimes",
-    "Saltation",
     "Segment",
     "Steady",
     "Wind",

@@ -7,7 +7,7 @@ from pydantic import Field, model_validator
 
 from barchan.parameters import Parameters, parameter
 from barchan.wind.gusts import Gusts, normal
-from barchan.wind.stretch import Pace, Stretch
+from barchan.wind.interval import Pace, Stretch
 
 SPEED: dict[str, Any] = {"unit": "cells or m/s", "ge": 0, "le": 100_000}
 """What all speeds have in common."""

@@ -3,8 +3,8 @@
 import numpy as np
 from numpy.typing import NDArray
 
+from barchan.aeolian.saltation import Saltation
 from barchan.parameters import parameter
-from barchan.wind.saltation import Saltation
 
 YEAR = 365.25 * 86400.0
 """A year (s)."""

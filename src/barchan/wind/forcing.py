@@ -5,9 +5,10 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import Protocol
 
+from barchan.directions import bearing, downwind
 from barchan.streams import GOLDEN, MASK
-from barchan.wind.segment import Segment, bearing, downwind
-from barchan.wind.stretch import Pace, Stretch
+from barchan.wind.interval import Pace, Stretch
+from barchan.wind.segment import Segment
 
 _NOWHERE = 1e-9
 """Mean transport below this, over what all winds move, points nowhere."""

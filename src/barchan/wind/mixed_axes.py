@@ -4,11 +4,11 @@ from typing import ClassVar, Literal, Self
 
 from pydantic import model_validator
 
+from barchan.directions import bearing, downwind
 from barchan.parameters import Parameters, parameter
 from barchan.wind.blowing import Blowing
-from barchan.wind.segment import bearing, downwind
+from barchan.wind.interval import Pace, Stretch
 from barchan.wind.steady import FOR_EVER, Steady
-from barchan.wind.stretch import Pace, Stretch
 
 
 class MixedAxes(Parameters):

@@ -11,9 +11,9 @@ from pydantic import Field
 from barchan.errors import Problem, RecordError, ScenarioError
 from barchan.parameters import Parameters, parameter
 from barchan.wind.blowing import Blowing
+from barchan.wind.interval import Pace, Stretch
 from barchan.wind.records import SAMPLE, RecordFormat, WindRecord, read_record
 from barchan.wind.steady import FOR_EVER
-from barchan.wind.stretch import Pace, Stretch
 
 _ROUNDING = 1e-9
 """Slack, in steps, for times that are those of a row's end but for rounding."""

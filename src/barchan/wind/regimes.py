@@ -8,9 +8,9 @@ from pydantic import Field, model_validator
 
 from barchan.parameters import Parameters, parameter
 from barchan.wind.blowing import SPEED, Blowing
-from barchan.wind.courses import AnyCourse, Linear
+from barchan.wind.interval import Pace, Stretch
+from barchan.wind.speed_ramps import AnyCourse, Linear
 from barchan.wind.steady import FOR_EVER
-from barchan.wind.stretch import Pace, Stretch
 
 FINENESS = 0.01
 """Change of speed from one slice of a step to the next, over the greater of a regime's speeds."""

@@ -1,6 +1,5 @@
 """A stretch of constant forcing: what a wind hands to a model."""
 
-import math
 from dataclasses import dataclass, replace
 
 
@@ -33,14 +32,3 @@ class Segment:
     def part(self, first: int, steps: int) -> "Segment":
         """``steps`` steps of the segment, from its step ``first`` (0: the segment's own first) on."""
         return replace(self, step=self.step + first, steps=steps)
-
-
-def downwind(direction: float) -> tuple[float, float]:
-    """Unit vector (x east, y north) that points where a wind from ``direction`` blows."""
-    angle = math.radians(direction)
-    return -math.sin(angle), -math.cos(angle)
-
-
-def bearing(x: float, y: float) -> float:
-    """Where a wind that blows along a vector (x east, y north) comes from (degrees)."""
-    return math.degrees(math.atan2(-x, -y)) % 360.0

@@ -4,7 +4,7 @@ from typing import ClassVar, Literal
 
 from barchan.parameters import parameter
 from barchan.wind.blowing import Blowing
-from barchan.wind.stretch import Pace, Stretch
+from barchan.wind.interval import Pace, Stretch
 
 FOR_EVER = 2**62
 """Steps that no run does."""

@@ -1,0 +1,183 @@
+"""The measures of a run's frames, one after the other: a table of declared measures."""
+
+from collections import deque
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from functools import partial
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from barchan.analysis.fields import as_modelled
+from barchan.bed import Bed
+from barchan.directions import downwind
+from barchan.measures.amounts import bare_fraction, flux, highest_stack, sand_volume
+from barchan.measures.migration import Migration, migration
+from barchan.measures.orientation import Orientation, crest_orientation
+from barchan.measures.relief import bedform_height, bedform_index
+from barchan.measures.slopes import Slopes, streamwise_slopes
+from barchan.measures.spacing import dominant_spacing
+from barchan.models import Model, OwnMeasure, models
+from barchan.scenario import Scenario
+from barchan.wind.clock import YEAR
+from barchan.wind.segment import Segment
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+
+@dataclass(frozen=True)
+class Moment:
+    """One frame of a run and what it is compared with."""
+
+    modelled: Callable[[], tuple[Model, Bed, Segment]]
+    """The model, the bed and the wind as they were then."""
+    sand: NDArray[np.int32]
+    elevation: NDArray[np.float64]
+    scenario: Scenario
+    direction: float
+    """Where the wind comes from (degrees)."""
+    orientation: Orientation
+    slopes: Slopes
+    migration: Migration
+    travel: float
+    """Distance (cells) travelled downwind since the frame before, summed over slabs."""
+    steps: int
+    """Steps since the frame before."""
+
+    @property
+    def periodic(self) -> tuple[bool, bool]:
+        """Whether the field is periodic south to north and west to east."""
+        return self.scenario.lattice.periodic
+
+    @property
+    def speed(self) -> float:
+        """Migration along the wind (cells per step)."""
+        return self.migration.along(*downwind(self.direction))
+
+
+@dataclass(frozen=True)
+class Measure:
+    """A declared measure."""
+
+    name: str
+    title: str
+    unit: str
+    of: Callable[[Moment], float]
+
+
+MEASURES = (
+    Measure("highest_stack", "highest stack", "slabs", lambda m: highest_stack(m.sand)),
+    Measure("highest", "highest stack", "m", lambda m: highest_stack(m.sand) * m.scenario.lattice.thickness),
+    Measure("bare_fraction", "bare ground", "-", lambda m: bare_fraction(m.sand)),
+    Measure(
+        "spacing",
+        "dominant spacing",
+        "m",
+        lambda m: dominant_spacing(m.elevation, m.scenario.lattice.cell_size, m.direction, m.periodic),
+    ),
+    Measure("bedform_height", "bedform height", "m", lambda m: bedform_height(m.elevation, m.periodic)),
+    Measure(
+        "bedform_index",
+        "bedform index",
+        "-",
+        lambda m: bedform_index(m.elevation, m.scenario.lattice.cell_size, m.direction, m.periodic),
+    ),
+    Measure("crest_azimuth", "crest orientation", "degrees", lambda m: m.orientation.azimuth),
+    Measure("straightness", "crest straightness", "-", lambda m: m.orientation.coherence),
+    Measure("speed_cells", "migration downwind", "cells/step", lambda m: m.speed),
+    Measure("speed", "migration downwind", "m/step", lambda m: m.speed * m.scenario.lattice.cell_size),
+    Measure("windward_slope", "windward slope", "degrees", lambda m: m.slopes.windward),
+    Measure("lee_slope", "lee slope", "degrees", lambda m: m.slopes.lee),
+    Measure(
+        "flux",
+        "sand flux",
+        "m²/step",
+        lambda m: flux(
+            m.travel, m.sand.size, m.steps, m.scenario.lattice.thickness, m.scenario.lattice.cell_size
+        ),
+    ),
+    Measure(
+        "volume",
+        "sand volume",
+        "m³",
+        lambda m: sand_volume(m.sand, m.scenario.lattice.thickness, m.scenario.lattice.cell_size),
+    ),
+)
+"""Every measure of any frame, in the order in which tables show them."""
+
+
+PER_YEAR = (
+    Measure("speed_per_year", "migration downwind", "m/yr", lambda m: _per_year(m, "speed")),
+    Measure("flux_per_year", "sand flux", "m²/yr", lambda m: _per_year(m, "flux")),
+)
+"""Measures of a frame whose steps have a duration."""
+
+
+def measures_of(scenario: Scenario) -> tuple[Measure, ...]:
+    """Every measure of a scenario's frames: those of any frame, by year too, and its model's own."""
+    timed = () if scenario.step_seconds is None else PER_YEAR
+    return (*MEASURES, *timed, *map(_own, models()[scenario.model.name].measures))
+
+
+def _own(own: OwnMeasure) -> Measure:
+    return Measure(own.name, own.title, own.unit, lambda m: float(own.of(*m.modelled())))
+
+
+def _per_year(moment: Moment, name: str) -> float:
+    """A measure per step as one per year."""
+    of = next(measure.of for measure in MEASURES if measure.name == name)
+    return of(moment) * YEAR / (moment.scenario.step_seconds or float("nan"))
+
+
+LAGS = 3
+"""Earlier frames that a frame's migration is measured from."""
+
+
+def moments(dataset: "xr.Dataset", scenario: Scenario, first: int = 0) -> Iterator[Moment]:
+    """The frames of a run from number ``first`` on; migration is from up to ``LAGS`` frames before."""
+    lattice = scenario.lattice
+    joined = lattice.periodic
+    steps = dataset["step"].values
+    directions = dataset["wind_direction"].values
+    travelled = np.stack([dataset["travel_x"].values, dataset["travel_y"].values])
+    recent = deque((dataset["elevation"][at].values for at in range(max(0, first - LAGS), first)), LAGS + 1)
+    for at in range(first, len(steps)):
+        elevation = dataset["elevation"][at].values
+        recent.append(elevation)
+        travel = np.dot(downwind(directions[at]), travelled[:, at] - travelled[:, max(at - 1, 0)])
+        yield Moment(
+            modelled=partial(as_modelled, dataset.isel(step=at), scenario),
+            sand=dataset["sand"][at].values,
+            elevation=elevation,
+            scenario=scenario,
+            direction=float(directions[at]),
+            orientation=crest_orientation(elevation, lattice.cell_size, joined),
+            slopes=streamwise_slopes(elevation, lattice.cell_size, directions[at], joined),
+            migration=migration(steps[at + 1 - len(recent) : at + 1], list(recent), joined),
+            travel=float(travel),
+            steps=int(steps[at] - steps[at - 1]) if at else 0,
+        )
+
+
+def course(dataset: "xr.Dataset", scenario: Scenario) -> "xr.Dataset":
+    """Every measure over the steps of a run."""
+    import xarray as xr
+
+    measures = measures_of(scenario)
+    rows = [[measure.of(moment) for measure in measures] for moment in moments(dataset, scenario)]
+    values = np.array(rows, float).T
+    return xr.Dataset(
+        {
+            m.name: ("step", v, {"long_name": m.title, "unit": m.unit})
+            for m, v in zip(measures, values, strict=True)
+        },
+        {name: dataset[name] for name in ("step", "time") if name in dataset.coords},
+    )
+
+
+def last_measures(dataset: "xr.Dataset", scenario: Scenario) -> dict[str, float]:
+    """The measures of a run's last frame, by name."""
+    last = next(iter(moments(dataset, scenario, dataset.sizes["step"] - 1)))
+    return {measure.name: float(measure.of(last)) for measure in measures_of(scenario)}

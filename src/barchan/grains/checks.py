@@ -1,0 +1,115 @@
+"""What can be wrong with grains in flight, and what a user should know about them."""
+
+import math
+
+import numpy as np
+
+from barchan.aeolian.wall import log_wind
+from barchan.bed import Bed, Lattice
+from barchan.errors import Problem
+from barchan.grains.canopy import planted
+from barchan.grains.parameters import GrainFlight
+
+MOST_DRAG = 0.5
+"""Share of a velocity difference that drag may take away in a time step."""
+
+_THIN, _THICK = 0.5, 2.0
+"""Heights of a grain's sand in grain diameters beyond which a user is told."""
+
+_PATCH_WIDTH = 3
+"""Stacks along a side of a patch."""
+
+
+def problems(rules: GrainFlight, bed: Bed, fastest: float) -> list[Problem]:
+    """What keeps grains from flying well; ``fastest`` is the greatest upward speed (m/s) of lift-off."""
+    found = []
+    if rules.carried > 1 and min(bed.lattice.shape) < _PATCH_WIDTH:
+        found.append(
+            Problem(
+                "model.footprint",
+                f"is 'patch', {_PATCH_WIDTH} stacks wide, on a field of {bed.lattice.shape[0]} × "
+                f"{bed.lattice.shape[1]}; allowed there: 'stack'",
+            )
+        )
+    if bed.slabs == 0:
+        found.append(Problem("sand", "lies nowhere: no grain can be lifted; allowed: at least one parcel"))
+    speed = _greatest_speed(rules, fastest)
+    rate = float(rules.by_size[0].drag_rate(np.array(speed)))
+    if rate * rules.time_step > MOST_DRAG:
+        found.append(
+            Problem(
+                "model.time_step",
+                f"is {rules.time_step:g} s, long beside the {1 / rate:.2g} s in which drag works at "
+                f"{speed:.2g} m/s; allowed: up to {MOST_DRAG / rate:.2g} s",
+            )
+        )
+    if speed * rules.time_step > bed.lattice.cell_size:
+        found.append(
+            Problem(
+                "model.time_step",
+                f"is {rules.time_step:g} s, in which grains of {speed:.2g} m/s pass over a cell of "
+                f"{bed.lattice.cell_size:g} m; allowed: up to {bed.lattice.cell_size / speed:.2g} s",
+            )
+        )
+    return found
+
+
+def _greatest_speed(rules: GrainFlight, fastest: float) -> float:
+    """Speed (m/s) of the wind at the top of the highest first hop, or of lift-off if that is greater."""
+    friction = rules.friction_velocity(rules.wind_speed)
+    top = np.array(max(fastest**2 / (2.0 * rules.gravity), rules.roughness_length))
+    return max(float(log_wind(top, friction, rules.roughness_length, rules.displacement)), fastest, 0.1)
+
+
+def grains_in_flight(rules: GrainFlight, lattice: Lattice) -> float:
+    """How many grains of sand a simulated grain stands for."""
+    volume = lattice.cell_size**2 * lattice.thickness * rules.carried * (1.0 - rules.porosity)
+    return volume / (math.pi / 6.0 * rules.diameter**3)
+
+
+def facts(rules: GrainFlight, lattice: Lattice) -> dict[str, str]:
+    """What the parameters come to."""
+    friction, least = rules.friction_velocity(rules.wind_speed), rules.threshold()
+    told = {
+        "a grain in the air": f"stands for {grains_in_flight(rules, lattice):.4g} grains: "
+        f"{lattice.thickness * rules.carried * 1e3:.3g} mm of sand with {rules.porosity:.0%} pores over "
+        "a cell",
+        "friction velocity": f"{friction:.3f} m/s, threshold {least:.3f} m/s",
+        "settling speed": ", ".join(f"{one.settling_speed():.2f}" for one in rules.by_size) + " m/s",
+    }
+    if rules.plants:
+        told["plants"] = _plants(rules, lattice)
+    if rules.step_seconds is not None:
+        told["step"] = f"{rules.step_seconds:g} s"
+        if rules.step_seconds != rules.flight_seconds:
+            told["step"] += f" of wind over the bed, {rules.flight_seconds:g} s of flight"
+    return told
+
+
+def _plants(rules: GrainFlight, lattice: Lattice) -> str:
+    height = planted(rules.plants, lattice)
+    tallest = float(height.max())
+    roughness, displacement = (share * tallest for share in (rules.plant_roughness, rules.plant_displacement))
+    return (
+        f"on {(height > 0).mean():.0%} of the field, up to {tallest:.3g} m high, with a roughness of "
+        f"{roughness:.3g} m and a displacement of {displacement:.3g} m"
+    )
+
+
+def remarks(rules: GrainFlight, lattice: Lattice) -> list[str]:
+    """What a user should know about these parameters on this lattice."""
+    found = []
+    if rules.friction_velocity(rules.wind_speed) <= rules.threshold():
+        found.append(
+            f"nothing moves: a wind of {rules.wind_speed:g} m/s has a friction velocity of "
+            f"{rules.friction_velocity(rules.wind_speed):.3f} m/s, and grains lift above "
+            f"{rules.threshold():.3f} m/s"
+        )
+    heights = rules.carried * lattice.thickness / rules.diameter
+    if not (_THIN if rules.carried == 1 else 0.0) <= heights <= _THICK:
+        parcels = f"{rules.carried} parcels are" if rules.carried > 1 else "a parcel is"
+        found.append(
+            f"{parcels} {heights:.3g} grain diameters high; the sources lift and lay down one "
+            f"(lattice.slab_height {rules.diameter / rules.carried:g})"
+        )
+    return found

@@ -1,0 +1,7 @@
+"""Widths that callers of kernels must know. Nothing here imports the compiler."""
+
+LANES = 16
+
+
+TRAVEL_UNIT = 1 << 16
+"""Parts of a cell in which travel is counted, so that sums are exact."""

@@ -1,0 +1,126 @@
+"""Threads that help one that leads: compiled code that lets go of Python's lock, and a board (``board``).
+
+What a piece of work gives depends on nothing that other threads do, so the bits are the same for any number.
+"""
+
+import ctypes
+import os
+import sys
+import threading
+from collections.abc import Callable, Iterator
+from concurrent.futures import Future, ThreadPoolExecutor, wait
+from contextlib import contextmanager, suppress
+from functools import cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+LEAST = 4096
+"""Slots for each thread below which it is not worth its start."""
+
+
+def thread_count() -> int:
+    """Threads to use: as many as Numba was told to (``NUMBA_NUM_THREADS``), or one for each core."""
+    from numba import config
+
+    return int(config.NUMBA_NUM_THREADS)  # type: ignore[attr-defined]
+
+
+@cache
+def _processor_finder() -> Callable[[], int] | None:
+    if sys.platform != "linux":
+        return None
+    # PyDLL: to let go of Python's lock would take longer than the call
+    return getattr(ctypes.PyDLL(None), "sched_getcpu", None)
+
+
+class Worker:
+    """A thread that is kept off the processor of the thread that it works for.
+
+    Linux wakes a thread where its waker runs, for what is woken so often looks as if it never took long; both
+    then take turns on one processor, while another one is idle.
+    """
+
+    def __init__(self) -> None:
+        """Start the thread."""
+        self._thread = ThreadPoolExecutor(1)
+        self._id = self._thread.submit(threading.get_native_id).result()
+        self._kept_off = -1
+        self._work: Future[object] | None = None
+
+    def submit(self, work: Callable[[], object]) -> None:
+        """Let it work; raises what ended its work before, if that was an error."""
+        before, self._work = self._work, None
+        if before is not None and before.done():
+            before.result()
+        self._keep_off()
+        self._work = self._thread.submit(work)
+
+    def wait(self) -> None:
+        """Wait until it has worked."""
+        if self._work is not None:
+            wait([self._work])
+
+    def _keep_off(self) -> None:
+        find = _processor_finder()
+        here = -1 if find is None else find()
+        if sys.platform == "linux" and here != self._kept_off:
+            self._kept_off = here
+            others = os.sched_getaffinity(0) - {here}
+            with suppress(OSError):
+                os.sched_setaffinity(self._id, others or {here})
+
+
+class Workers:
+    """The workers of this process, each of which works for one leader at a time."""
+
+    def __init__(self) -> None:
+        """Start with none: they come when they are asked for."""
+        self._free: list[Worker] = []
+        self._made = 0
+        self._lock = threading.Lock()
+
+    @contextmanager
+    def taken(self, most: int) -> Iterator[list[Worker]]:
+        """Up to ``most`` workers that nobody else has; there are no more than that in all."""
+        with self._lock:
+            if not self._free and self._made < most:
+                missing = most - self._made
+                self._free += [Worker() for _ in range(missing)]
+                self._made += missing
+            count = max(0, min(most, len(self._free)))
+            mine, self._free = self._free[:count], self._free[count:]
+        try:
+            yield mine
+        finally:
+            with self._lock:
+                self._free += mine
+
+
+_workers = [Workers()]
+
+
+def _start_anew() -> None:
+    """A forked process has none of the threads, and maybe a lock that nobody opens."""
+    _workers[0] = Workers()
+
+
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(after_in_child=_start_anew)
+
+
+@contextmanager
+def helped(work: Callable[[], object], board: NDArray[np.int64], helpers: int) -> Iterator[int]:
+    """Have ``work`` done in as many helpers, or as many as are free; tells how many.
+
+    Helpers come to the board when they can, and go when it closes: at the end, whatever ends it.
+    """
+    from barchan.kernels.core.work_queue import close
+
+    with _workers[0].taken(helpers) as workers:
+        try:
+            for worker in workers:
+                worker.submit(work)
+            yield len(workers)
+        finally:
+            close(board)

@@ -1,0 +1,42 @@
+"""A slab on the wind: how far it hops and where it comes down.
+
+Positions and hops are fixed-point numbers in the wind's frame, along and across the columns' axis.
+"""
+
+import numpy as np
+from numba import njit
+
+from barchan.kernels.bed.state import DEVIATION, LEVEL_BITS, MEAN
+
+
+@njit(cache=True, forceinline=True)
+def wrapped(place, size, wrap):
+    """A fixed-point position brought back into the field, or -1 where it has left."""
+    length = size << 32
+    while place >= length:
+        if not wrap:
+            return -1
+        place -= length
+    while place < 0:
+        if not wrap:
+            return -1
+        place += length
+    return place
+
+
+@njit(cache=True, forceinline=True)
+def hop_cells(height, levels, speedup):
+    """Hop (cells, negative: against the wind) from a cell of this height."""
+    reference = np.float64(levels[MEAN]) - speedup.share * np.float64(levels[DEVIATION])
+    rise = np.float64(height) * speedup.slabs - reference * (1.0 / (1 << LEVEL_BITS))
+    hop = speedup.base + speedup.linear * rise
+    if rise > 0.0:
+        hop += speedup.quadratic * rise * rise
+    hop = min(max(hop, -speedup.longest), speedup.longest)
+    return np.floor(hop + 0.5) if speedup.whole else hop
+
+
+@njit(cache=True, forceinline=True)
+def fixed_hop(hop, unit):
+    """A hop's part along an axis in 1/``CELL`` cells."""
+    return np.int64(np.rint(hop * unit))

@@ -1,0 +1,69 @@
+"""Polling: which cells are asked for a slab, and in which order.
+
+The polls of a step go band of rows by band of rows, the bands in random order, so that a large field
+works in the processor's cache. How many polls a band gets is drawn as if every poll had chosen its row
+freely, so each cell's number of polls is distributed as without bands; only the order within a step
+differs.
+"""
+
+import numpy as np
+from numba import njit
+
+from barchan.kernels.core.random import below, derive, high, low, shuffle
+
+
+@njit(cache=True)
+def shuffle_bands(polls, key):
+    """Draw the order of the bands."""
+    for band in range(polls.band_order.size):
+        polls.band_order[band] = band
+    shuffle(polls.band_order, polls.band_order.size, key)
+
+
+@njit(cache=True)
+def count_polls_by_row(polls, first, count, key):
+    """Draw how many of the polls ``first`` to ``first + count`` fall on each row, two from a draw."""
+    rows = polls.row_polls.size
+    polls.row_polls[:] = 0
+    for pair in range((count + 1) // 2):
+        draw = derive(key, first + pair)
+        polls.row_polls[below(high(draw), rows)] += 1
+        if 2 * pair + 1 < count:
+            polls.row_polls[below(low(draw), rows)] += 1
+
+
+@njit(cache=True)
+def polls_in_band(polls, first_row, rows):
+    """How many polls fall on ``rows`` rows from ``first_row`` on."""
+    total = 0
+    for row in range(first_row, first_row + rows):
+        total += polls.row_polls[row]
+    return total
+
+
+@njit(cache=True)
+def draw_cells(polls, first, count, first_row, rows, cols, key):
+    """Prepare ``count`` polls, from poll ``first`` on, of cells drawn at random within a band."""
+    for k in range(count):
+        draw = derive(key, first + k)
+        polls.states[k] = draw
+        polls.cols[k] = below(high(draw), cols)
+        polls.rows[k] = first_row + below(low(draw), rows)
+
+
+@njit(cache=True)
+def shuffle_cells(polls, cells, key):
+    """Shuffle the ``cells`` cells of a band."""
+    for k in range(cells):
+        polls.permutation[k] = k
+    shuffle(polls.permutation, cells, key)
+
+
+@njit(cache=True)
+def take_cells(polls, first, at, count, first_row, cols, key):
+    """Prepare ``count`` polls, from poll ``first`` on, of the cells at ``at`` in the shuffled band."""
+    for k in range(count):
+        cell = np.int64(polls.permutation[at + k])
+        polls.states[k] = derive(key, first + k)
+        polls.rows[k] = first_row + cell // cols
+        polls.cols[k] = cell % cols

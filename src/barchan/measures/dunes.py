@@ -1,0 +1,87 @@
+"""Dunes one by one: bodies of sand that stand out of what lies between them."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy import ndimage
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import connected_components
+
+from barchan.measures.filters import Field, Periodic, smoothed
+
+
+@dataclass(frozen=True)
+class Dune:
+    """One body of sand. Its cells are told as if the field went on over joined edges."""
+
+    rows: NDArray[np.int64]
+    columns: NDArray[np.int64]
+    depth: Field
+    """Depth of the sand (m) over each cell, smoothed, above the level that parts the dunes."""
+
+    @property
+    def height(self) -> float:
+        """Its highest depth (m) above that level."""
+        return float(self.depth.max())
+
+    @property
+    def cells(self) -> int:
+        """How many cells it covers."""
+        return len(self.rows)
+
+
+def find_dunes(
+    depth: NDArray,
+    least: float,
+    periodic: Periodic = (True, True),
+    level: float | None = None,
+    width: float = 2.0,
+) -> list[Dune]:
+    """Every body of sand deeper than ``level`` (m) that rises above it by ``least`` (m) or more.
+
+    The depth of the sand (m) is smoothed over ``width`` cells; the level is its mean where none is given.
+    Left out are ridges that run on without an end over joined edges, and dunes that an open edge cuts.
+    """
+    deep = smoothed(depth, width, periodic)
+    above = deep - (float(deep.mean()) if level is None else level)
+    bodies = _bodies(above > 0.0, periodic)
+    found = []
+    for number in range(1, int(bodies.max()) + 1):
+        rows, columns = np.nonzero(bodies == number)
+        places = [
+            _unrolled(at, n, p) for at, n, p in zip((rows, columns), depth.shape, periodic, strict=True)
+        ]
+        if places[0] is not None and places[1] is not None and above[rows, columns].max() >= least:
+            found.append(Dune(places[0], places[1], above[rows, columns]))
+    return found
+
+
+def _bodies(raised: NDArray[np.bool_], periodic: Periodic) -> NDArray[np.int64]:
+    """Number of the body of each cell, counted from 1; bodies go on over joined edges.
+
+    A margin repeats the cells beyond each joined edge; a cell and its copies belong to one body.
+    """
+    wide = raised
+    for axis, joined in enumerate(periodic):
+        margin = [(int(axis == other),) * 2 for other in (0, 1)]
+        wide = np.pad(wide, margin, mode="wrap") if joined else np.pad(wide, margin)
+    numbers, count = ndimage.label(wide, np.ones((3, 3)))
+    joins = [(axis, copy, own) for axis in (0, 1) if periodic[axis] for copy, own in ((0, -2), (-1, 1))]
+    empty = np.zeros((2, 0), np.int64)
+    pairs = [np.stack([numbers.take(copy, axis), numbers.take(own, axis)]) for axis, copy, own in joins]
+    first, last = np.concatenate([empty, *pairs], axis=1)
+    links = coo_array((np.ones(len(first)), (first, last)), (count + 1, count + 1))
+    return connected_components(links, directed=False)[1][numbers][1:-1, 1:-1].astype(np.int64)
+
+
+def _unrolled(at: NDArray[np.intp], size: int, joined: bool) -> NDArray[np.int64] | None:
+    """Places along an axis without the jump at a joined edge; None where a body has no end or is cut."""
+    taken = np.zeros(size, bool)
+    taken[at] = True
+    if not joined:
+        return None if taken[0] or taken[-1] else at.astype(np.int64)
+    if taken.all():
+        return None
+    gap = int(np.argmin(taken))
+    return (at - gap) % size + gap

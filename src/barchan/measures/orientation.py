@@ -1,0 +1,35 @@
+"""Which way crests run."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from barchan.measures.filters import Periodic, gradient, smoothed
+
+
+@dataclass(frozen=True)
+class Orientation:
+    """The mean direction of crests."""
+
+    azimuth: float
+    """Degrees clockwise from north, in [0, 180); NaN on a bed without relief."""
+    coherence: float
+    """How straight and parallel the crests are: 0 where every direction is alike, 1 for one direction."""
+
+
+def crest_orientation(
+    elevation: NDArray, cell_size: float, periodic: Periodic = (True, True), width: float = 2.0
+) -> Orientation:
+    """Mean crest direction by the structure tensor of the surface smoothed over ``width`` cells.
+
+    The tensor averages the outer product of the surface's gradient with itself; crests run across its
+    principal direction, and its coherence is (l1 - l2) / (l1 + l2) of its two eigenvalues.
+    """
+    east, north = gradient(smoothed(elevation, width, periodic), cell_size, periodic)
+    xx, yy, xy = float(np.mean(east**2)), float(np.mean(north**2)), float(np.mean(east * north))
+    if xx + yy <= np.finfo(float).tiny:
+        return Orientation(float("nan"), 0.0)
+    across = 0.5 * np.arctan2(2 * xy, xx - yy)
+    azimuth = -np.degrees(across) % 180.0
+    return Orientation(float(azimuth), float(np.hypot(xx - yy, 2 * xy) / (xx + yy)))

@@ -1,0 +1,54 @@
+"""How far bedforms stand apart."""
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy import fft
+
+from barchan.directions import downwind
+from barchan.measures.filters import Field, Periodic, smoothed, tapered
+
+
+def dominant_spacing(
+    elevation: NDArray,
+    cell_size: float,
+    direction: float,
+    periodic: Periodic = (True, True),
+    width: float = 1.0,
+) -> float:
+    """Dominant distance (m) from one bedform to the next along the wind from ``direction`` (degrees).
+
+    The inverse of the mean wavenumber along the wind, each wavenumber weighted with the square of its
+    power: the wavelength itself for a train of waves, hardly moved by the harmonics of sharp crests, and
+    steady where several wavelengths compete. The surface is smoothed over ``width`` cells first. NaN on a
+    bed without relief along the wind.
+    """
+    wavenumber, power = streamwise_spectrum(
+        smoothed(elevation, width, periodic), cell_size, direction, periodic
+    )
+    weight = power**2
+    if not weight.sum() > 0:
+        return float("nan")
+    return float(weight.sum() / (weight * wavenumber).sum())
+
+
+def streamwise_spectrum(
+    elevation: NDArray, cell_size: float, direction: float, periodic: Periodic = (True, True)
+) -> tuple[Field, Field]:
+    """Wavenumbers along the wind (cycles per metre) and the power of a surface at them.
+
+    Power is summed over all waves with the same component along the wind, which for a wind along a
+    lattice axis is the mean spectrum of the profiles along it; what does not vary along the wind is left
+    out.
+    """
+    field = tapered(np.asarray(elevation, float), periodic)
+    power = np.abs(fft.fft2(field)) ** 2
+    rows, cols = field.shape
+    x, y = downwind(direction)
+    along = np.abs(np.add.outer(fft.fftfreq(rows, cell_size) * y, fft.fftfreq(cols, cell_size) * x)).ravel()
+    step = 1.0 / (abs(x) * cols + abs(y) * rows) / cell_size
+    place = np.rint(along / step).astype(np.int64)
+    total = np.bincount(place, power.ravel()).astype(np.float64)
+    moment = np.bincount(place, power.ravel() * along).astype(np.float64)
+    rounding = 1e-24 * elevation.size * float(np.sum(np.square(elevation, dtype=float)))
+    filled = (np.arange(total.size) > 0) & (total > rounding)
+    return moment[filled] / total[filled], total[filled]

@@ -1,0 +1,112 @@
+"""What pydantic finds wrong, said in the words of a scenario's user."""
+
+import difflib
+import json
+from collections.abc import Callable, Iterable
+from typing import Any
+
+from pydantic import BaseModel, ValidationError
+
+from barchan.errors import Problem
+from barchan.parameters import NOTE, allowed
+from barchan.scenario.source_map import Path, dotted
+
+LONGEST = 60
+"""Characters of a value that a message shows."""
+
+
+def nearest(name: str, names: Iterable[str]) -> str:
+    """``; did you mean 'x'?`` for the name nearest to a mistyped one, or nothing."""
+    found = difflib.get_close_matches(name, list(names), n=1, cutoff=0.5)
+    return f"; did you mean '{found[0]}'?" if found else ""
+
+
+def problems_of(
+    error: ValidationError, root: type[BaseModel], data: Any, place: Callable[[Path], str]
+) -> list[Problem]:
+    """Every problem of a validation error, each with key, value, what is allowed and where."""
+    found: dict[Path, Problem] = {}
+    for item in error.errors(include_url=False):
+        if "found" in item.get("ctx", {}):
+            for path, message in item["ctx"]["found"]:
+                found.setdefault(path, Problem(dotted(path), message, place(path)))
+            continue
+        path = _path_in(data, item["loc"])
+        if item["type"] == "missing":
+            path += (item["loc"][-1],)
+        if item["type"].startswith("union_tag"):
+            path += (item["ctx"]["discriminator"].strip("'"),)
+        owner, field = _owner(root, data, path)
+        message = _message(item, owner, field)
+        found.setdefault(path, Problem(dotted(path), message, place(path)))
+    return [
+        problem for path, problem in found.items() if not any(path[:n] in found for n in range(len(path)))
+    ]
+
+
+def _path_in(data: Any, location: tuple[str | int, ...]) -> Path:
+    """The path in the data itself: without the names that pydantic puts in for variants and types."""
+    path: list[str | int] = []
+    for step in location:
+        known = step in data if isinstance(data, dict) else isinstance(data, list) and isinstance(step, int)
+        if known:
+            path.append(step)
+            data = data[step]
+    return tuple(path)
+
+
+def _owner(root: type[BaseModel], data: Any, path: Path) -> tuple[type[BaseModel] | None, Any]:
+    """The group a path's last key belongs to, and the field's declaration there, if any."""
+    owner: type[BaseModel] | None = root
+    field = None
+    for at, step in enumerate(path):
+        if isinstance(step, int):
+            data = data[step] if isinstance(data, list) and step < len(data) else None
+            continue
+        field = owner.model_fields.get(step) if owner is not None else None
+        data = data.get(step) if isinstance(data, dict) else None
+        if at < len(path) - 1:
+            owner = _group_of(field.annotation, data) if field is not None else None
+    return owner, field
+
+
+def _group_of(annotation: Any, data: Any) -> type[BaseModel] | None:
+    """The class of parameters that the data at hand is validated as."""
+    if isinstance(annotation, type) and issubclass(annotation, BaseModel):
+        return annotation
+    sample = data[0] if isinstance(data, list) and data else data
+    candidates = [c for c in (_group_of(a, data) for a in getattr(annotation, "__args__", ())) if c]
+    for candidate in candidates:
+        key = getattr(candidate, "kind_key", "")
+        if key and isinstance(sample, dict) and candidate.model_fields[key].default == sample.get(key):
+            return candidate
+    return candidates[0] if candidates else None
+
+
+def _message(item: Any, owner: type[BaseModel] | None, field: Any) -> str:
+    kind, value, context = item["type"], item["input"], item.get("ctx", {})
+    if kind == "extra_forbidden":
+        names = [n for n in owner.model_fields if n != NOTE] if owner is not None else []
+        name = str(item["loc"][-1])
+        return f"unknown key{nearest(name, names)}; known here: {', '.join(names)}"
+    if kind == "union_tag_invalid":
+        tags = [tag.strip().strip("'") for tag in context["expected_tags"].split(",")]
+        tag = context["tag"]
+        return f"is '{tag}'{nearest(tag, tags)}; allowed: {', '.join(tags)}"
+    if kind == "union_tag_not_found":
+        return "is missing"
+    if kind == "missing":
+        return f"is missing; allowed: {allowed(field)}" if field is not None else "is missing"
+    if kind == "value_error":
+        return str(context["error"])
+    if field is not None:
+        choices = allowed(field).replace("'", "").split(" | ")
+        hint = nearest(value, choices) if isinstance(value, str) and len(choices) > 1 else ""
+        return f"is {_shown(value)}{hint}; allowed: {allowed(field)}"
+    return str(item["msg"])
+
+
+def _shown(value: Any) -> str:
+    """A value of plain data as its user wrote it, long ones cut."""
+    text = repr(value) if isinstance(value, str) else json.dumps(value, ensure_ascii=False, default=repr)
+    return text if len(text) <= LONGEST else f"{text[:LONGEST]}…"

@@ -1,0 +1,268 @@
+"""What all slab models share: one transport kernel, told by data."""
+
+from collections.abc import Hashable
+from functools import lru_cache
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from barchan.bed import Bed, Lattice
+from barchan.heights import FRACTION_BITS, above_lowest, check_heights
+from barchan.kernels.bed.state import settling_sequences
+from barchan.kernels.core.state import LANES, TRAVEL_UNIT
+from barchan.kernels.slabs.state import (
+    CAPPED,
+    EXHAUSTED,
+    LEFT,
+    MOBILE,
+    MOVED,
+    SLICES,
+    STILL,
+    TALLY_SIZE,
+    TRAVEL_ACROSS,
+    TRAVEL_ALONG,
+    Schedule,
+    work_space,
+)
+from barchan.model import Derived, Model, Tally
+from barchan.slabs.arguments import SlabTables, build
+from barchan.slabs.obstacles import Ways
+from barchan.slabs.parameters import SlabTransport
+from barchan.slabs.rules import Rules
+from barchan.streams import Stream
+from barchan.wind.frame import WindFrame
+from barchan.wind.segment import Segment
+
+_MOST_MOBILE = 2**30
+"""Bound of mobilities in whole numbers, so that chances in proportion to them do not overflow."""
+
+
+class SlabModel(Model):
+    """A model that moves slabs of sand one at a time (Werner 1995 and its descendants)."""
+
+    Parameters = SlabTransport
+    parameters: SlabTransport
+    derived: tuple[Derived, ...] = (
+        Derived(
+            "shadow",
+            "1",
+            "in shadow of the wind",
+            lambda model, bed, wind: model.shadow_zone(bed, wind.direction),
+        ),
+    )
+
+    def __init__(self, parameters: Any, lattice: Lattice) -> None:
+        """Set the model up for a lattice."""
+        super().__init__(parameters, lattice)
+        self._ways = Ways()
+
+    def prepare(self, bed: Bed, seed: int) -> None:
+        """Refuse a bed whose heights cannot be counted; raises ScenarioError."""
+        self.check_bed(bed)
+
+    def check_bed(self, bed: Bed) -> None:
+        """Refuse a bed whose heights cannot be counted; raises ScenarioError."""
+        check_heights(bed, self.rules().hop is not None)
+
+    def rules(self) -> Rules:
+        """What the model adds to slab transport."""
+        return Rules()
+
+    def mobility(self, bed: Bed, direction: float) -> NDArray[np.float64] | None:
+        """How freely the wind works on each cell: 1 unhindered, 0 not at all; None: 1 everywhere.
+
+        The chance to give a slab is in proportion to it, and so is the chance to hop on after a landing.
+        """
+        return None
+
+    def spell(self, segment: Segment) -> int:
+        """How many steps the model may run before it looks at the bed again."""
+        return segment.steps
+
+    def passed(self, bed: Bed, segment: Segment) -> None:
+        """Do what is due after some steps were run."""
+
+    def advance(self, bed: Bed, segment: Segment, stream: Stream, still: int, limit: int) -> Tally:
+        """Poll the cells and let the wind carry what they give."""
+        total = Tally(still=still)
+        while total.steps < segment.steps:
+            rest = segment.part(total.steps, segment.steps - total.steps)
+            part = rest.part(0, min(self.spell(rest), rest.steps))
+            tally = self._transport(bed, part, stream, total.still, limit)
+            self.passed(bed, part.part(0, tally.steps))
+            total.add(tally)
+            if limit and total.still >= limit:
+                break
+        return total
+
+    def _transport(self, bed: Bed, segment: Segment, stream: Stream, still: int, limit: int) -> Tally:
+        if segment.polls == 0:
+            return Tally(steps=segment.steps, still=still + segment.steps)
+        from barchan.kernels.slabs.step import transport
+
+        frame = WindFrame.of(segment.direction)
+        mobility = self.mobility(bed, segment.direction)
+        tables, surface, sand, mobile = self._enter(bed, frame, self.hop_length(segment), mobility)
+        path = self._ways.path(bed.ground, tables, frame, surface, sand)
+        schedule = Schedule(
+            self.parameters.polling == "non_repeated",
+            self.parameters.forced_erosion,
+            self.parameters.band_rows,
+            limit,
+        )
+        counts = np.zeros(TALLY_SIZE, np.int64)
+        counts[STILL] = still
+        releases = tables.repose.release_face or tables.repose.release_corner
+        transport(
+            *(surface, sand, mobile, np.zeros(2, np.int64) if tables.speedup else None),
+            *(tables.turns.copy(), tables.sequences),
+            np.zeros(self.lattice.cells, np.int64) if releases else None,
+            np.zeros(self.lattice.cells, np.uint8) if releases else None,
+            *(tables.grid, tables.wind, tables.speedup, path, tables.repose, tables.axis, tables.ray),
+            *(work_space(tables.grid.rows, tables.grid.cols, schedule), schedule),
+            *(np.uint64(stream.key), segment.step, segment.steps, segment.first, segment.polls, counts),
+        )
+        self._leave(bed, frame, surface if sand is None else sand)
+        unit = TRAVEL_UNIT
+        travel = counts[TRAVEL_ALONG] / unit, counts[TRAVEL_ACROSS] / unit
+        travel_x, travel_y = frame.to_map(*travel)
+        steps = int(counts[SLICES])
+        return Tally(
+            steps=steps,
+            polls=steps * segment.polls,
+            moved=int(counts[MOVED]),
+            left=int(counts[LEFT]),
+            capped=int(counts[CAPPED]),
+            travel_x=float(travel_x),
+            travel_y=float(travel_y),
+            exhausted=int(counts[EXHAUSTED]),
+            still=int(counts[STILL]),
+        )
+
+    def hop_length(self, segment: Segment) -> float:
+        """Hop length (cells) under this wind."""
+        if segment.hop_length is not None:
+            return segment.hop_length
+        return self.parameters.hop_length
+
+    def step_volume(self) -> float:
+        """Volume (m² per step) that goes through a line across the wind on a flat bed of sand.
+
+        Each poll finds sand and gives it with the chance of giving; a slab hops 1 / ``p_s`` times on the
+        average.
+        """
+        parameters = self.parameters
+        giving = self.rules().giving
+        given = min(max(giving.share + giving.shift, 0.0), 1.0)
+        if parameters.p_s == 0.0 or given == 0.0:
+            reason = "p_s 0 keeps every slab in the air" if given else "no cell gives sand"
+            raise ValueError(f"is given, but {reason}: a step of no known volume has no duration")
+        cell = self.lattice.cell_size
+        return given * parameters.hop_length / parameters.p_s * cell * self.lattice.thickness
+
+    def slope_limits(self) -> dict[str, tuple[int, ...]]:
+        """The repose limits (slabs) towards faces and corners, of bare cells and of firm ones."""
+        angles = {"bare": self.parameters.release_angle, "firm": self.rules().firm_angle}
+        ways = 2 if self.parameters.neighbourhood == "moore" else 1
+        return {
+            kind: self.parameters.limits(self.lattice, angle)[:ways]
+            for kind, angle in angles.items()
+            if kind == "bare" or angle is not None
+        }
+
+    def slope_rules(self) -> Hashable:
+        """The limits, and from which mobility down a cell is firm."""
+        return tuple(self.slope_limits().items()), self.rules().firm_mobility
+
+    def settle(self, bed: Bed, where: NDArray[np.bool_] | None = None) -> int:
+        """Relax slopes to the repose limits."""
+        from barchan.kernels.bed.relax import settle_field
+
+        frame = WindFrame(0, 0.0)
+        mobility = None if self.rules().firm_angle is None else self.mobility(bed, 270.0)
+        tables, surface, sand, mobile = self._enter(bed, frame, self.parameters.hop_length, mobility)
+        sequences = settling_sequences(self.parameters.neighbourhood == "moore")
+        upset = np.ones(bed.sand.size, np.bool_) if where is None else where.ravel().copy()
+        moved = int(settle_field(surface, sand, mobile, upset, sequences, tables.grid, tables.repose, None))
+        self._leave(bed, frame, surface if sand is None else sand)
+        return moved
+
+    def shadow_zone(self, bed: Bed, direction: float) -> NDArray[np.bool_]:
+        """Which cells lie in shadow of a wind from ``direction`` (degrees)."""
+        from barchan.kernels.slabs.shadow import shadow_zone
+
+        frame = WindFrame.of(direction)
+        tables, surface, _, _ = self._enter(bed, frame, self.parameters.hop_length, None)
+        zone = np.zeros(self.lattice.cells, np.bool_)
+        shadow_zone(surface, tables.grid, tables.axis, tables.ray, zone)
+        return frame.leave(zone.reshape(tables.grid.rows, tables.grid.cols)).copy()
+
+    def unsheltered(self, field: NDArray[np.float64], bed: Bed, direction: float) -> NDArray[np.float64]:
+        """A field of the wind, 0 on cells that give nothing because they lie in shadow."""
+        if self.parameters.lee_erosion:
+            return field
+        return np.where(self.shadow_zone(bed, direction), 0.0, field)
+
+    def facts(self) -> dict[str, str]:
+        """The angles of repose that whole slabs really hold."""
+        named = {
+            "effective repose angle": self.parameters.repose_angle,
+            "effective release angle": self.parameters.release_angle,
+            "effective repose angle of firm cells": self.rules().firm_angle,
+        }
+        return {name: self._angles(angle) for name, angle in named.items() if angle is not None}
+
+    def _angles(self, angle: float) -> str:
+        face, corner = self.parameters.effective_angles(self.lattice, angle)
+        face_limit, corner_limit = self.parameters.limits(self.lattice, angle)
+        text = f"{face:.1f}° towards faces ({face_limit} slabs)"
+        return text if corner is None else f"{text}, {corner:.1f}° towards corners ({corner_limit} slabs)"
+
+    def remarks(self, hop_length: float | None, direction: float) -> list[str]:
+        """Warn of hops that the field's edges dominate."""
+        hop = self.parameters.hop_length if hop_length is None else hop_length
+        frame = WindFrame.of(direction)
+        along = self.lattice.rows if frame.crossed else self.lattice.columns
+        if hop > along / 2:
+            text = f"hop length {hop:g} cells is longer than half the field along the wind ({along} cells)"
+            return [f"{text}: the field's edges will dominate"]
+        return []
+
+    def _enter(
+        self, bed: Bed, frame: WindFrame, hop: float, mobility: NDArray[np.float64] | None
+    ) -> tuple[SlabTables, NDArray, NDArray[np.int32] | None, NDArray[np.int32] | None]:
+        """Tables, surface, sand (None over flat ground) and mobility in the wind's frame, flat.
+
+        The surface has room before it for the shadow test.
+        """
+        flat = bool((bed.ground == bed.ground.flat[0]).all())
+        tables = _tables(self.parameters, self.rules(), self.lattice, frame, hop, flat)
+        mobile = None
+        if mobility is not None:
+            whole = np.clip(np.rint(mobility * MOBILE), -_MOST_MOBILE, _MOST_MOBILE).astype(np.int32)
+            mobile = np.ascontiguousarray(frame.enter(whole)).ravel()
+        sand = frame.enter(bed.sand)
+        if flat:
+            return tables, _with_room(sand, np.int32), None, mobile
+        surface = frame.enter(above_lowest(bed.ground, self.lattice.thickness))
+        surface = surface + (sand.astype(np.int64) << FRACTION_BITS)
+        return tables, _with_room(surface, np.int64), np.ascontiguousarray(sand).ravel().copy(), mobile
+
+    def _leave(self, bed: Bed, frame: WindFrame, sand: NDArray) -> None:
+        rows, cols = frame.enter(bed.sand).shape
+        bed.sand[...] = frame.leave(sand.reshape(rows, cols))
+
+
+def _with_room(field: NDArray, dtype: Any) -> NDArray:
+    """A flat copy of a field with as much memory before it as one vector read may touch."""
+    buffer = np.zeros(LANES + field.size, dtype)
+    buffer[LANES:] = field.ravel()
+    return buffer[LANES:]
+
+
+@lru_cache(maxsize=64)
+def _tables(
+    parameters: SlabTransport, rules: Rules, lattice: Any, frame: WindFrame, hop: float, flat: bool
+) -> SlabTables:
+    return build(parameters, rules, lattice, frame, hop, flat)

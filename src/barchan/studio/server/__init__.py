@@ -1,0 +1,1 @@
+"""The studio's server process: routes, sessions, security, workspace, and the handles of worker processes."""

@@ -1,0 +1,87 @@
+"""Starting the server and the browser, and ending both."""
+
+import asyncio
+import socket
+import webbrowser
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+from barchan.errors import BarchanError
+from barchan.scenario import Scenario
+from barchan.studio.protocol import LARGEST_MESSAGE
+from barchan.studio.server.security import LOOPBACK, Guard
+from barchan.studio.server.session import Session
+from barchan.studio.server.workspace import Store
+
+
+@dataclass(frozen=True)
+class Studio:
+    """What to start with, and where."""
+
+    folder: Path
+    scenario: Scenario | None = None
+    archive: Path | None = None
+    host: str = "127.0.0.1"
+    port: int = 0
+    """0: any that is free."""
+
+
+def serve(studio: Studio, ready: Callable[[str], None], open_browser: bool = True) -> None:
+    """Serve until interrupted; ``ready`` is told the address. All workers end with the server.
+
+    Raises BarchanError where the address is taken or the client was not built.
+    """
+    import uvicorn
+
+    from barchan.studio.server.app import CLIENT, application
+
+    if not (CLIENT / "index.html").is_file():
+        raise BarchanError(f"the client is not built in {CLIENT}; install the package again")
+    sock = listener(studio.host, studio.port)
+    port = sock.getsockname()[1]
+    guard = Guard(port, tuple({*LOOPBACK, studio.host, *_names(studio.host)}))
+    session = Session(Store(studio.folder), studio.scenario, studio.archive)
+    config = uvicorn.Config(
+        application(session, guard),
+        log_level="warning",
+        ws="websockets-sansio",
+        ws_max_size=LARGEST_MESSAGE,
+        ws_per_message_deflate=False,
+        timeout_graceful_shutdown=1,
+    )
+    shown = "127.0.0.1" if studio.host in ("0.0.0.0", "::") else studio.host  # noqa: S104
+    address = f"http://{f'[{shown}]' if ':' in shown else shown}:{port}/?token={guard.token}"
+    ready(address)
+    if open_browser:
+        webbrowser.open(address)
+    try:
+        asyncio.run(uvicorn.Server(config).serve([sock]))
+    except KeyboardInterrupt:
+        pass
+    finally:
+        session.close()
+        sock.close()
+
+
+def listener(host: str, port: int) -> socket.socket:
+    """A socket that listens; raises BarchanError where it cannot."""
+    family = socket.AF_INET6 if ":" in host else socket.AF_INET
+    sock = socket.socket(family, socket.SOCK_STREAM)
+    try:
+        sock.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        sock.bind((host, port))
+        sock.listen()
+    except OSError as error:
+        sock.close()
+        raise BarchanError(f"cannot serve at {host}:{port}: {error.strerror or error}") from None
+    return sock
+
+
+def _names(host: str) -> list[str]:
+    """Names under which others reach a server that listens on all addresses."""
+    if host not in ("0.0.0.0", "::"):  # noqa: S104
+        return []
+    name = socket.gethostname()
+    found = [info[4][0] for info in socket.getaddrinfo(name, None)]
+    return [name, *map(str, found)]

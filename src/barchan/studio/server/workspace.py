@@ -1,0 +1,81 @@
+"""The session's folder: where runs are saved and opened, and what is uploaded lies."""
+
+from pathlib import Path
+from typing import Any
+
+from barchan.archive.folder import CHECKPOINT, SCENARIO
+from barchan.errors import BarchanError, Problem, ScenarioError
+from barchan.studio.server.security import is_plain_name
+
+UPLOADS = "studio-uploads"
+KINDS = (".png", ".npy", ".tif", ".tiff", ".csv", ".nc")
+"""Files that can be ground or a wind record: data, never programs."""
+
+
+class Store:
+    """A folder beyond which nothing that a browser names is opened."""
+
+    def __init__(self, folder: Path) -> None:
+        """Use a folder; it is made when something is kept."""
+        self.folder = folder.resolve()
+        self._trusted: set[Path] = set()
+
+    def trust(self, data: Any) -> None:
+        """Let the files that a scenario from the command line names be opened."""
+        self._trusted |= {Path(path).resolve() for _, path in _paths(data)}
+
+    def check(self, data: Any) -> None:
+        """Raise ScenarioError where data name a file that is not the session's."""
+        wrong = [
+            Problem(key, f"is outside the studio's folder; allowed: files in {self.folder / UPLOADS}", path)
+            for key, path in _paths(data)
+            if not self._is_ours(Path(path))
+        ]
+        if wrong:
+            raise ScenarioError(wrong)
+
+    def _is_ours(self, path: Path) -> bool:
+        where = path.resolve()
+        return where in self._trusted or where.is_relative_to(self.folder / UPLOADS)
+
+    def keep(self, name: str, content: bytes) -> Path:
+        """Keep an uploaded file; raises BarchanError for a name or kind that is not allowed."""
+        if not is_plain_name(name) or Path(name).suffix.lower() not in KINDS:
+            raise BarchanError(f"'{name}' cannot be used; allowed: {', '.join(KINDS)}, with a plain name")
+        path = self.folder / UPLOADS / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        number = 1
+        while path.exists() and path.read_bytes() != content:
+            number += 1
+            path = path.with_name(f"{Path(name).stem}-{number}{Path(name).suffix}")
+        path.write_bytes(content)
+        return path
+
+    def run(self, name: str) -> Path:
+        """The folder of the run of that name; raises BarchanError for what is no plain name."""
+        if not is_plain_name(name):
+            raise BarchanError(f"'{name}' cannot be a run's name; allowed: letters, digits, dots, dashes")
+        return self.folder / name
+
+    def runs(self) -> list[str]:
+        """Names of the runs that can be opened."""
+        if not self.folder.is_dir():
+            return []
+        found = [path for path in self.folder.iterdir() if (path / SCENARIO).is_file()]
+        return sorted(p.name for p in found if (p / CHECKPOINT).is_file() and is_plain_name(p.name))
+
+
+def _paths(data: Any, key: str = "") -> list[tuple[str, str]]:
+    """Keys and values of every ``path`` in data."""
+    if isinstance(data, list):
+        return [found for at, item in enumerate(data) for found in _paths(item, f"{key}[{at}]")]
+    if not isinstance(data, dict):
+        return []
+    found = []
+    for name, item in data.items():
+        inner = f"{key}.{name}" if key else str(name)
+        if name == "path" and item is not None:
+            found.append((inner, str(item)))
+        else:
+            found += _paths(item, inner)
+    return found

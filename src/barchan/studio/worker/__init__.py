@@ -1,0 +1,1 @@
+"""The studio's worker process: one simulation, its commands, frames, history and measures."""

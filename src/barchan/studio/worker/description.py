@@ -1,0 +1,53 @@
+"""What is being run, as the browser needs it beside the frames."""
+
+import math
+from typing import Any
+
+from barchan.analysis.grain_paths import follows_grains
+from barchan.models import models
+from barchan.scenario import validate
+from barchan.simulation import Simulation
+from barchan.studio.worker.brushes import brushes
+from barchan.studio.worker.frame_fields import fields_of
+from barchan.studio.worker.live_measures import declared_measures
+
+
+def description(simulation: Simulation) -> dict[str, Any]:
+    """Scenario as it is now, lattice, fields, measures and what is known of the run."""
+    lattice, model = simulation.lattice, simulation.model
+    scenario = current(simulation)
+    limits = model.slope_limits().get("bare", ())
+    return {
+        "scenario": scenario,
+        "lattice": {
+            "rows": lattice.rows,
+            "columns": lattice.columns,
+            "cell_size": lattice.cell_size,
+            "thickness": lattice.thickness,
+            "periodic": lattice.periodic,
+        },
+        "model": {"name": model.name, "title": model.title, "citation": model.citation},
+        "models": {name: known.title for name, known in models().items()},
+        "materials": {name: known.material for name, known in models().items()},
+        "fields": fields_of(simulation),
+        "layers": [
+            {"field": name, "title": layer.title if name == layer.field else name, "colours": layer.colours}
+            for layer in model.layers
+            for name in (layer.field, *layer.parts)
+        ],
+        "brushes": brushes(simulation),
+        "paths": follows_grains(model),
+        "measures": declared_measures(simulation),
+        "repose": math.degrees(math.atan(limits[0] * lattice.aspect)) if limits else None,
+        "facts": model.facts(),
+        "remarks": validate(scenario, "run").remarks(),
+        "events": len(simulation.events),
+    }
+
+
+def current(simulation: Simulation) -> dict[str, Any]:
+    """The scenario with the parameters and the wind that events have changed."""
+    data = simulation.scenario.data()
+    parameters = simulation.model.parameters.model_dump(mode="json")
+    wind = simulation.wind.model_dump(mode="json")
+    return validate({**data, "model": parameters, "wind": wind}, "run").data()

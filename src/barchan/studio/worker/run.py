@@ -1,0 +1,176 @@
+"""One simulation in the studio: it runs, pauses, is changed, remembers, and can go back."""
+
+import time
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from barchan.errors import BarchanError
+from barchan.measures import highest_stack, sand_volume
+from barchan.scenario import Scenario
+from barchan.simulation import Simulation, State
+from barchan.studio.worker.branches import Branches
+from barchan.studio.worker.frame_fields import STEPS_OF_CHANGE
+from barchan.studio.worker.history import FINEST, History
+from barchan.studio.worker.live_measures import Gauges
+from barchan.studio.worker.painting import Painting
+from barchan.studio.worker.step_pacer import Pace
+
+LOOK_ONLY = "look_only"
+"""The key of a state's data that says that no run can go on from it."""
+
+BREATH = 0.016
+"""Seconds of work between two looks at what the browser wants: a call of the model costs some tenths of a
+millisecond beside its steps, so shorter ones would cost speed."""
+
+
+class StudioRun:
+    """A simulation with its pace, its history and its measures."""
+
+    def __init__(self, simulation: Simulation) -> None:
+        """Take a simulation over, paused."""
+        self.pace = Pace()
+        self.begin(simulation, History(min(simulation.scenario.run.save_every, FINEST)), Gauges())
+        self.gauges.look(simulation, at_once=True)
+        self.branches = Branches(self.live, self.history, self.gauges)
+
+    def begin(self, simulation: Simulation, history: History, gauges: Gauges) -> None:
+        """Go on with a simulation that has this past."""
+        self.live = simulation
+        self.history = history
+        self.gauges = gauges
+        self.painting = Painting()
+        self.looking: Simulation | None = None
+        self.can_branch = True
+        self.running = self.brief = False
+        self.target: int | None = None
+        self._surfaces: list[tuple[int, NDArray[np.float64]]] = []
+        self.remember()
+
+    @property
+    def shown(self) -> Simulation:
+        """The simulation that is looked at: as it is now, or as it was."""
+        return self.live if self.looking is None else self.looking
+
+    @property
+    def busy(self) -> bool:
+        """Whether there are steps to do."""
+        return self.running and self.live.finished is None
+
+    def run(self, target: int | None = None, brief: bool = False) -> None:
+        """Run, on and on or up to a step; ``brief`` where it will go on at once from there."""
+        self.looking = None
+        self.brief = brief
+        self.target = target
+        self.running = target is None or target > self.live.steps_done
+        self.pace.restart()
+
+    def pause(self) -> None:
+        """Stop."""
+        self.running = False
+        self.gauges.look(self.live, at_once=True)
+
+    def breathe(self) -> bool:
+        """Do some steps, as many as fit between two looks at the clock; whether a set goal is reached."""
+        steps = self.pace.steps(BREATH)
+        if self.target is not None:
+            steps = min(steps, self.target - self.live.steps_done)
+        steps = min(steps, self.history.due - self.live.steps_done)
+        if steps > 0:
+            began = time.perf_counter()
+            done = self.live.advance(steps).steps
+            self.pace.took(done, time.perf_counter() - began)
+            self.painting.stepped()
+        self.remember()
+        self.gauges.look(self.live)
+        arrived = self.target is not None and self.live.steps_done >= self.target
+        if self.live.finished or arrived:
+            self.running = False
+        if not self.running and not self.brief:
+            self.gauges.look(self.live, at_once=True)
+        return not self.running and self.target is not None
+
+    def remember(self) -> None:
+        """Keep the state, where it is due, and the surface that change is counted from."""
+        step = self.live.steps_done
+        if step >= self.history.due:
+            self.history.keep(self.live.state())
+        if not self._surfaces or step - self._surfaces[-1][0] >= STEPS_OF_CHANGE:
+            self._surfaces = [*self._surfaces[-1:], (step, self.live.elevation)]
+
+    def earlier(self) -> NDArray[np.float64] | None:
+        """The elevation that erosion and deposition are counted from."""
+        if self.looking is None:
+            return self._surfaces[0][1]
+        before = [s for s in self.history.steps if s <= self.looking.steps_done - STEPS_OF_CHANGE]
+        return Simulation.from_state(self.history.at(before[-1])).elevation if before else None
+
+    def look(self, step: int) -> None:
+        """Look at the state nearest to a step; the run is paused."""
+        self.pause()
+        state = self.history.at(step)
+        self.looking = Simulation.from_state(state)
+        self.can_branch = LOOK_ONLY not in state.data
+
+    def look_now(self) -> None:
+        """Look at the run as it is."""
+        self.looking = None
+
+    def branch(self) -> None:
+        """Go on from the state that is looked at; what came after it is kept as a branch of its own.
+
+        Raises BarchanError where an archive holds no more of it than a picture.
+        """
+        if self.looking is not None:
+            if not self.can_branch:
+                raise BarchanError("an archive keeps its frames to look at; go on from its newest state")
+            step = self.looking.steps_done
+            past = self.history.until(step), self.gauges.until(step)
+            self.branches.leave(self.live, self.history, self.gauges)
+            self.begin(self.looking, *past)
+            self.branches.add(self.live, *past)
+
+    def switch(self, number: int) -> None:
+        """Go back to another branch, paused where it was left; raises BarchanError where it is not kept."""
+        self.branches.leave(self.live, self.history, self.gauges)
+        branch = self.branches.take(number)
+        self.begin(branch.simulation, branch.history, branch.gauges)
+
+    def change(self, simulation: Simulation) -> None:
+        """Go on with a simulation that was led to another state by the brush."""
+        self.live = simulation
+        self.looking = None
+
+    def status(self) -> dict[str, Any]:
+        """What is always in view."""
+        shown = self.shown
+        lattice, seconds = shown.lattice, shown.scenario.step_seconds
+        return {
+            "step": shown.steps_done,
+            "live": self.live.steps_done,
+            "running": self.busy,
+            "finished": self.live.finished,
+            "looking": self.looking is not None,
+            "can_branch": self.looking is not None and self.can_branch,
+            "rate": self.pace.rate if self.busy else 0.0,
+            "highest": highest_stack(shown.bed.sand),
+            "volume": sand_volume(shown.bed.sand, lattice.thickness, lattice.cell_size),
+            "wind": shown.wind_direction,
+            "time": None if seconds is None else seconds * shown.steps_done,
+            "undo": len(self.painting.done),
+            "redo": len(self.painting.undone),
+        }
+
+
+def started(scenario: Scenario) -> StudioRun:
+    """A run of a scenario, at its beginning."""
+    return StudioRun(Simulation(scenario))
+
+
+def resumed(state: State, history: History) -> StudioRun:
+    """A run that goes on from a state and has this past."""
+    run = StudioRun(Simulation.from_state(state))
+    run.begin(run.live, history, run.gauges)
+    run.branches = Branches(run.live, history, run.gauges)
+    return run

@@ -1,0 +1,85 @@
+"""Runs of the studio saved as archives, and archives taken up again."""
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from barchan.archive import Archive, open_run
+from barchan.archive.checkpoint import read_checkpoint
+from barchan.archive.folder import CHECKPOINT, scenario_of
+from barchan.archive.frames import COUNTERS
+from barchan.errors import ArchiveError
+from barchan.simulation import Simulation, State
+from barchan.studio.worker.history import FINEST, History
+from barchan.studio.worker.run import LOOK_ONLY, StudioRun, resumed
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+
+def shelve(run: StudioRun, folder: Path) -> int:
+    """Save a run, with all states that are remembered as frames; how many there are.
+
+    Raises ArchiveError where the folder is not empty or cannot be written.
+    """
+    live = run.live
+    archive = Archive.create(folder, Simulation.from_state(run.history.states[0]))
+    try:
+        archive.log("start", seed=live.scenario.seed, steps=live.scenario.run.steps, version=_version())
+        for state in run.history.states:
+            if state.step <= live.steps_done:
+                archive.save(Simulation.from_state(state).frame())
+        if live.steps_done > run.history.states[-1].step:
+            archive.save(live.frame())
+        archive.checkpoint(live)
+        archive.log("interrupted", step=live.steps_done, reason="saved from the studio")
+        assert archive.frames is not None
+        return archive.frames.count
+    finally:
+        archive.close()
+
+
+def reopened(folder: Path) -> StudioRun:
+    """The run in a folder, at its newest checkpoint, with its frames as its past.
+
+    Raises ArchiveError where there is no run to go on with.
+    """
+    scenario = scenario_of(folder)
+    last = read_checkpoint(folder / CHECKPOINT)
+    history = History(min(scenario.run.save_every, FINEST))
+    try:
+        dataset = open_run(folder)
+    except ArchiveError:
+        return resumed(last, history)
+    with dataset:
+        for at in range(dataset.sizes["step"]):
+            if int(dataset["step"][at]) < last.step:
+                history.keep(_state_of(dataset.isel(step=at), last))
+    history.keep(last)
+    return resumed(last, history)
+
+
+def _state_of(frame: "xr.Dataset", last: State) -> State:
+    """A frame as a state to look at; frames lack what the model remembers, so no run goes on from it."""
+    arrays = dict(last.arrays)
+    for name, values in frame.data_vars.items():
+        if f"bed/{name}" in arrays:
+            arrays[f"bed/{name}"] = values.values
+    counters = {counter.name: frame[counter.name].item() for counter in COUNTERS}
+    data = {
+        **last.data,
+        "step": int(frame["step"]),
+        "ledger": _updated(last.data["ledger"], counters),
+        "tally": _updated(last.data["tally"], counters),
+        LOOK_ONLY: True,
+    }
+    return State(data, arrays)
+
+
+def _updated(before: dict[str, Any], counters: dict[str, Any]) -> dict[str, Any]:
+    return {name: counters.get(name, value) for name, value in before.items()}
+
+
+def _version() -> str:
+    from barchan.version import __version__
+
+    return __version__

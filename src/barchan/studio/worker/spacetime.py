@@ -1,0 +1,67 @@
+"""The section along a line at every state that a run remembers."""
+
+import base64
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from barchan.bed import Lattice
+from barchan.errors import BarchanError
+from barchan.simulation import State
+from barchan.studio.worker.run import StudioRun
+
+COLUMNS = 512
+"""Places along the line."""
+
+_LARGEST = np.iinfo(np.uint16).max
+
+
+def space_time(run: StudioRun, line: list[float]) -> dict[str, Any]:
+    """Elevations along a line from x, y to x, y (m), a row for each state, as 16 bits between two heights.
+
+    Raises BarchanError for what is no line.
+    """
+    if len(line) != 4 or not np.isfinite(line).all():
+        raise BarchanError("a section needs two places: x, y, x, y in metres")
+    now = run.live.state()
+    states = [*(state for state in run.history.states if state.step < now.step), now]
+    sampler = _Sampler(run.live.lattice, line)
+    heights = np.array([sampler.section(state) for state in states])
+    low, high = float(heights.min()), float(heights.max())
+    scale = (high - low) / _LARGEST or 1.0
+    numbers = np.rint((heights - low) / scale).astype("<u2")
+    return {
+        "steps": [state.step for state in states],
+        "columns": COLUMNS,
+        "low": low,
+        "scale": scale,
+        "values": base64.b64encode(numbers.tobytes()).decode(),
+    }
+
+
+class _Sampler:
+    """Places along a line, and the four cells about each with their weights."""
+
+    def __init__(self, lattice: Lattice, line: list[float]) -> None:
+        x0, y0, x1, y1 = line
+        share = np.linspace(0.0, 1.0, COLUMNS)
+        self._thickness = lattice.thickness
+        rows, v = _between((y0 + share * (y1 - y0)) / lattice.cell_size, lattice.rows)
+        columns, u = _between((x0 + share * (x1 - x0)) / lattice.cell_size, lattice.columns)
+        self._cells = rows[:, None, :], columns[None, :, :]
+        self._weights = v[:, None, :] * u[None, :, :]
+
+    def section(self, state: State) -> NDArray[np.float64]:
+        """Elevation (m) at each place."""
+        ground, sand = (state.arrays[f"bed/{name}"][self._cells] for name in ("ground", "sand"))
+        heights: NDArray[np.float64] = ((ground + sand * self._thickness) * self._weights).sum(axis=(0, 1))
+        return heights
+
+
+def _between(place: NDArray[np.float64], count: int) -> tuple[NDArray[np.intp], NDArray[np.float64]]:
+    """The two cells about each place (counted in cells from an edge), and what each weighs."""
+    at = np.clip(place - 0.5, 0.0, count - 1.0)
+    first = np.floor(at).astype(np.intp)
+    share = at - first
+    return np.stack([first, np.minimum(first + 1, count - 1)]), np.stack([1.0 - share, share])

@@ -1,0 +1,107 @@
+"""Sand drift under many winds: how much, which way, how variable.
+
+A drift is told by directions (where each wind comes from) and amounts: drift potential, flux times duration,
+or any weight in proportion to the sand that each wind moves.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from barchan.aeolian.saltation import Saltation
+from barchan.wind.records import WindRecord
+from barchan.wind.records.format import UNITS
+
+KNOT = UNITS["kn"]
+
+THRESHOLD = 12.0
+"""Threshold speed of drift potential (knots at 10 m): Fryberger & Dean (1979)."""
+
+YEAR = 365.25 * 86400.0
+"""Seconds in a year."""
+
+ENERGY = ((200.0, "low"), (400.0, "intermediate"), (np.inf, "high"))
+"""Energy of a wind by drift potential (vector units in knots): Fryberger & Dean (1979)."""
+
+
+@dataclass(frozen=True)
+class Drift:
+    """Sand moved by each of many winds."""
+
+    direction: NDArray[np.float64]
+    """Where each wind comes from (degrees)."""
+    amount: NDArray[np.float64]
+    """How much sand it moves; not negative."""
+    unit: str = "-"
+
+    @property
+    def total(self) -> float:
+        """All that is moved, whichever way: the drift potential DP, in the unit of the amounts."""
+        return float(self.amount.sum())
+
+    @property
+    def vector(self) -> tuple[float, float]:
+        """Sum of all movements (east, north)."""
+        angle = np.radians(self.direction)
+        return -float(self.amount @ np.sin(angle)), -float(self.amount @ np.cos(angle))
+
+    @property
+    def resultant(self) -> float:
+        """What all movements come to: the resultant drift potential RDP."""
+        return float(np.hypot(*self.vector))
+
+    @property
+    def toward(self) -> float:
+        """Where the resultant points: the resultant drift direction RDD, degrees clockwise from north.
+
+        NaN where the movements cancel.
+        """
+        east, north = self.vector
+        if self.resultant <= 1e-9 * self.total:
+            return float("nan")
+        return float(np.degrees(np.arctan2(east, north)) % 360.0)
+
+    @property
+    def steadiness(self) -> float:
+        """RDP/DP: 1 for a single direction, 0 where all cancel, NaN where nothing moves."""
+        return self.resultant / self.total if self.total > 0 else float("nan")
+
+    def by_degree(self) -> "Drift":
+        """The same drift summed by whole degrees, which is quicker to work with where winds are many."""
+        degree = np.round(self.direction).astype(np.int64) % 360
+        sums = np.bincount(degree, self.amount, 360).astype(np.float64)
+        return Drift(np.arange(360.0), sums, self.unit)
+
+
+def drift_of(winds: list[tuple[float, float]], unit: str = "-") -> Drift:
+    """The drift of winds given as (direction it comes from, amount of sand moved)."""
+    directions, amounts = np.array(winds, np.float64).reshape(-1, 2).T
+    return Drift(directions, amounts, unit)
+
+
+def drift_potential(record: WindRecord, threshold: float = THRESHOLD) -> Drift:
+    """Drift potential in vector units (VU) by knots, with a threshold speed (knots) at 10 m.
+
+    U² (U - U_t) t above the threshold, U in knots and t the share of the time: Fryberger & Dean (1979), USGS
+    Prof. Pap. 1052, 137. Each row has its own weight, so there is no bias from classes of speed.
+    """
+    speed = record.speed / KNOT
+    weight = np.where(speed > threshold, speed**2 * (speed - threshold), 0.0)
+    return Drift(record.direction, weight * record.duration / record.seconds, "VU")
+
+
+def sand_flux(record: WindRecord, sand: Saltation) -> Drift:
+    """Sand that each wind moves in a mean year, m² a year of sand as it lies, by a flux law."""
+    share = record.duration / record.seconds
+    return Drift(record.direction, sand.volume_flux(record.speed) * share * YEAR, "m²/yr")
+
+
+def energy(potential: float) -> str:
+    """Energy of a wind by its drift potential (VU in knots): low, intermediate or high."""
+    return next(name for limit, name in ENERGY if potential < limit)
+
+
+def in_metres(potential: float) -> float:
+    """Drift potential in vector units by metres a second, of one in knots (Bullard 1997)."""
+    return potential * KNOT**3

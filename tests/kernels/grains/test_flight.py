@@ -1,0 +1,146 @@
+"""The compiled flight of grains against the slow and obvious one, bit for bit, on any number of threads."""
+
+import numpy as np
+import pytest
+from hypothesis import Phase, given, settings
+from hypothesis import strategies as st
+
+from barchan.aeolian.flow_over_relief import WindOverWaves
+from barchan.bed import Bed, Lattice
+from barchan.kernels.core import threads as thread_pool
+from barchan.kernels.grains import iterations as grain_spell
+from barchan.models import model
+from barchan.streams import Stream, derive
+from barchan.wind.segment import Segment
+from tests.kernels.grains.grain_reference import ReferenceFlight
+
+STREAM = Stream(3, "transport")
+
+STAND = {"west": 0.2, "east": 0.8, "south": 0.3, "height": 0.03}
+STANDS = [STAND, {**STAND, "west": 0.5, "height": 0.002}]
+
+
+def small_bed(seed, boundary="periodic", uneven=False, depth=6):
+    random = np.random.default_rng(seed)
+    lattice = Lattice(
+        rows=9,
+        columns=13,
+        cell_size=0.01,
+        slab_height=0.15e-3,
+        boundary_x=boundary,
+        boundary_y=boundary,
+    )
+    ground = random.random(lattice.shape) * 2e-3 if uneven else np.zeros(lattice.shape)
+    return Bed(lattice, ground, random.integers(0, depth, lattice.shape))
+
+
+def fly_both(bed, wind, iterations, stream=None, **rules):
+    flight = model("wang_hu")
+    rules = flight.Parameters(collapse_every=10**6, iterations_per_step=iterations, repose_angle=89, **rules)
+    fast = flight(rules, bed.lattice)
+    fast.prepare(bed, 1)
+    same = Bed.from_fields(bed.lattice, bed.frame(), fast.fields)
+    slow = ReferenceFlight(fast, same, wind, stream)
+    if stream is not None:
+        level = fast.blow
+        fast.blow = lambda ground, wind: ground.bend_wind(WindOverWaves(*stream)) or level(ground, wind)
+    tally = fast.advance(bed, wind, STREAM, 0, 0)
+    for iteration in range(iterations):
+        slow.iterate(derive(STREAM.key, iteration))
+    return fast, slow, tally
+
+
+@settings(max_examples=25, deadline=None, phases=[Phase.explicit, Phase.generate])
+@given(
+    st.integers(0, 2**32),
+    st.sampled_from([270.0, 0.0, 143.0]),
+    st.sampled_from(["periodic", "open"]),
+    st.booleans(),
+    st.booleans(),
+    st.sampled_from(["euler", "trapezoid"]),
+    st.sampled_from(["constant", "reynolds"]),
+    st.sampled_from(["stack", "patch"]),
+    st.sampled_from([0.0, 0.005, -0.5]),
+    st.sampled_from([([], "level"), (STANDS, "level"), (STANDS, "bent"), ([], "faster")]),
+)
+def test_kernels_equal_the_obvious_flight_bit_for_bit(
+    seed, direction, boundary, uneven, lee, scheme, drag, footprint, lifted, over
+):
+    plants, bent = over
+    bed = small_bed(seed, boundary, uneven, depth=6 if footprint == "stack" else 12)
+    wind = Segment(0, 1, 0, bed.lattice.cells, direction)
+    rules = {"scheme": scheme, "drag": drag, "lift_from_lee": lee, "max_bounces": 3, "load": 0.5}
+    rules |= {"footprint": footprint, "plants": plants}
+    rules |= {"displacement": lifted} if lifted >= 0 else {"stability": lifted}
+    if bent != "level":
+        stream = np.random.default_rng(seed).uniform(-0.3, 0.3, (3, *bed.lattice.shape)).astype(np.float32)
+        rules["stream"] = (stream[0], 1 + stream[1], stream[2])[: 3 if bent == "faster" else 1]
+    fast, slow, tally = fly_both(bed, wind, 40, **rules)
+    np.testing.assert_array_equal(bed.sand, slow.bed.sand)
+    assert fast.flying == sum(grain.held for grain in slow.grains)
+    assert (tally.moved, tally.left, tally.capped) == (slow.moved, slow.left, slow.capped)
+    assert (tally.travel_x * 2**16, tally.travel_y * 2**16) == tuple(slow.travel)
+    for slot, grain in enumerate(slow.grains):
+        if grain.held:
+            found = tuple(fast.motion[:6, slot])
+            assert found == (grain.x, grain.y, grain.z, grain.u, grain.v, grain.w)
+
+
+@pytest.mark.parametrize(
+    ("name", "rules"),
+    [
+        ("wang_hu", {}),
+        ("wang_hu", {"footprint": "patch", "max_bounces": 5}),
+        ("wang_hu", {"plants": [STAND]}),
+        ("wang_hu", {"collapse": "filter", "filter_scale": 50.0}),
+        ("ripples", {"plants": [STAND], "sharing_width": 0.03, "weight": 0.02, "entrainment": 0.05}),
+        ("ripples", {"time_step": 1e-3, "weight": 0.02, "entrainment": 0.05, "load": 2.0}),
+    ],
+)
+def test_bits_do_not_depend_on_the_number_of_threads(monkeypatch, name, rules):
+    beds = []
+    for threads in (1, 2, 3):
+        monkeypatch.setattr(thread_pool, "LEAST", 256)
+        monkeypatch.setattr(thread_pool, "thread_count", lambda threads=threads: threads)
+        lattice = Lattice(rows=40, columns=50, cell_size=0.01, slab_height=0.15e-3)
+        bed = Bed(lattice, np.zeros(lattice.shape), np.full(lattice.shape, 20))
+        flight = model(name)(model(name).Parameters(**rules), lattice)
+        flight.prepare(bed, 1)
+        monkeypatch.setattr(grain_spell, "PIECE", 1024 if threads == 1 else 256)
+        tally = flight.advance(bed, Segment(0, 200, 0, lattice.cells, 200.0), STREAM, 0, 0)
+        beds.append((bed.sand.copy(), flight.motion.copy(), tally))
+    for sand, motion, tally in beds[1:]:
+        np.testing.assert_array_equal(sand, beds[0][0])
+        np.testing.assert_array_equal(motion, beds[0][1])
+        assert tally == beds[0][2]
+
+
+@pytest.mark.parametrize("threads", [1, 2])
+@pytest.mark.parametrize("name", ["wang_hu", "ripples"])
+def test_bits_do_not_depend_on_how_iterations_are_cut_into_spells(monkeypatch, name, threads):
+    monkeypatch.setattr(thread_pool, "LEAST", 256)
+    monkeypatch.setattr(thread_pool, "thread_count", lambda: threads)
+    beds = []
+    for most in (256, 3):
+        monkeypatch.setattr(grain_spell, "MOST_ITERATIONS", most)
+        lattice = Lattice(rows=30, columns=40, cell_size=0.01, slab_height=0.15e-3)
+        bed = Bed(lattice, np.zeros(lattice.shape), np.full(lattice.shape, 20))
+        flight = model(name)(model(name).Parameters(load=1.0), lattice)
+        flight.advance(bed, Segment(0, 30, 0, lattice.cells, 200.0), STREAM, 0, 0)
+        beds.append((bed.sand.copy(), flight.motion.copy()))
+    np.testing.assert_array_equal(beds[0][0], beds[1][0])
+    np.testing.assert_array_equal(beds[0][1], beds[1][1])
+
+
+@pytest.mark.parametrize("bounces", [0, 5])
+def test_no_grain_bounces_for_ever(bounces):
+    bed = small_bed(1, depth=60)
+    wind = Segment(0, 400, 0, bed.lattice.cells, 270.0)
+    rules = model("wang_hu").Parameters(
+        normal_damping=1.0, tangential_damping=1.0, max_bounces=bounces, stop_speed=0.0
+    )
+    flight = model("wang_hu")(rules, bed.lattice)
+    tally = flight.advance(bed, wind, STREAM, 0, 0)
+    assert tally.capped > 0
+    assert flight.marks[1].max() <= bounces
+    assert np.isfinite(flight.motion).all()

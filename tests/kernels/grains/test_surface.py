@@ -1,0 +1,78 @@
+"""Bound and mean of mesh cells, as a whole and about what changed."""
+
+import numpy as np
+import pytest
+
+from barchan.bed import Bed, Lattice
+from barchan.grains.bed import GrainGround
+from barchan.kernels.grains.surface import beyond, note_stale, renew_mesh, renew_stale
+from barchan.models import model
+
+
+def ground_of(shape, boundary):
+    lattice = Lattice(
+        rows=shape[0],
+        columns=shape[1],
+        cell_size=0.01,
+        slab_height=1e-3,
+        boundary_x=boundary,
+        boundary_y=boundary,
+    )
+    random = np.random.default_rng(2)
+    bed = Bed(lattice, np.zeros(shape), random.integers(0, 30, shape))
+    ground = GrainGround(model("ripples").Parameters(), bed)
+    ground.arrays.lid[:] = ground.arrays.height + random.random(lattice.cells).astype(np.float32)
+    renew_mesh(ground.arrays, ground.grid)
+    return ground, random
+
+
+def mesh(ground):
+    """The highest corner and the mean lid of each mesh cell, one after the other."""
+    height, lid, cols = ground.arrays.height, ground.arrays.lid, ground.grid.cols
+    found = []
+    for row in range(ground.grid.rows):
+        for col in range(cols):
+            north, east = beyond(row, col, ground.grid)
+            sw, se, nw, ne = (r * cols + c for r in (row, north) for c in (col, east))
+            mean = np.float32(0.25) * ((lid[sw] + lid[se]) + (lid[nw] + lid[ne]))
+            found.append((height[[sw, se, nw, ne]].max(), mean))
+    return np.array(found).T
+
+
+def renew_changed(ground, row, about):
+    """Renew the mesh where stacks changed in a row, and in as many about it."""
+    note_stale(row, about, about, ground.arrays, ground.grid)
+    rows = ground.grid.rows
+    for first, last in ((rows // 2, rows), (0, rows // 2)):
+        renew_stale(first, last, ground.arrays, ground.grid)
+    assert not ground.arrays.stale.any()
+
+
+@pytest.mark.parametrize("boundary", ["periodic", "open"])
+@pytest.mark.parametrize("shape", [(8, 8), (8, 11), (9, 13)])
+def test_bounds_and_means_follow_the_surface(shape, boundary):
+    ground, random = ground_of(shape, boundary)
+    np.testing.assert_array_equal((ground.arrays.top, ground.arrays.base), mesh(ground))
+    rows, cols = shape
+    for cell in range(rows * cols):
+        ground.arrays.height[cell] = ground.arrays.lid[cell] = random.random()
+        renew_changed(ground, cell // cols, 0)
+        np.testing.assert_array_equal((ground.arrays.top, ground.arrays.base), mesh(ground))
+
+
+@pytest.mark.parametrize("boundary", ["periodic", "open"])
+@pytest.mark.parametrize("shape", [(8, 8), (8, 11), (9, 13)])
+def test_a_patch_renews_all_that_it_touches(shape, boundary):
+    ground, random = ground_of(shape, boundary)
+    rows, cols = shape
+    for cell in range(rows * cols):
+        row, col = cell // cols, cell % cols
+        about = [
+            (row + r) % rows * cols + (col + c) % cols
+            for r in (-1, 0, 1)
+            for c in (-1, 0, 1)
+            if boundary == "periodic" or (0 <= row + r < rows and 0 <= col + c < cols)
+        ]
+        ground.arrays.height[about] = random.random(len(about))
+        renew_changed(ground, row, 1)
+        np.testing.assert_array_equal((ground.arrays.top, ground.arrays.base), mesh(ground))

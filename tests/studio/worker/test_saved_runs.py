@@ -1,0 +1,45 @@
+import numpy as np
+
+from barchan.archive import open_run, resume
+from barchan.simulation import SetParameter, Simulation
+from barchan.studio.worker.run import started
+from barchan.studio.worker.saved_runs import reopened, shelve
+from tests.studio.worker.test_run import run_to
+
+
+def test_a_saved_run_resumes_on_the_command_line_with_the_same_bits(scenario, tmp_path):
+    run = started(scenario)
+    run_to(run, 25)
+    run.live.apply(SetParameter(key="model.p_s", value=0.9))
+    run_to(run, 33)
+    assert shelve(run, tmp_path / "mine") == 5
+    outcome = resume(tmp_path / "mine")
+    alone = Simulation(scenario)
+    alone.advance(25)
+    alone.apply(SetParameter(key="model.p_s", value=0.9))
+    alone.advance(75)
+    assert np.array_equal(outcome.simulation.bed.sand, alone.bed.sand)
+
+
+def test_the_frames_of_a_saved_run_are_the_states_that_were_kept(scenario, tmp_path):
+    run = started(scenario)
+    run_to(run, 30)
+    shelve(run, tmp_path / "mine")
+    with open_run(tmp_path / "mine") as dataset:
+        assert list(dataset["step"].values) == [0, 10, 20, 30]
+        for at, state in enumerate(run.history.states):
+            assert np.array_equal(dataset["sand"][at].values, state.arrays["bed/sand"])
+
+
+def test_an_opened_run_can_be_looked_at_and_goes_on_from_its_newest_state(scenario, tmp_path):
+    run = started(scenario)
+    run_to(run, 30)
+    shelve(run, tmp_path / "mine")
+    again = reopened(tmp_path / "mine")
+    assert again.live.steps_done == 30
+    again.look(10)
+    assert np.array_equal(again.shown.bed.sand, run.history.at(10).arrays["bed/sand"])
+    again.look_now()
+    run_to(again, 50)
+    run_to(run, 50)
+    assert np.array_equal(again.live.bed.sand, run.live.bed.sand)
