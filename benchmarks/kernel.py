@@ -101,7 +101,7 @@ def measure(case: Case, repetitions: int = 5) -> Speed:
         model.prepare(bed, 1)
         steps = case.steps if repetition else 1
         began = time.perf_counter()
-        tally = model.advance(bed, Segment(0, steps, 0, lattice.cells, case.direction), stream, 0, 0)
+        tally = model.advance(bed, Segment(0, steps, 0, lattice.cells, case.direction), stream)
         seconds = time.perf_counter() - began
         if repetition:
             polls.append(tally.polls / seconds / 1e6)

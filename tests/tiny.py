@@ -9,7 +9,7 @@ from barchan.scenario import Scenario
 ROWS, COLUMNS = 16, 24
 
 DATA: dict[str, Any] = {
-    "barchan": 1,
+    "barchan": 2,
     "title": "Tiny",
     "lattice": {"rows": ROWS, "columns": COLUMNS},
     "ground": {"kind": "flat"},

@@ -35,7 +35,7 @@ def sorted_bed(coarse, share, speed, layer, seed):
     """What the wind makes of a flat bed of mixed sand."""
     scenario = barchan.load(
         {
-            "barchan": 1,
+            "barchan": 2,
             "lattice": {"rows": ROWS, "columns": COLUMNS, "cell_size": 0.005, "slab_height": FINE / 16},
             "sand": {"kind": "flat", "mean": DEPTH},
             "model": {

@@ -23,6 +23,8 @@ class Tally:
     """Work done, in what the model ``counts``."""
     moved: int = 0
     """Slabs that the wind took."""
+    crept: int = 0
+    """Slabs that moved without being carried, in a model that tells them apart."""
     left: int = 0
     """Slabs that left through open edges."""
     entered: int = 0
@@ -35,17 +37,22 @@ class Tally:
     travel_y: float = 0.0
     exhausted: int = 0
     """Steps cut short because no cell could erode."""
-    still: int = 0
-    """How many of the last steps moved nothing."""
+    finished: str | None = None
+    """Why nothing more can happen on this bed, where the model knows that; the run ends."""
+
+    @property
+    def idle(self) -> bool:
+        """Whether nothing moved and nothing is in the air."""
+        return not (self.moved or self.crept or self.entered or self.airborne)
 
     def add(self, other: "Tally") -> None:
         """Take in what happened next."""
-        for name in ("steps", "polls", "moved", "left", "entered", "capped", "exhausted"):
+        for name in ("steps", "polls", "moved", "crept", "left", "entered", "capped", "exhausted"):
             setattr(self, name, getattr(self, name) + getattr(other, name))
         self.travel_x += other.travel_x
         self.travel_y += other.travel_y
         self.airborne = other.airborne
-        self.still = other.still
+        self.finished = other.finished
 
 
 @dataclass(frozen=True)
@@ -145,11 +152,12 @@ class Model(ABC):
         """Take note of the bed once it has come to rest, before the first step."""
 
     @abstractmethod
-    def advance(self, bed: Bed, segment: Segment, stream: Stream, still: int, limit: int) -> Tally:
-        """Let the wind of ``segment`` work on the bed, in place, and tell what happened.
+    def advance(self, bed: Bed, segment: Segment, stream: Stream) -> Tally:
+        """Let the wind of ``segment`` work on the bed, in place, and return what happened.
 
-        ``still`` tells how many steps in a row had moved nothing before; after ``limit`` such steps in a
-        row the work ends early (0: never).
+        A calm is a segment without polls: time passes, and a model whose bed changes without wind (snow
+        that falls, hardens or packs) works on it too. A model that finishes says why in the tally and may
+        return before all the segment's steps are done.
         """
 
     @abstractmethod

@@ -50,7 +50,7 @@ def test_every_variable_says_what_it_is_and_in_which_unit():
 
 
 def test_the_reason_of_an_early_end_is_told():
-    dataset = simulate(tiny(sand={"kind": "flat", "mean": 0}, run__until={"still": 3}))
+    dataset = simulate(tiny(sand={"kind": "flat", "mean": 0}, run__until={"idle_steps": 3}))
     assert dataset.attrs["stopped"] == "nothing moved for 3 steps"
     assert dataset["step"].values.tolist() == [0, 3]
 

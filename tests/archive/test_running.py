@@ -91,7 +91,7 @@ def test_a_run_that_is_watched_ends_where_it_would_have_ended(monkeypatch, tmp_p
 
 
 def test_the_reason_of_an_early_end_is_kept(tmp_path):
-    bare = tiny(sand={"kind": "flat", "mean": 0}, run__until={"still": 7})
+    bare = tiny(sand={"kind": "flat", "mean": 0}, run__until={"idle_steps": 7})
     outcome = run(Simulation(bare), tmp_path / "run")
     assert outcome.reason == "nothing moved for 7 steps"
     assert run_info(tmp_path / "run").stopped == "nothing moved for 7 steps"
@@ -130,7 +130,7 @@ def test_a_run_cannot_be_made_longer_than_a_scenario_may_be(fresh):
 
 
 def test_a_run_that_ended_early_cannot_be_made_longer(tmp_path):
-    bare = tiny(sand={"kind": "flat", "mean": 0}, run__until={"still": 7})
+    bare = tiny(sand={"kind": "flat", "mean": 0}, run__until={"idle_steps": 7})
     run(Simulation(bare), tmp_path / "run")
     with pytest.raises(BarchanError, match="the run ended at step 7: nothing moved for 7 steps"):
         resume(tmp_path / "run", steps=40)

@@ -13,7 +13,7 @@ def test_every_key_is_listed_with_its_meaning(barchan):
 def test_only_keys_that_begin_alike_are_listed(barchan):
     out = barchan("parameters", "run.until").out
     keys = [line.split()[0] for line in out.splitlines() if line.startswith("  run")]
-    assert keys == ["run.until.still", "run.until.steady.window", "run.until.steady.tolerance"]
+    assert keys == ["run.until.idle_steps", "run.until.steady.window", "run.until.steady.tolerance"]
 
 
 def test_dashes_are_as_good_as_underscores(barchan):

@@ -141,7 +141,7 @@ def test_sand_that_left_is_told(here, barchan):
 
 
 def test_the_reason_of_an_early_end_is_told(here, barchan):
-    bare = ["--sand", '{"kind": "flat", "mean": 0}', "--run.until.still", 3]
+    bare = ["--sand", '{"kind": "flat", "mean": 0}', "--run.until.idle_steps", 3]
     assert "nothing moved for 3 steps at step 3" in barchan("run", "tiny.json", "--no-picture", *bare).out
 
 

@@ -54,7 +54,7 @@ def test_every_preset_holds_to_the_schema(validator, name):
         {"latice": {}},
         {"model": {"name": "wernr"}},
         {"sand": {"kind": "flat", "mean": 2.5}},
-        {"run": {"until": {"still": 0}}},
+        {"run": {"until": {"idle_steps": 0}}},
     ],
 )
 def test_what_barchan_refuses_the_schema_refuses(validator, change):

@@ -17,7 +17,7 @@ EVERY_MODEL = pytest.mark.parametrize("name", list(models()))
 
 def scenario(name, **changes):
     data = {
-        "barchan": 1,
+        "barchan": 2,
         "lattice": SMALL,
         "sand": {"kind": "dropped", "mean": 4.0},
         "model": {"name": name},

@@ -21,7 +21,7 @@ from barchan.wind.segment import Segment
 
 GRASS = {"west": 0.25, "east": 0.75, "height": 0.05}
 SMALL = {
-    "barchan": 1,
+    "barchan": 2,
     "lattice": {"rows": 16, "columns": 64, "cell_size": 0.01, "slab_height": 0.15e-3},
     "sand": {"kind": "flat", "mean": 40},
     "model": {"name": "wang_hu", "iterations_per_step": 20, "plants": [GRASS]},

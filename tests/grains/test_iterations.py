@@ -11,7 +11,7 @@ from barchan.kernels.core import threads as thread_pool
 from barchan.simulation import Simulation
 
 SMALL = {
-    "barchan": 1,
+    "barchan": 2,
     "lattice": {"rows": 32, "columns": 64, "cell_size": 0.01, "slab_height": 0.15e-3},
     "sand": {"kind": "flat", "mean": 20},
     "model": {"name": "wang_hu", "load": 1.0, "iterations_per_step": 20},
@@ -57,7 +57,7 @@ def test_an_interrupted_step_leaves_no_helper_behind(monkeypatch, threads):
     with monkeypatch.context() as patch:
         patch.setattr("barchan.grains.bed.GrainGround.spread_lid", interrupt)
         with pytest.raises(KeyboardInterrupt):
-            simulation.model.advance(simulation.bed, simulation.forcing.wind_of(0), simulation.stream, 0, 0)
+            simulation.model.advance(simulation.bed, simulation.forcing.wind_of(0), simulation.stream)
     with thread_pool._workers[0].taken(threads - 1) as workers:
         assert len(workers) == threads - 1
         for worker in workers:

@@ -6,7 +6,7 @@ from barchan.errors import ScenarioError
 from barchan.scenario.partial import path_of, read_text, salvage
 from barchan.scenario.source_map import dotted
 
-GOOD = {"barchan": 1, "model": {"name": "momiji", "p_s": 0.7}, "wind": {"kind": "steady", "direction": 200}}
+GOOD = {"barchan": 2, "model": {"name": "momiji", "p_s": 0.7}, "wind": {"kind": "steady", "direction": 200}}
 
 
 def test_a_sound_text_is_the_scenario_without_problems():

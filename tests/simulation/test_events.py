@@ -145,7 +145,7 @@ def test_a_lower_angle_of_repose_lets_the_bed_settle_at_once():
 
 
 def test_a_run_that_had_ended_goes_on_after_an_event():
-    simulation = Simulation(tiny(sand={"kind": "flat", "mean": 0}, run__until={"still": 3}))
+    simulation = Simulation(tiny(sand={"kind": "flat", "mean": 0}, run__until={"idle_steps": 3}))
     simulation.advance(10)
     assert simulation.finished
     simulation.apply(Stroke(x=12.0, y=8.0, radius=5.0, amount=5))

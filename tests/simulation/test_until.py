@@ -14,8 +14,8 @@ BARE = {"sand": {"kind": "flat", "mean": 0}}
 
 
 @pytest.mark.parametrize("calls", [[20], [1] * 20, [3, 3, 14]])
-def test_a_bare_field_ends_its_run_after_as_many_still_steps_as_asked(calls):
-    simulation = Simulation(tiny(run__until={"still": 4}, **BARE))
+def test_a_bare_field_ends_its_run_after_as_many_idle_steps_as_asked(calls):
+    simulation = Simulation(tiny(run__until={"idle_steps": 4}, **BARE))
     for steps in calls:
         simulation.advance(steps)
     assert simulation.steps_done == 4
@@ -28,17 +28,17 @@ def test_a_bare_field_runs_to_its_last_step_unless_asked_to_stop():
     simulation.advance(20)
     assert simulation.steps_done == 20
     assert simulation.finished is None
-    assert simulation.tally.still == 20
+    assert simulation.tally.moved == 0
 
 
 def test_a_run_in_which_sand_moves_is_not_still():
-    simulation = Simulation(tiny(run__until={"still": 1}))
+    simulation = Simulation(tiny(run__until={"idle_steps": 1}))
     simulation.advance(20)
     assert simulation.steps_done == 20
     assert simulation.finished is None
 
 
-def test_still_steps_count_from_the_last_slab_that_moved():
+def test_idle_steps_count_from_the_last_slab_that_moved():
     """All sand blows out of an open field where nothing settles; then nothing can move."""
     blown = {
         "lattice__boundary_x": "open",
@@ -47,7 +47,7 @@ def test_still_steps_count_from_the_last_slab_that_moved():
         "model__p_ns": 0.0,
         "model__shadow_angle": 89.0,
     }
-    simulation = Simulation(tiny(run__until={"still": 6}, run__steps=1000, **blown))
+    simulation = Simulation(tiny(run__until={"idle_steps": 6}, run__steps=1000, **blown))
     moved_at = 0
     while not simulation.done:
         if simulation.advance(1).moved:
@@ -58,12 +58,12 @@ def test_still_steps_count_from_the_last_slab_that_moved():
 
 
 def test_a_run_that_ended_early_has_a_last_frame_at_its_end():
-    simulation = Simulation(tiny(run__until={"still": 7}, **BARE))
+    simulation = Simulation(tiny(run__until={"idle_steps": 7}, **BARE))
     assert [frame.step for frame in simulation] == [0, 5, 7]
 
 
 def test_a_run_that_ended_does_no_more_steps():
-    simulation = Simulation(tiny(run__until={"still": 2}, **BARE))
+    simulation = Simulation(tiny(run__until={"idle_steps": 2}, **BARE))
     simulation.advance(5)
     assert simulation.advance(5).steps == 0
     assert simulation.steps_done == 2
@@ -105,14 +105,14 @@ def test_an_impossible_tolerance_never_ends_a_run():
 
 
 def test_whichever_end_comes_first_ends_the_run():
-    until = {"still": 3, "steady": {"window": 20}}
+    until = {"idle_steps": 3, "steady": {"window": 20}}
     simulation = Simulation(tiny(run__until=until, **BARE))
     simulation.advance(20)
     assert simulation.finished == "nothing moved for 3 steps"
 
 
 def test_a_run_that_ended_early_cannot_be_extended():
-    simulation = Simulation(tiny(run__until={"still": 2}, **BARE))
+    simulation = Simulation(tiny(run__until={"idle_steps": 2}, **BARE))
     simulation.advance(20)
     with pytest.raises(BarchanError, match="the run ended at step 2: nothing moved for 2 steps"):
         simulation.extend(40)

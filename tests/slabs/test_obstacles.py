@@ -18,7 +18,7 @@ def rocks(seed):
 
 def moved(model, ground, sand, direction):
     bed = Bed(LATTICE, ground, sand)
-    model.advance(bed, Segment(0, 3, 0, LATTICE.cells, direction), Stream(1, "transport"), 0, 0)
+    model.advance(bed, Segment(0, 3, 0, LATTICE.cells, direction), Stream(1, "transport"))
     return bed.sand
 
 

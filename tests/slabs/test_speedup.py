@@ -43,7 +43,7 @@ def flown(sand, **parameters):
     """Mean travel of slabs for one step of polls, and how many moved."""
     model, bed = on(Momiji, sand, p_s=1.0, p_ns=1.0, lee_erosion=True, **FREE, **parameters)
     segment = Segment(0, 1, 0, bed.sand.size, 270.0)
-    tally = model.advance(bed, segment, Stream(1, "transport"), 0, 0)
+    tally = model.advance(bed, segment, Stream(1, "transport"))
     return tally.travel_x / max(tally.moved, 1), tally.moved
 
 
@@ -68,7 +68,7 @@ def test_deep_troughs_send_sand_against_the_wind():
     model, bed = on(Momiji, sand, p_s=1.0, p_ns=1.0, lee_erosion=True, repose_angle=89.0, shadow_angle=89.0)
     assert (model.hops(bed, 5.0)[:, 32] < 0).all()
     before = bed.sand.copy()
-    model.advance(bed, Segment(0, 20, 0, bed.sand.size, 270.0), Stream(3, "transport"), 0, 0)
+    model.advance(bed, Segment(0, 20, 0, bed.sand.size, 270.0), Stream(3, "transport"))
     assert bed.slabs == before.sum()
 
 
@@ -111,7 +111,7 @@ def test_slabs_land_where_their_tallied_travel_ends_also_after_a_whole_first_hop
         )
         bed = Bed(lattice, np.zeros(sand.shape), sand)
         tally = Momiji(parameters, lattice).advance(
-            bed, Segment(0, 1, 0, bed.sand.size, 270.0), Stream(seed, "transport"), 0, 0
+            bed, Segment(0, 1, 0, bed.sand.size, 270.0), Stream(seed, "transport")
         )
         moved += ((bed.sand - sand).sum(axis=0) * np.arange(256)).sum()
         tallied += tally.travel_x

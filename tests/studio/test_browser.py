@@ -291,7 +291,7 @@ def test_paths_of_grains_are_drawn_over_the_bed(studio):
 
 
 def test_a_broken_file_names_each_bad_key_and_the_rest_is_loaded_when_asked(studio):
-    text = json.dumps({"barchan": 1, "title": "Half good", "model": {"name": "werner", "p_s": 7, "hop": 2}})
+    text = json.dumps({"barchan": 2, "title": "Half good", "model": {"name": "werner", "p_s": 7, "hop": 2}})
     studio.ask(f"window.barchan.files.load('mine.json', {json.dumps(text)})")
     dialog = studio.page.get_by_role("dialog")
     problems = dialog.locator("li").all_inner_texts()

@@ -191,8 +191,8 @@ class GrainGround:
             )
         )
 
-    def tally(self, airborne: int, still: int) -> Tally:
-        """What happened in a step; ``still`` steps before it moved nothing."""
+    def tally(self, airborne: int) -> Tally:
+        """What happened in a step, with so many parcels in the air at its end."""
         counts, carried = self.counts, self.rules.carried
         moved = int(counts[MOVED]) * carried
         return Tally(
@@ -204,7 +204,6 @@ class GrainGround:
             capped=int(counts[CAPPED]) * carried,
             travel_x=int(counts[TRAVEL_X]) * carried / TRAVEL_UNIT,
             travel_y=int(counts[TRAVEL_Y]) * carried / TRAVEL_UNIT,
-            still=0 if moved or airborne else still + 1,
         )
 
 

@@ -176,19 +176,17 @@ class GrainModel(Model):
         """What impacts throw out; None: nothing, grains bounce."""
         return None
 
-    def advance(self, bed: Bed, segment: Segment, stream: Stream, still: int, limit: int) -> Tally:
+    def advance(self, bed: Bed, segment: Segment, stream: Stream) -> Tally:
         """Let the grains in the air fly, land and be replaced."""
-        total = Tally(still=still, airborne=self.airborne)
+        total = Tally(airborne=self.airborne)
         ground = self.ground_of(bed, segment.direction, self._room)
         grains = self.grains()
         for _ in range(segment.steps):
             ground.counts[:] = 0
             self._step(segment, stream, grains, ground)
-            total.add(ground.tally(self.airborne, total.still))
+            total.add(ground.tally(self.airborne))
             if self.sizes is not None:
                 self.sizes.left += ground.left_by_size
-            if limit and total.still >= limit:
-                break
         self._store(bed, ground)
         return total
 

@@ -92,11 +92,11 @@ class NishimoriOuchi(Model):
     Parameters = NishimoriOuchiParameters
     parameters: NishimoriOuchiParameters
 
-    def advance(self, bed: Bed, segment: Segment, stream: Stream, still: int, limit: int) -> Tally:
+    def advance(self, bed: Bed, segment: Segment, stream: Stream) -> Tally:
         """Hop and creep, step by step."""
         from barchan.kernels.coupled_map import CREEP, HOP, TRAVEL_UNIT, creep, hop
 
-        total = Tally(still=still)
+        total = Tally()
         lattice, rules = self.lattice, self.parameters
         ground = bed.ground / lattice.thickness
         x, y = downwind(segment.direction)
@@ -114,20 +114,17 @@ class NishimoriOuchi(Model):
                 )
             surface = ground + bed.sand
             crept = creep(surface, bed.sand, rules.creep, np.uint64(derive(key, CREEP)), *lattice.periodic)
-            quiet = counts[0] == 0 and crept == 0
             total.add(
                 Tally(
                     steps=1,
                     polls=lattice.cells if blows else 0,
                     moved=int(counts[0]),
+                    crept=int(crept),
                     left=int(counts[1]),
                     travel_x=int(counts[2]) / TRAVEL_UNIT,
                     travel_y=int(counts[3]) / TRAVEL_UNIT,
-                    still=total.still + 1 if quiet else 0,
                 )
             )
-            if limit and total.still >= limit:
-                break
         return total
 
     def settle(self, bed: Bed, where: NDArray[np.bool_] | None = None) -> int:

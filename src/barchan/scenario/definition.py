@@ -17,7 +17,7 @@ from barchan.scenario.source_map import Places
 from barchan.wind import Clock, Forcing, Pace, Steady, Wind
 from barchan.wind.clock import spoken
 
-FORMAT = 1
+FORMAT = 2
 """Version of the configuration format that this program writes."""
 
 LARGEST_SEED = 2**53 - 1
@@ -50,8 +50,12 @@ class SteadyState(Parameters):
 class Until(Parameters):
     """What ends a run before its last step."""
 
-    still: int | None = parameter(
-        None, unit="steps", ge=1, le=10**9, meaning="Stop when so many steps in a row moved nothing."
+    idle_steps: int | None = parameter(
+        None,
+        unit="steps",
+        ge=1,
+        le=10**9,
+        meaning="Stop after this number of steps in a row in which nothing moved.",
     )
     steady: SteadyState | None = Field(default=None, description="Stop when the bedforms are steady.")
 
@@ -88,7 +92,7 @@ def _default_model() -> Any:
 class Scenario(Parameters):
     """Everything that defines a run: same scenario and seed, same bits."""
 
-    barchan: Literal[1] = parameter(FORMAT, unit="-", meaning="Version of the configuration format.")
+    barchan: Literal[2] = parameter(FORMAT, unit="-", meaning="Version of the configuration format.")
     title: str = parameter("", unit="-", max_length=200, meaning="What the scenario is called.")
     citation: str = parameter("", unit="-", max_length=1000, meaning="Where the scenario comes from.")
     look_for: str = parameter("", unit="-", max_length=2000, meaning="What to watch for in the run.")

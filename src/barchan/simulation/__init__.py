@@ -1,6 +1,6 @@
 """The simulation: owns the bed, advances a model through the wind, takes events, emits frames."""
 
-from barchan.simulation.core import Frame, Simulation, Watch
+from barchan.simulation.core import Frame, Simulation
 from barchan.simulation.events import (
     AnyEvent,
     Event,
@@ -15,6 +15,7 @@ from barchan.simulation.events import (
 )
 from barchan.simulation.ledger import Ledger
 from barchan.simulation.state import State
+from barchan.simulation.stop import StopCondition
 from barchan.simulation.strokes import AnyStroke, asked_by, change_by
 
 __all__ = [
@@ -30,8 +31,8 @@ __all__ = [
     "SetWind",
     "Simulation",
     "State",
+    "StopCondition",
     "Stroke",
-    "Watch",
     "asked_by",
     "change_by",
     "event_from",

@@ -2,8 +2,7 @@
 
 from collections.abc import Iterator
 from dataclasses import asdict, dataclass, replace
-from importlib.metadata import entry_points
-from typing import Any, Protocol, Self
+from typing import Any, Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,6 +16,7 @@ from barchan.scenario import Scenario, nearest, validate
 from barchan.simulation.events import AnyEvent, Record, SetParameter, SetWind
 from barchan.simulation.ledger import Ledger
 from barchan.simulation.state import State
+from barchan.simulation.stop import stop_conditions
 from barchan.simulation.strokes import paint
 from barchan.streams import Stream
 from barchan.wind import Segment, Wind
@@ -32,28 +32,6 @@ class Frame:
     fields: dict[str, NDArray]
     ledger: Ledger
     tally: Tally
-
-
-class Watch(Protocol):
-    """Looks at a simulation now and then and says when it should end, and why.
-
-    Watches are found by the entry points ``barchan.watches``, named after keys of ``run.until``.
-    """
-
-    every: int
-    """Steps from one look to the next."""
-
-    def observe(self, simulation: "Simulation") -> str | None:
-        """Look; the reason to end, if there is one."""
-        ...
-
-    def state(self) -> dict[str, Any]:
-        """What was seen so far: arrays, and what JSON can hold."""
-        ...
-
-    def restore(self, state: dict[str, Any]) -> None:
-        """Take up what was seen before."""
-        ...
 
 
 class Simulation:
@@ -89,7 +67,7 @@ class Simulation:
         self.finished: str | None = None
         self.tally = Tally()
         self.events: list[Record] = []
-        self.watches = _watches(scenario)
+        self.stop_conditions = stop_conditions(scenario)
         self._framed = -1
 
     @property
@@ -122,37 +100,38 @@ class Simulation:
 
     def advance(self, steps: int = 1) -> Tally:
         """Do ``steps`` steps, fewer where a condition of ``run.until`` ends the run; tell what happened."""
-        total = Tally(still=self.tally.still)
-        limit = self.scenario.run.until.still or 0
-        while steps > 0 and self.finished is None:
-            chunk = min([steps, *(w.every - self.steps_done % w.every for w in self.watches.values())])
-            done = 0
-            for segments in self.forcing.turns(self.steps_done, chunk):
-                tally = self._blow(segments, total.still, limit)
-                total.add(tally)
-                done += tally.steps
-                if limit and total.still >= limit:
-                    self.finished = f"nothing moved for {total.still} steps"
+        total = Tally()
+        end = self.steps_done + steps
+        while self.steps_done < end and self.finished is None:
+            looks = [c.every - self.steps_done % c.every for c in self.stop_conditions.values()]
+            since = Tally()
+            for segments in self.forcing.turns(self.steps_done, min([end - self.steps_done, *looks])):
+                since.add(self._blow(segments))
+                if since.finished is not None:
                     break
-            self.steps_done += done
-            steps -= done
-            self._look()
+            self.steps_done += since.steps
+            total.add(since)
+            self._check_ends(since)
         self._book(total)
         return total
 
-    def _blow(self, segments: list[Segment], still: int, limit: int) -> Tally:
+    def _blow(self, segments: list[Segment]) -> Tally:
         """Let the winds of one step blow, or one wind for several steps."""
         if len(segments) == 1:
-            return self.model.advance(self.bed, segments[0], self.stream, still, limit)
+            return self.model.advance(self.bed, segments[0], self.stream)
         total = Tally()
         for segment in segments:
-            total.add(self.model.advance(self.bed, segment, self.stream, 0, 0))
-        return replace(total, steps=1, still=0 if total.moved else still + 1)
+            total.add(self.model.advance(self.bed, segment, self.stream))
+            if total.finished is not None:
+                break
+        return replace(total, steps=1)
 
-    def _look(self) -> None:
-        for watch in self.watches.values():
-            if self.finished is None and self.steps_done % watch.every == 0:
-                self.finished = watch.observe(self)
+    def _check_ends(self, tally: Tally) -> None:
+        """Find out whether the model, or else a stop condition, ends the run after some steps."""
+        self.finished = tally.finished
+        for condition in self.stop_conditions.values():
+            if self.finished is None and self.steps_done % condition.every == 0:
+                self.finished = condition.check(self, tally)
 
     def _book(self, tally: Tally) -> None:
         self.tally.add(tally)
@@ -261,17 +240,18 @@ class Simulation:
             "ledger": asdict(self.ledger),
             "tally": asdict(self.tally),
             "events": [record.data() for record in self.events],
-            "watches": {},
+            "stop_conditions": {},
         }
-        for name, watch in self.watches.items():
-            seen = watch.state()
-            data["watches"][name] = {k: v for k, v in seen.items() if not isinstance(v, np.ndarray)}
-            arrays |= {f"watch/{name}/{k}": v for k, v in seen.items() if isinstance(v, np.ndarray)}
+        for name, condition in self.stop_conditions.items():
+            seen = condition.state()
+            data["stop_conditions"][name] = {k: v for k, v in seen.items() if not isinstance(v, np.ndarray)}
+            arrays |= {f"stop/{name}/{k}": v for k, v in seen.items() if isinstance(v, np.ndarray)}
         return State(data, arrays)
 
     @classmethod
     def from_state(cls, state: State) -> Self:
         """The simulation that was in this state."""
+        state = state.up_to_date()
         data = state.data
         simulation = cls.__new__(cls)
         simulation._set_up(validate(data["scenario"], "state"))
@@ -289,18 +269,7 @@ class Simulation:
         simulation.ledger = Ledger(**data["ledger"])
         simulation.tally = Tally(**data["tally"])
         simulation.events = [Record.from_data(record) for record in data["events"]]
-        for name, watch in simulation.watches.items():
-            watch.restore({**data["watches"][name], **state.group(f"watch/{name}/")})
+        for name, condition in simulation.stop_conditions.items():
+            condition.restore({**data["stop_conditions"][name], **state.group(f"stop/{name}/")})
         simulation.ledger.check(bed.slabs)
         return simulation
-
-
-def _watches(scenario: Scenario) -> dict[str, Watch]:
-    """The watches that ``run.until`` asks for, by its keys."""
-    asked = {name: getattr(scenario.run.until, name) for name in type(scenario.run.until).model_fields}
-    points = entry_points(group="barchan.watches") if scenario.run.until.steady else ()
-    return {
-        point.name: point.load()(asked[point.name], scenario)
-        for point in points
-        if asked.get(point.name) is not None
-    }

@@ -15,6 +15,7 @@ from barchan.ground.sand import MOST_SLABS
 from barchan.parameters import Parameters, parameter
 from barchan.scenario import Scenario, validate
 from barchan.scenario.messages import problems_of
+from barchan.scenario.migrations import current_key
 from barchan.wind import Wind
 
 MOST_PLANTS = 100.0
@@ -121,6 +122,8 @@ class Record:
     def from_data(cls, data: dict[str, Any]) -> "Record":
         """The record that ``data`` holds."""
         data = dict(data)
+        if data.get("kind") == "set":
+            data["key"] = current_key(data["key"])
         return cls(data.pop("step"), event_from(data))
 
 

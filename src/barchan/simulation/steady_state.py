@@ -1,6 +1,6 @@
 """When bedforms are steady: spacing, straightness and speed that stay constant."""
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -8,14 +8,17 @@ from barchan.directions import downwind
 from barchan.measures.migration import migration
 from barchan.measures.orientation import crest_orientation
 from barchan.measures.spacing import dominant_spacing
+from barchan.model import Tally
 from barchan.scenario import Scenario, SteadyState
-from barchan.simulation import Simulation
+
+if TYPE_CHECKING:
+    from barchan.simulation.core import Simulation
 
 LOOKS = 20
 """Looks at the bed in one window, about."""
 
 
-class SteadyWatch:
+class SteadyBedforms:
     """Ends a run when the measures of ``run.until.steady`` stay constant over its window."""
 
     def __init__(self, asked: SteadyState, scenario: Scenario) -> None:
@@ -29,7 +32,7 @@ class SteadyWatch:
         self.seen: list[list[float]] = []
         self.previous = np.zeros((0, 0))
 
-    def observe(self, simulation: Simulation) -> str | None:
+    def check(self, simulation: "Simulation", _tally: Tally) -> str | None:
         """Measure the bed; the reason to end, once the window's measures are constant."""
         surface = simulation.elevation
         wind = simulation.wind_direction

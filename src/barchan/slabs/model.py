@@ -17,8 +17,6 @@ from barchan.kernels.slabs.state import (
     LEFT,
     MOBILE,
     MOVED,
-    SLICES,
-    STILL,
     TALLY_SIZE,
     TRAVEL_ACROSS,
     TRAVEL_ALONG,
@@ -83,22 +81,19 @@ class SlabModel(Model):
     def passed(self, bed: Bed, segment: Segment) -> None:
         """Do what is due after some steps were run."""
 
-    def advance(self, bed: Bed, segment: Segment, stream: Stream, still: int, limit: int) -> Tally:
+    def advance(self, bed: Bed, segment: Segment, stream: Stream) -> Tally:
         """Poll the cells and let the wind carry what they give."""
-        total = Tally(still=still)
+        total = Tally()
         while total.steps < segment.steps:
             rest = segment.part(total.steps, segment.steps - total.steps)
             part = rest.part(0, min(self.spell(rest), rest.steps))
-            tally = self._transport(bed, part, stream, total.still, limit)
-            self.passed(bed, part.part(0, tally.steps))
-            total.add(tally)
-            if limit and total.still >= limit:
-                break
+            total.add(self._transport(bed, part, stream))
+            self.passed(bed, part)
         return total
 
-    def _transport(self, bed: Bed, segment: Segment, stream: Stream, still: int, limit: int) -> Tally:
+    def _transport(self, bed: Bed, segment: Segment, stream: Stream) -> Tally:
         if segment.polls == 0:
-            return Tally(steps=segment.steps, still=still + segment.steps)
+            return Tally(steps=segment.steps)
         from barchan.kernels.slabs.step import transport
 
         frame = WindFrame.of(segment.direction)
@@ -109,10 +104,8 @@ class SlabModel(Model):
             self.parameters.polling == "non_repeated",
             self.parameters.forced_erosion,
             self.parameters.band_rows,
-            limit,
         )
         counts = np.zeros(TALLY_SIZE, np.int64)
-        counts[STILL] = still
         releases = tables.repose.release_face or tables.repose.release_corner
         transport(
             *(surface, sand, mobile, np.zeros(2, np.int64) if tables.speedup else None),
@@ -127,17 +120,15 @@ class SlabModel(Model):
         unit = TRAVEL_UNIT
         travel = counts[TRAVEL_ALONG] / unit, counts[TRAVEL_ACROSS] / unit
         travel_x, travel_y = frame.to_map(*travel)
-        steps = int(counts[SLICES])
         return Tally(
-            steps=steps,
-            polls=steps * segment.polls,
+            steps=segment.steps,
+            polls=segment.steps * segment.polls,
             moved=int(counts[MOVED]),
             left=int(counts[LEFT]),
             capped=int(counts[CAPPED]),
             travel_x=float(travel_x),
             travel_y=float(travel_y),
             exhausted=int(counts[EXHAUSTED]),
-            still=int(counts[STILL]),
         )
 
     def hop_length(self, segment: Segment) -> float:

@@ -44,7 +44,7 @@ def fly_both(bed, wind, iterations, stream=None, **rules):
     if stream is not None:
         level = fast.blow
         fast.blow = lambda ground, wind: ground.bend_wind(WindOverWaves(*stream)) or level(ground, wind)
-    tally = fast.advance(bed, wind, STREAM, 0, 0)
+    tally = fast.advance(bed, wind, STREAM)
     for iteration in range(iterations):
         slow.iterate(derive(STREAM.key, iteration))
     return fast, slow, tally
@@ -107,7 +107,7 @@ def test_bits_do_not_depend_on_the_number_of_threads(monkeypatch, name, rules):
         flight = model(name)(model(name).Parameters(**rules), lattice)
         flight.prepare(bed, 1)
         monkeypatch.setattr(grain_spell, "PIECE", 1024 if threads == 1 else 256)
-        tally = flight.advance(bed, Segment(0, 200, 0, lattice.cells, 200.0), STREAM, 0, 0)
+        tally = flight.advance(bed, Segment(0, 200, 0, lattice.cells, 200.0), STREAM)
         beds.append((bed.sand.copy(), flight.motion.copy(), tally))
     for sand, motion, tally in beds[1:]:
         np.testing.assert_array_equal(sand, beds[0][0])
@@ -126,7 +126,7 @@ def test_bits_do_not_depend_on_how_iterations_are_cut_into_spells(monkeypatch, n
         lattice = Lattice(rows=30, columns=40, cell_size=0.01, slab_height=0.15e-3)
         bed = Bed(lattice, np.zeros(lattice.shape), np.full(lattice.shape, 20))
         flight = model(name)(model(name).Parameters(load=1.0), lattice)
-        flight.advance(bed, Segment(0, 30, 0, lattice.cells, 200.0), STREAM, 0, 0)
+        flight.advance(bed, Segment(0, 30, 0, lattice.cells, 200.0), STREAM)
         beds.append((bed.sand.copy(), flight.motion.copy()))
     np.testing.assert_array_equal(beds[0][0], beds[1][0])
     np.testing.assert_array_equal(beds[0][1], beds[1][1])
@@ -140,7 +140,7 @@ def test_no_grain_bounces_for_ever(bounces):
         normal_damping=1.0, tangential_damping=1.0, max_bounces=bounces, stop_speed=0.0
     )
     flight = model("wang_hu")(rules, bed.lattice)
-    tally = flight.advance(bed, wind, STREAM, 0, 0)
+    tally = flight.advance(bed, wind, STREAM)
     assert tally.capped > 0
     assert flight.marks[1].max() <= bounces
     assert np.isfinite(flight.motion).all()

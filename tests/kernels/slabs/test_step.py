@@ -65,7 +65,7 @@ def both(
     model.field = mobility
     stream = Stream(key_seed, "transport")
     segment = Segment(5, steps, first, count, direction)
-    tally = model.advance(bed, segment, stream, 0, 0)
+    tally = model.advance(bed, segment, stream)
     frame = WindFrame.of(direction)
     assert frame.turns == 0
     release = parameters.limits(lattice, parameters.release_angle)
@@ -250,7 +250,7 @@ def test_slices_of_a_non_repeated_step_poll_each_cell_once(cuts):
     model = PlainSlabs(parameters, lattice)
     first = 0
     for count in cuts:
-        model.advance(bed, Segment(3, 1, first, count, 270.0), Stream(1, "transport"), 0, 0)
+        model.advance(bed, Segment(3, 1, first, count, 270.0), Stream(1, "transport"))
         first += count
     np.testing.assert_array_equal(bed.sand, 1)
 
@@ -262,7 +262,7 @@ def test_polls_of_a_banded_step_are_spread_as_if_cells_were_drawn_freely():
     polled = []
     for seed in range(60):
         bed = Bed(lattice, np.zeros(lattice.shape), np.full(lattice.shape, 50))
-        PlainSlabs(parameters, lattice).advance(bed, Segment(0, 1, 0, 1600, 270.0), Stream(seed, "x"), 0, 0)
+        PlainSlabs(parameters, lattice).advance(bed, Segment(0, 1, 0, 1600, 270.0), Stream(seed, "x"))
         polled.append(50 - bed.sand)
     counts = np.array(polled)
     assert counts.sum(axis=(1, 2)).tolist() == [1600] * 60
@@ -292,9 +292,9 @@ def test_turning_wind_and_field_together_turns_the_result(turns, direction, unev
 
     turned = Bed(turned_lattice, turn(ground), turn(sand))
     stream = Stream(3, "transport")
-    PlainSlabs(parameters, lattice).advance(bed, Segment(0, 6, 0, 372, direction), stream, 0, 0)
+    PlainSlabs(parameters, lattice).advance(bed, Segment(0, 6, 0, 372, direction), stream)
     other = (direction - 90 * turns) % 360
-    PlainSlabs(parameters, turned_lattice).advance(turned, Segment(0, 6, 0, 372, other), stream, 0, 0)
+    PlainSlabs(parameters, turned_lattice).advance(turned, Segment(0, 6, 0, 372, other), stream)
     np.testing.assert_array_equal(turned.sand, turn(bed.sand))
 
 
@@ -310,7 +310,7 @@ def test_mean_hop_is_exact_at_every_angle(direction, hop):
         sand[32, 32] = 1
         bed = Bed(lattice, np.zeros(lattice.shape), sand)
         model = PlainSlabs(SlabTransport(**{**dict(parameters), "forced_erosion": True}), lattice)
-        model.advance(bed, Segment(0, 1, 0, 1, direction), Stream(seed, "x"), 0, 0)
+        model.advance(bed, Segment(0, 1, 0, 1, direction), Stream(seed, "x"))
         landed.append(np.argwhere(bed.sand)[0] - 32)
     mean = np.mean(landed, axis=0)
     expected = -hop * np.array([math.cos(math.radians(direction)), math.sin(math.radians(direction))])
@@ -322,9 +322,7 @@ def test_mean_travel_is_hop_length_over_deposition_probability():
     lattice = Lattice(rows=64, columns=512)
     parameters = Werner.Parameters(p_s=0.5, p_ns=0.5, lee_erosion=True, shadow_angle=89.0, repose_angle=89.0)
     bed = Bed(lattice, np.zeros(lattice.shape), np.full(lattice.shape, 100))
-    tally = Werner(parameters, lattice).advance(
-        bed, Segment(0, 4, 0, lattice.cells, 270.0), Stream(1, "x"), 0, 0
-    )
+    tally = Werner(parameters, lattice).advance(bed, Segment(0, 4, 0, lattice.cells, 270.0), Stream(1, "x"))
     error = 5.0 * math.sqrt(0.5) / 0.5 / math.sqrt(tally.moved)
     assert tally.travel_x / tally.moved == pytest.approx(10.0, abs=4 * error)
 
@@ -333,7 +331,7 @@ def test_a_slab_that_never_settles_is_put_down_and_counted():
     lattice = Lattice(rows=8, columns=16)
     parameters = SlabTransport(p_s=0.0, p_ns=0.0, max_hops=7, shadow_angle=89.0)
     bed = Bed(lattice, np.zeros(lattice.shape), np.full(lattice.shape, 1))
-    tally = PlainSlabs(parameters, lattice).advance(bed, Segment(0, 1, 0, 128, 270.0), Stream(1, "x"), 0, 0)
+    tally = PlainSlabs(parameters, lattice).advance(bed, Segment(0, 1, 0, 128, 270.0), Stream(1, "x"))
     assert tally.capped == tally.moved > 0
     assert bed.slabs == 128
 
@@ -346,8 +344,8 @@ def test_forced_erosion_moves_one_slab_a_poll_and_ends_where_none_can():
         sand = np.zeros(lattice.shape, np.int32)
         sand[3, 3] = 1
         bed = Bed(lattice, np.zeros(lattice.shape), sand)
-        tally = model.advance(bed, Segment(0, 3, 0, 128, 270.0), Stream(1, "x"), 0, 0)
+        tally = model.advance(bed, Segment(0, 3, 0, 128, 270.0), Stream(1, "x"))
         assert (tally.moved, tally.exhausted) == (384, 0)
         empty = Bed(lattice, np.zeros(lattice.shape), np.zeros(lattice.shape))
-        tally = model.advance(empty, Segment(0, 3, 0, 128, 270.0), Stream(1, "x"), 0, 0)
-        assert (tally.moved, tally.exhausted, tally.still) == (0, 3, 3)
+        tally = model.advance(empty, Segment(0, 3, 0, 128, 270.0), Stream(1, "x"))
+        assert (tally.moved, tally.exhausted) == (0, 3)

@@ -109,8 +109,6 @@ class Schedule(NamedTuple):
     forced: bool
     """Look for another cell when the polled one cannot erode."""
     band_rows: int
-    still_limit: int
-    """Stop after so many slices in a row that moved nothing (0: never)."""
 
 
 class Polls(NamedTuple):
@@ -141,10 +139,8 @@ def work_space(rows: int, cols: int, schedule: Schedule) -> Polls:
     )
 
 
-MOVED, LEFT, CAPPED, TRAVEL_ALONG, TRAVEL_ACROSS, SLICES, STILL, EXHAUSTED = range(8)
+MOVED, LEFT, CAPPED, TRAVEL_ALONG, TRAVEL_ACROSS, EXHAUSTED = range(6)
 """Places in a tally: slabs moved, slabs that left, slabs put down after ``max_hops``, distances
-travelled on the wind, slices run, how many of the last slices moved nothing, and slices cut short
-because no cell could erode."""
+travelled on the wind, and steps cut short because no cell could erode."""
 
-
-TALLY_SIZE = 8
+TALLY_SIZE = 6

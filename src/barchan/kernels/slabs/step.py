@@ -18,7 +18,7 @@ from barchan.kernels.slabs.polling import (
     shuffle_cells,
     take_cells,
 )
-from barchan.kernels.slabs.state import BLOCK, EXHAUSTED, MOVED, SLICES, STILL
+from barchan.kernels.slabs.state import BLOCK, EXHAUSTED, MOVED
 
 
 @njit(cache=True)
@@ -147,8 +147,7 @@ def transport(
     neighbours; where sand lets go at another angle than it rests at, ``sequences`` does, and ``queue`` and
     ``waiting`` are room for the cells that slide. One of ``axis`` and ``ray`` tells how shadows fall, and
     ``key`` is the stream's.
-    What happens is added to ``tally``; ``tally[SLICES]`` tells how many steps were run before
-    ``schedule.still_limit`` ended the call.
+    What happens is added to ``tally``.
     """
     cells = grid.rows * grid.cols
     walking = schedule.each_once and schedule.forced
@@ -211,7 +210,3 @@ def transport(
                     tally[EXHAUSTED] += 1
             else:
                 going = schedule.each_once and round_ * cells < first + count
-        tally[SLICES] += 1
-        tally[STILL] = 0 if tally[MOVED] > before else tally[STILL] + 1
-        if schedule.still_limit > 0 and tally[STILL] >= schedule.still_limit:
-            return
