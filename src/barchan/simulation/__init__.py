@@ -4,23 +4,21 @@ from barchan.simulation.core import Frame, Simulation
 from barchan.simulation.events import (
     AnyEvent,
     Event,
-    PlantStroke,
     Record,
-    RockStroke,
     SetParameter,
     SetWind,
-    Stroke,
     event_from,
     in_force,
 )
 from barchan.simulation.ledger import Ledger
 from barchan.simulation.state import State
 from barchan.simulation.stop import StopCondition
-from barchan.simulation.strokes import AnyStroke, asked_by, change_by
+from barchan.simulation.strokes import AnyStroke, BrushStroke, PlantStroke, RockStroke, Stroke
 
 __all__ = [
     "AnyEvent",
     "AnyStroke",
+    "BrushStroke",
     "Event",
     "Frame",
     "Ledger",
@@ -33,8 +31,6 @@ __all__ = [
     "State",
     "StopCondition",
     "Stroke",
-    "asked_by",
-    "change_by",
     "event_from",
     "in_force",
 ]
