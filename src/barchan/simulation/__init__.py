@@ -12,6 +12,7 @@ from barchan.simulation.events import (
 )
 from barchan.simulation.ledger import Ledger
 from barchan.simulation.state import State
+from barchan.simulation.step_pacer import StepPacer
 from barchan.simulation.stop import StopCondition
 from barchan.simulation.strokes import AnyStroke, BrushStroke, PlantStroke, RockStroke, Stroke
 
@@ -29,6 +30,7 @@ __all__ = [
     "SetWind",
     "Simulation",
     "State",
+    "StepPacer",
     "StopCondition",
     "Stroke",
     "event_from",
