@@ -46,6 +46,10 @@ class MeasuredFrame:
     steps: int
     """Steps since the frame before."""
 
+    def __repr__(self) -> str:
+        rows, columns = self.sand.shape
+        return f"<MeasuredFrame of {rows} × {columns} cells, {self.steps} steps after the one before>"
+
     @property
     def periodic(self) -> tuple[bool, bool]:
         """Whether the field is periodic south to north and west to east."""
@@ -65,6 +69,9 @@ class Measure:
     title: str
     unit: str
     of: Callable[[MeasuredFrame], float]
+
+    def __repr__(self) -> str:
+        return f"<Measure {self.name}: {self.title}{f' ({self.unit})' if self.unit != '-' else ''}>"
 
 
 MEASURES = (

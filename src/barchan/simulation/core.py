@@ -12,6 +12,7 @@ from barchan.errors import BarchanError
 from barchan.ground.start import first_bed
 from barchan.models import Model, Tally
 from barchan.scenario import Scenario, validate
+from barchan.scenario.summary import html_table, summary
 from barchan.simulation.events import AnyEvent, Record
 from barchan.simulation.ledger import Ledger
 from barchan.simulation.state import State
@@ -30,6 +31,13 @@ class Frame:
     fields: dict[str, NDArray]
     ledger: Ledger
     tally: Tally
+
+    def __repr__(self) -> str:
+        rows, columns = next(iter(self.fields.values())).shape
+        return (
+            f"<Frame at step {self.step}: {', '.join(self.fields)} on {rows} × {columns} cells, "
+            f"wind from {self.direction:g}°>"
+        )
 
 
 class Simulation:
@@ -67,6 +75,24 @@ class Simulation:
         self.events: list[Record] = []
         self.stop_conditions = stop_conditions(scenario)
         self._framed = -1
+
+    def __repr__(self) -> str:
+        named = f" of '{self.scenario.title}'" if self.scenario.title else ""
+        return f"<Simulation{named}: {', '.join(self._progress().values())}>"
+
+    def _repr_html_(self) -> str:
+        rows = {**summary(self.scenario), **self._progress()}
+        return html_table(self.scenario.title or "Simulation", rows)
+
+    def _progress(self) -> dict[str, str]:
+        """The model, how far the run is, and the bed, in few words."""
+        relief = f"elevation {self.elevation.min():.3g} to {self.elevation.max():.3g} m"
+        ended = "" if self.finished is None else f" ({self.finished})"
+        return {
+            "model": self.model.name,
+            "step": f"step {self.steps_done} of {self.scenario.run.steps}{ended}",
+            "bed": f"{self.bed.slabs} slabs, {relief}",
+        }
 
     @property
     def lattice(self) -> Lattice:
