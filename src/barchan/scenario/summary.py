@@ -33,8 +33,9 @@ def summary(scenario: "Scenario") -> dict[str, str]:
 
 def html_table(title: str, rows: dict[str, str]) -> str:
     """A small table with a title, for notebooks."""
+    left = "style='text-align:left'"
     cells = "".join(
-        f"<tr><th style='text-align:left'>{escape(name)}</th><td style='text-align:left'>{escape(text)}</td></tr>"
+        f"<tr><th {left}>{escape(name)}</th><td {left}>{escape(text)}</td></tr>"
         for name, text in rows.items()
     )
     return f"<table><caption><b>{escape(title)}</b></caption>{cells}</table>"
