@@ -110,7 +110,7 @@ def models_page() -> str:
 
 def model_page(model: Any) -> str:
     """One model: what it is and every parameter it has."""
-    from barchan.bed import Lattice
+    from barchan.lattice import Lattice
 
     parts = [f"# {model.title}", f"Model `{model.name}`. {model.citation}", "```{eval-rst}"]
     parts += [inspect.getdoc(model) or "", "```", "## Parameters"]

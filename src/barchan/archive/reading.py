@@ -15,6 +15,7 @@ from barchan.archive.folder import CHECKPOINT, FRAMES, SCENARIO, events_of, log_
 from barchan.archive.frames import published
 from barchan.archive.parent import Parent, parent_of
 from barchan.errors import ArchiveError
+from barchan.fields import GROUND, counted, depth_of
 from barchan.scenario import Scenario, load_scenario, preset_names
 
 if TYPE_CHECKING:
@@ -37,7 +38,7 @@ def open_run(path: str | Path) -> "xr.Dataset":
     dataset = xr.open_zarr(path / FRAMES, chunks=None)
     if dataset.sizes["step"] == 0:
         raise ArchiveError(f"{path}: no frames were saved")
-    lazy = _Elevation(dataset["ground"].variable, dataset["sand"].variable, scenario.lattice.thickness)
+    lazy = _Elevation(dataset, scenario)
     from xarray.core.indexing import LazilyIndexedArray
 
     dataset.attrs["events"] = json.dumps(events_of(path))
@@ -51,11 +52,12 @@ def _elevation_class() -> type:
     from xarray.core import indexing
 
     class Elevation(BackendArray):
-        """Ground plus slabs, computed for the part that is asked for."""
+        """Ground plus layers, computed for the part that is asked for."""
 
-        def __init__(self, ground: Any, sand: Any, thickness: float) -> None:
-            self.ground, self.sand, self.thickness = ground, sand, thickness
-            self.shape = sand.shape
+        def __init__(self, dataset: Any, scenario: Scenario) -> None:
+            self.layers, self.slab_height = scenario.layers, scenario.lattice.thickness
+            self.variables = {name: dataset[name].variable for name in (GROUND.name, *counted(self.layers))}
+            self.shape = self.variables[GROUND.name].shape
             self.dtype = np.dtype("float64")
 
         def __getitem__(self, key: Any) -> Any:
@@ -63,13 +65,14 @@ def _elevation_class() -> type:
             return indexing.explicit_indexing_adapter(key, self.shape, support, self._part)
 
         def _part(self, key: tuple[Any, ...]) -> NDArray[np.float64]:
-            return np.asarray(self.ground[key].values + self.sand[key].values * self.thickness)
+            parts = {name: variable[key].values for name, variable in self.variables.items()}
+            return np.asarray(parts[GROUND.name] + depth_of(self.layers, parts, self.slab_height))
 
     return Elevation
 
 
-def _Elevation(ground: Any, sand: Any, thickness: float) -> Any:  # noqa: N802
-    return _elevation_class()(ground, sand, thickness)
+def _Elevation(dataset: Any, scenario: Scenario) -> Any:  # noqa: N802
+    return _elevation_class()(dataset, scenario)
 
 
 def _stopped(path: Path) -> str | None:

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import model_validator
 
-from barchan.bed import Lattice
+from barchan.lattice import Lattice
 from barchan.parameters import Parameters, parameter
 
 

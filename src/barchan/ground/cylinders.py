@@ -5,9 +5,9 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from barchan.bed import Lattice
 from barchan.ground.places import LONGEST, SHORTEST, distances
 from barchan.ground.terrain import TALLEST, Terrain
+from barchan.lattice import Lattice
 from barchan.parameters import Parameters, parameter
 from barchan.streams import Stream
 

@@ -5,9 +5,9 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from barchan.bed import Lattice
 from barchan.ground.places import LONGEST, SHORTEST, distances, extent, offsets
 from barchan.ground.terrain import HIGHEST, TALLEST, Terrain
+from barchan.lattice import Lattice
 from barchan.parameters import parameter
 from barchan.streams import Stream
 

@@ -5,11 +5,11 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from barchan.bed import Lattice
 from barchan.ground.area import Area, covered
 from barchan.ground.noise import hills
 from barchan.ground.places import LONGEST, SHORTEST
 from barchan.ground.terrain import TALLEST, Terrain
+from barchan.lattice import Lattice
 from barchan.parameters import parameter
 from barchan.streams import Stream
 

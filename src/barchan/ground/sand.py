@@ -6,7 +6,6 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field
 
-from barchan.bed import Lattice
 from barchan.ground.fitting import FromFile
 from barchan.ground.heaps import Block, Cone, Mound, Patch
 from barchan.ground.layer import MOST_SLABS, Layer, Part, WholeParts, mean_of, parts_of, whole
@@ -14,6 +13,7 @@ from barchan.ground.noise import hills
 from barchan.ground.places import LONGEST, SHORTEST
 from barchan.ground.terrain import HIGHEST
 from barchan.ground.waves import RippledSand, TransverseSand
+from barchan.lattice import Lattice
 from barchan.parameters import Parameters, parameter
 from barchan.streams import Stream, below, high, low
 

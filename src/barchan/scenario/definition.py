@@ -6,10 +6,13 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal, Self, Union
 from pydantic import Field, PrivateAttr, model_validator
 from pydantic_core import PydanticCustomError
 
-from barchan.bed import Lattice
+from barchan.bed import Bed
+from barchan.fields import LayerInfo
 from barchan.ground.landforms import FlatGround
 from barchan.ground.sand import FlatSand, Sand
+from barchan.ground.start import first_bed
 from barchan.ground.surface import Ground
+from barchan.lattice import Lattice
 from barchan.models import Model, models
 from barchan.parameters import Parameters, parameter
 from barchan.scenario.consistency import inconsistencies
@@ -127,6 +130,15 @@ class Scenario(Parameters):
         if found:
             raise PydanticCustomError(TOGETHER, "{text}", {"found": found, "text": found[0][1]})
         return self
+
+    @property
+    def layers(self) -> tuple[LayerInfo, ...]:
+        """The layers on the ground that the model's wind can move, the lowest first."""
+        return self.new_model().layers
+
+    def first_bed(self) -> Bed:
+        """The bed that a run starts with; raises ScenarioError with every problem found."""
+        return first_bed(self.lattice, self.ground, self.sand, self.seed, self.layers)
 
     def new_model(self) -> Model:
         """The model, set up for the lattice."""

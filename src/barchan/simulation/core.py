@@ -7,9 +7,10 @@ from typing import Any, Self
 import numpy as np
 from numpy.typing import NDArray
 
-from barchan.bed import Bed, Lattice
+from barchan.bed import Bed
 from barchan.errors import BarchanError, Problem, ScenarioError
-from barchan.ground.start import first_bed
+from barchan.fields import GROUND
+from barchan.lattice import Lattice
 from barchan.models import Model, Tally
 from barchan.parameters import declarations
 from barchan.scenario import Scenario, nearest, validate
@@ -51,9 +52,9 @@ class Simulation:
         scene = self.scenario
         with scene.places.told():
             self.forcing.wind_of(0)
-            self.bed = first_bed(scene.lattice, scene.ground, scene.sand, scene.seed)
+            self.bed = scene.first_bed()
             self.model.prepare(self.bed, scene.seed)
-        self.ledger = Ledger(self.bed.slabs)
+        self.ledger = Ledger(self.bed.units)
         self.model.settle(self.bed)
         self.model.begin(self.bed)
 
@@ -138,7 +139,7 @@ class Simulation:
         self.ledger.entered += tally.entered
         self.ledger.left += tally.left
         self.ledger.airborne = tally.airborne
-        self.ledger.check(self.bed.slabs)
+        self.ledger.check(self.bed)
 
     @property
     def done(self) -> bool:
@@ -258,10 +259,11 @@ class Simulation:
         now = validate({**data["scenario"], "model": data["model"], "wind": data["wind"]}, "state")
         simulation.model.change(now.model)
         simulation.wind = now.wind
-        bed = Bed(simulation.lattice, state.arrays["bed/ground"], state.arrays["bed/sand"])
-        simulation.bed = bed
+        layers, fields = simulation.model.layers, state.group("bed/")
+        counts = [fields[layer.name] for layer in layers]
+        bed = simulation.bed = Bed(simulation.lattice, fields[GROUND.name], *counts, layers=layers)
         for field in simulation.model.fields:
-            bed.add(field, state.arrays[f"bed/{field.name}"])
+            bed.add(field, fields[field.name])
         simulation.model.restore(state.group("model/"))
         simulation.steps_done = data["step"]
         simulation._framed = data["framed"]
@@ -271,5 +273,5 @@ class Simulation:
         simulation.events = [Record.from_data(record) for record in data["events"]]
         for name, condition in simulation.stop_conditions.items():
             condition.restore({**data["stop_conditions"][name], **state.group(f"stop/{name}/")})
-        simulation.ledger.check(bed.slabs)
+        simulation.ledger.check(bed)
         return simulation

@@ -3,9 +3,11 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from barchan.bed import GROUND, Bed, Lattice
+from barchan.bed import Bed
 from barchan.errors import BarchanError, Problem, ScenarioError
+from barchan.fields import GROUND
 from barchan.ground.brush import brush, brushed, grown, raised
+from barchan.lattice import Lattice
 from barchan.models import Model
 from barchan.scenario import nearest
 from barchan.simulation.events import PlantStroke, RockStroke, Stroke
@@ -50,14 +52,17 @@ def paint(stroke: AnyStroke, bed: Bed, model: Model, ledger: Ledger) -> None:
     else:
         bed.arrays[stroke.field][...] += change
     model.settle(bed, change != 0)
-    ledger.check(bed.slabs)
+    ledger.check(bed)
 
 
 def _lay(change: NDArray, stroke: Stroke, bed: Bed, ledger: Ledger) -> None:
-    painted = bed.sand + change
-    if painted.max() > np.iinfo(bed.sand.dtype).max:
-        raise BarchanError(f"a stroke of {stroke.amount} slabs is more than a cell can hold on what it has")
-    bed.sand[...] = painted
+    try:
+        bed.lay(change)
+    except OverflowError:
+        message = (
+            f"a stroke of {stroke.amount} {bed.layers[-1].unit} is more than a cell can hold on what it has"
+        )
+        raise BarchanError(message) from None
     ledger.entered += int(change[change > 0].sum())
     ledger.left -= int(change[change < 0].sum())
 

@@ -9,6 +9,7 @@ from barchan.directions import bearing, downwind
 from barchan.streams import GOLDEN, MASK
 from barchan.wind.interval import Pace, Stretch
 from barchan.wind.segment import Segment
+from barchan.wind.weather import Weather
 
 _NOWHERE = 1e-9
 """Mean transport below this, over what all winds move, points nowhere."""
@@ -96,6 +97,7 @@ class Forcing:
             stretch.share,
             seconds,
             ends,
+            stretch.weather,
         )
 
     def wind_of(self, step: int) -> Segment:
@@ -124,6 +126,7 @@ class Forcing:
             _mean([(s.share, s.speed) for s in stretches]),
             1.0,
             self.pace.step_seconds,
+            weather=strongest.weather if only else _mean_weather(stretches),
         )
 
 
@@ -132,6 +135,14 @@ def _mean(values: list[tuple[float, float | None]]) -> float | None:
     if any(value is None for _, value in values):
         return None
     return math.fsum(share * value for share, value in values if value is not None)
+
+
+def _mean_weather(stretches: list[Stretch]) -> Weather:
+    """Mean air temperature and snowfall over a step, where all its winds state them."""
+    return Weather(
+        _mean([(s.share, s.weather.temperature) for s in stretches]),
+        _mean([(s.share, s.weather.snowfall) for s in stretches]),
+    )
 
 
 def _dither(step: int) -> float:

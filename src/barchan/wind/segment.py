@@ -2,6 +2,8 @@
 
 from dataclasses import dataclass, replace
 
+from barchan.wind.weather import UNKNOWN, Weather
+
 
 @dataclass(frozen=True)
 class Segment:
@@ -23,6 +25,8 @@ class Segment:
     """Duration of a whole step, where it is known."""
     ends: bool = True
     """Whether the steps are over when the segment is."""
+    weather: Weather = UNKNOWN
+    """Air temperature and snowfall, where the forcing states them."""
 
     @property
     def seconds(self) -> float | None:
