@@ -115,6 +115,8 @@ class Model(ABC):
     name: ClassVar[str] = ""
     title: ClassVar[str] = ""
     citation: ClassVar[str] = ""
+    takes_influx: ClassVar[bool] = False
+    """Whether it lets sand enter across open edges, where the forcing brings any."""
     material: ClassVar[str] = "sand"
     """What its slabs or parcels are of, in one word; the studio offers models by it."""
     counts: ClassVar[str] = "polls"

@@ -15,10 +15,11 @@ from barchan.ground.surface import Ground
 from barchan.lattice import Lattice
 from barchan.models import Model, models
 from barchan.parameters import Parameters, parameter
-from barchan.scenario.consistency import inconsistencies
+from barchan.scenario.consistency import inconsistencies, starved_edges
 from barchan.scenario.source_map import Places
 from barchan.wind import Clock, Forcing, Pace, Steady, Wind
 from barchan.wind.clock import spoken
+from barchan.wind.influx import AnyInflux
 
 FORMAT = 2
 """Version of the configuration format that this program writes."""
@@ -103,6 +104,9 @@ class Scenario(Parameters):
     ground: Ground = Field(default_factory=FlatGround, description="Ground under the sand.")
     sand: Sand = Field(default_factory=FlatSand, description="Sand at the start.")
     wind: Wind = Field(default_factory=Steady, description="Wind.")
+    influx: AnyInflux | None = Field(
+        default=None, description="Sand that enters across open edges from upwind; none where not given."
+    )
     clock: Clock | None = Field(
         default=None,
         description="What gives steps a duration, and speeds in m/s their polls; without it time is counted "
@@ -166,10 +170,11 @@ class Scenario(Parameters):
         """The wind at this scenario's pace; it must have a seed."""
         clock, model = self.clock, self.new_model()
         if clock is None:
-            return Forcing(self.wind, Pace(self.seed, model.step_seconds), self.lattice.cells)
+            pace = Pace(self.seed, model.step_seconds)
+            return Forcing(self.wind, pace, self.lattice.cells, self.influx)
         volume = model.step_volume()
         pace = Pace(self.seed, clock.duration(volume), lambda speeds: clock.strength(speeds, volume))
-        return Forcing(self.wind, pace, self.lattice.cells)
+        return Forcing(self.wind, pace, self.lattice.cells, self.influx)
 
     def seeded(self) -> Self:
         """The same scenario with a seed: its own, or one drawn now."""
@@ -200,6 +205,7 @@ class Scenario(Parameters):
         """What a user should know before running this."""
         model = self.new_model()
         remarks = [model.remarks(part.longest_hop, part.direction) for _, part in self.wind.placed_parts()]
+        remarks.append(starved_edges(self))
         return list(dict.fromkeys(remark for found in remarks for remark in found))
 
 

@@ -7,6 +7,7 @@ from typing import Protocol
 
 from barchan.directions import bearing, downwind
 from barchan.streams import GOLDEN, MASK
+from barchan.wind.influx import Influx
 from barchan.wind.interval import Pace, Stretch
 from barchan.wind.segment import Segment
 from barchan.wind.weather import Weather
@@ -34,6 +35,8 @@ class Forcing:
     wind: Blows
     pace: Pace
     cells: int
+    influx: Influx | None = None
+    """What enters across open edges from upwind."""
 
     def turns(self, step: int, steps: int) -> Iterator[list[Segment]]:
         """What happens in ``steps`` steps from ``step`` on, in order.
@@ -97,6 +100,7 @@ class Forcing:
             stretch.share,
             seconds,
             ends,
+            self.influx,
             stretch.weather,
         )
 
