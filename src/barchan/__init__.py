@@ -12,7 +12,8 @@ from typing import TYPE_CHECKING, Any
 from barchan.version import __version__
 
 if TYPE_CHECKING:
-    from barchan.archive import branch, load, open_run, resume, run, simulate
+    from barchan.archive import branch, open_run, resume, run
+    from barchan.entry import load, simulate
     from barchan.errors import ArchiveError, BarchanError, ScenarioError
     from barchan.models import model_names
     from barchan.scenario import Scenario, preset_names
@@ -30,13 +31,13 @@ _HOMES = {
     "Simulation": "simulation",
     "Stroke": "simulation",
     "branch": "archive",
-    "load": "archive",
+    "load": "entry",
     "model_names": "models",
     "open_run": "archive",
     "preset_names": "scenario",
     "resume": "archive",
     "run": "archive",
-    "simulate": "archive",
+    "simulate": "entry",
 }
 
 __all__ = [

@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 
 from barchan.analysis.fields import field_names, field_of
-from barchan.archive import dataset_of, open_run, run, simulate
+from barchan.archive import dataset_of, open_run, run
+from barchan.entry import simulate
 from barchan.errors import BarchanError
 from barchan.models import models
 from barchan.simulation import SetParameter, SetWind, Simulation

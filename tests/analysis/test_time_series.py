@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from barchan.analysis.time_series import MEASURES, PER_YEAR, course, last_measures, moments
-from barchan.archive import simulate
+from barchan.entry import simulate
 from barchan.measures import crest_orientation, dominant_spacing, migration, streamwise_slopes
 from barchan.models import models
 from tests.tiny import RIDGES, tiny

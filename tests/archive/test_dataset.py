@@ -1,11 +1,13 @@
 """Frames as a dataset are the same from memory as from disk."""
 
+import json
+
 import numpy as np
 import pytest
 import xarray as xr
 
-from barchan.archive import dataset_of, open_run, run, simulate
-from barchan.archive.dataset import scenario_in
+from barchan.archive import dataset_of, open_run, run
+from barchan.entry import load, simulate
 from barchan.simulation import SetWind, Simulation
 from barchan.wind import Steady
 from tests.tiny import VARIANTS, tiny
@@ -32,7 +34,7 @@ def test_frames_tell_where_the_wind_came_from_at_their_step():
 
 def test_a_dataset_holds_its_scenario_with_the_seed_that_was_drawn():
     dataset = simulate(tiny(run__seed=None))
-    scenario = scenario_in(dataset)
+    scenario = load(json.loads(dataset.attrs["scenario"]))
     assert scenario.run.seed is not None
     xr.testing.assert_identical(simulate(scenario), dataset)
 

@@ -10,8 +10,9 @@ from pathlib import Path
 
 import pytest
 
-from barchan.archive import Archive, load, open_run, resume, run, run_info
+from barchan.archive import Archive, open_run, resume, run, run_info
 from barchan.archive.folder import log_of
+from barchan.entry import load
 from barchan.errors import ArchiveError
 from barchan.simulation import Simulation, Stroke
 from tests.tiny import tiny

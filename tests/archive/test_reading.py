@@ -6,7 +6,8 @@ import xarray as xr
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from barchan.archive import Archive, load, open_run, run, run_info
+from barchan.archive import Archive, open_run, run, run_info
+from barchan.entry import load
 from barchan.errors import ArchiveError, ScenarioError
 from barchan.simulation import Simulation
 from tests.tiny import tiny

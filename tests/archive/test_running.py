@@ -1,10 +1,12 @@
 """A run on disk, resumed: the same bits as if it had never stopped."""
 
+import json
+
 import pytest
 
 import barchan
 from barchan.archive import open_run, reopen, resume, run, run_info
-from barchan.archive.dataset import scenario_in
+from barchan.entry import load
 from barchan.errors import ArchiveError, BarchanError, ScenarioError
 from barchan.simulation import SetParameter, SetWind, Simulation, Stroke
 from barchan.wind import Steady
@@ -30,7 +32,7 @@ class After:
 
 def one_step_at_a_time(monkeypatch):
     """Look at whether to stop after every step."""
-    monkeypatch.setattr("barchan.archive.running.BREATH", 0.0)
+    monkeypatch.setattr("barchan.archive.running.CHUNK_SECONDS", 0.0)
 
 
 @pytest.mark.parametrize("changes", VARIANTS.values(), ids=list(VARIANTS))
@@ -149,7 +151,7 @@ def test_going_on_with_another_version_of_the_program_is_remarked_on(monkeypatch
 def test_the_frames_of_a_longer_run_tell_of_the_longer_scenario(fresh):
     resume(fresh, steps=35)
     with open_run(fresh) as dataset:
-        assert scenario_in(dataset).run.steps == 35
+        assert load(json.loads(dataset.attrs["scenario"])).run.steps == 35
 
 
 def test_a_longer_total_holds_even_if_the_program_is_killed_before_the_next_checkpoint(fresh):

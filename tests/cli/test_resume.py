@@ -9,9 +9,10 @@ from pathlib import Path
 
 import pytest
 
-from barchan.archive import Archive, load, open_run, resume, run, run_info
+from barchan.archive import Archive, open_run, resume, run, run_info
 from barchan.archive.checkpoint import read_checkpoint
 from barchan.archive.folder import CHECKPOINT, log_of
+from barchan.entry import load
 from barchan.simulation import Simulation
 from tests.tiny import tiny
 

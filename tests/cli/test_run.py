@@ -7,7 +7,8 @@ import pytest
 from PIL import Image
 
 from barchan.analysis.time_series import MEASURES
-from barchan.archive import load, open_run, run_info
+from barchan.archive import open_run, run_info
+from barchan.entry import load
 from barchan.scenario import load_scenario
 from tests.tiny import tiny
 

@@ -3,7 +3,7 @@
 import pytest
 import xarray as xr
 
-from barchan.archive import simulate
+from barchan.entry import simulate
 from tests.tiny import tiny
 
 FIELDS = {

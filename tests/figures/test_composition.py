@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from barchan.archive import simulate
+from barchan.entry import simulate
 from barchan.errors import BarchanError
 from barchan.figures.composition import finer, laid_over
 from barchan.figures.maps import relief_map

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from barchan.analysis.fields import field_names, field_of
-from barchan.archive import simulate
+from barchan.entry import simulate
 from barchan.figures.fields import field_map, limits_of
 from barchan.figures.sections import profile
 from barchan.models import models

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from barchan.archive import simulate
+from barchan.entry import simulate
 from barchan.errors import BarchanError
 from barchan.figures.film import film
 from tests.tiny import COLUMNS, ROWS, tiny

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from matplotlib.colors import Normalize
 
-from barchan.archive import simulate
+from barchan.entry import simulate
 from barchan.figures.film import film
 from barchan.figures.layers import layer_map, layers_of
 from barchan.figures.maps import relief_map, shaded

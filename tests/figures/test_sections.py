@@ -7,9 +7,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from barchan.archive import dataset_of, simulate
+from barchan.archive import dataset_of
 from barchan.bed import Bed
 from barchan.directions import downwind
+from barchan.entry import simulate
 from barchan.figures.sections import profile, section_along_wind, shadow_line, space_time
 from barchan.models import models
 from barchan.simulation import SetParameter, Simulation

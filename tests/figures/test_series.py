@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from barchan.analysis.time_series import MEASURES, course
-from barchan.archive import simulate
+from barchan.entry import simulate
 from barchan.figures.series import SHOWN, about_middle, time_series
 from tests.tiny import tiny
 

@@ -5,8 +5,8 @@ import pytest
 
 import barchan
 from barchan.analysis.fields import field_of
-from barchan.archive import simulate
 from barchan.bed import Bed
+from barchan.entry import simulate
 from barchan.errors import ScenarioError
 from barchan.figures.layers import layers_of
 from barchan.grains.canopy import TALLEST

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from barchan.scenario.source_map import dotted, parse, undotted
+from barchan.scenario.source_map import dotted, parse, path_of
 
 texts = st.text(max_size=6) | st.sampled_from(['"', "{", "]", ":", ",", "\\", 'a": 1', "\n"])
 leaves = st.none() | st.booleans() | st.integers() | st.floats(allow_nan=False, allow_infinity=False) | texts
@@ -122,4 +122,4 @@ PATHS = st.lists(st.one_of(st.sampled_from(["sand", "parts", "mean"]), st.intege
 
 @given(PATHS.filter(lambda path: isinstance(path[0], str)))
 def test_a_path_that_was_written_out_is_read_back(path):
-    assert undotted(dotted(tuple(path))) == tuple(path)
+    assert path_of(dotted(tuple(path))) == tuple(path)

@@ -4,10 +4,10 @@ Everything is written so that a process killed at any moment leaves a run that c
 """
 
 from barchan.archive.branching import Branch, branch
-from barchan.archive.dataset import dataset_of, simulate
+from barchan.archive.dataset import dataset_of
 from barchan.archive.folder import Archive, check_room
 from barchan.archive.parent import Parent
-from barchan.archive.reading import RunInfo, load, open_run, run_info, source_at
+from barchan.archive.reading import RunInfo, open_run, run_info, source_at
 from barchan.archive.running import Outcome, Reopened, reopen, resume, run
 
 __all__ = [
@@ -20,12 +20,10 @@ __all__ = [
     "branch",
     "check_room",
     "dataset_of",
-    "load",
     "open_run",
     "reopen",
     "resume",
     "run",
     "run_info",
-    "simulate",
     "source_at",
 ]

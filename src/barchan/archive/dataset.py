@@ -22,20 +22,6 @@ TIME = {"units": "s", "long_name": "time since the start", "unit": "s"}
 ELEVATION = {"units": "m", "long_name": "elevation of the surface", "unit": "m"}
 
 
-def simulate(scenario: Scenario) -> "xr.Dataset":
-    """Run a scenario in memory; its frames with ``sand``, ``ground`` and ``elevation`` over (step, y, x).
-
-    Where steps have a duration the coordinate ``time`` (s) tells the frames' times.
-
-    The dataset's attributes hold the complete scenario, with the seed that was used, and the reason why
-    the run ended.
-    """
-    simulation = Simulation(scenario)
-    dataset = dataset_of(simulation, list(simulation))
-    dataset.attrs["stopped"] = simulation.finished or "all steps done"
-    return dataset
-
-
 def dataset_of(simulation: Simulation, frames: Iterable[Frame]) -> "xr.Dataset":
     """Frames of a simulation as a dataset; its attribute ``events`` holds what was changed (JSON)."""
     import json
@@ -71,12 +57,3 @@ def with_time(dataset: "xr.Dataset", scenario: Scenario) -> "xr.Dataset":
         if seconds is None
         else dataset.assign_coords(time=("step", dataset["step"].values * seconds, TIME))
     )
-
-
-def scenario_in(dataset: "xr.Dataset") -> Scenario:
-    """The scenario that a dataset was made from."""
-    import json
-
-    from barchan.scenario import validate
-
-    return validate(json.loads(dataset.attrs["scenario"]), "dataset")

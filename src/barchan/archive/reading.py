@@ -1,22 +1,19 @@
 """Reading runs, also while they are being written."""
 
 import json
-from collections.abc import Mapping
 from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
 from barchan.archive.dataset import ELEVATION, with_time
 from barchan.archive.folder import CHECKPOINT, FRAMES, SCENARIO, events_of, log_of, scenario_of
 from barchan.archive.frames import published
 from barchan.archive.parent import Parent, parent_of
 from barchan.errors import ArchiveError
-from barchan.fields import GROUND, counted, depth_of
-from barchan.scenario import Scenario, load_scenario, preset_names
+from barchan.scenario import Scenario, preset_names
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -25,11 +22,14 @@ if TYPE_CHECKING:
 def open_run(path: str | Path) -> "xr.Dataset":
     """The frames of a run: ``sand``, ``ground`` and ``elevation`` over (step, y, x), read when used.
 
-    Where steps have a duration the coordinate ``time`` (s) tells the frames' times.
+    Where steps have a duration the coordinate ``time`` (s) holds the frames' times.
 
     Raises ArchiveError where there is no run or it has no frames yet.
     """
     import xarray as xr
+    from xarray.core.indexing import LazilyIndexedArray
+
+    from barchan.archive.elevation import LazyElevation
 
     path = Path(path)
     scenario = scenario_of(path)
@@ -38,41 +38,11 @@ def open_run(path: str | Path) -> "xr.Dataset":
     dataset = xr.open_zarr(path / FRAMES, chunks=None)
     if dataset.sizes["step"] == 0:
         raise ArchiveError(f"{path}: no frames were saved")
-    lazy = _Elevation(dataset, scenario)
-    from xarray.core.indexing import LazilyIndexedArray
-
+    lazy = LazyElevation(dataset, scenario.layers, scenario.lattice.thickness)
     dataset.attrs["events"] = json.dumps(events_of(path))
     dataset.attrs["stopped"] = _stopped(path) or "not finished"
     dataset["elevation"] = (("step", "y", "x"), LazilyIndexedArray(lazy), ELEVATION)
     return with_time(dataset, scenario)
-
-
-def _elevation_class() -> type:
-    from xarray.backends import BackendArray
-    from xarray.core import indexing
-
-    class Elevation(BackendArray):
-        """Ground plus layers, computed for the part that is asked for."""
-
-        def __init__(self, dataset: Any, scenario: Scenario) -> None:
-            self.layers, self.slab_height = scenario.layers, scenario.lattice.thickness
-            self.variables = {name: dataset[name].variable for name in (GROUND.name, *counted(self.layers))}
-            self.shape = self.variables[GROUND.name].shape
-            self.dtype = np.dtype("float64")
-
-        def __getitem__(self, key: Any) -> Any:
-            support = indexing.IndexingSupport.BASIC
-            return indexing.explicit_indexing_adapter(key, self.shape, support, self._part)
-
-        def _part(self, key: tuple[Any, ...]) -> NDArray[np.float64]:
-            parts = {name: variable[key].values for name, variable in self.variables.items()}
-            return np.asarray(parts[GROUND.name] + depth_of(self.layers, parts, self.slab_height))
-
-    return Elevation
-
-
-def _Elevation(dataset: Any, scenario: Scenario) -> Any:  # noqa: N802
-    return _elevation_class()(dataset, scenario)
 
 
 def _stopped(path: Path) -> str | None:
@@ -115,16 +85,6 @@ def run_info(path: str | Path) -> RunInfo:
     size = sum(f.stat().st_size for f in path.rglob("*") if f.is_file())
     last = int(steps[-1]) if len(steps) else 0
     return RunInfo(path, scenario, len(steps), last, checkpoint, _stopped(path), size, parent_of(path))
-
-
-def load(source: str | Path | Mapping[str, Any], **overrides: Any) -> Scenario:
-    """A scenario: a preset by name, a JSON file, a run's folder, or plain data.
-
-    ``overrides`` set single values, ``__`` standing for the dot: ``load("barchans", run__steps=100)``.
-    Raises ScenarioError with every problem found.
-    """
-    pairs = [(key.replace("__", "."), json.dumps(value)) for key, value in overrides.items()]
-    return load_scenario(source if isinstance(source, Mapping) else source_at(source), pairs)
 
 
 def source_at(name: str | Path) -> str | Path:

@@ -7,9 +7,9 @@ from pathlib import Path
 
 from barchan.archive.folder import CHECKPOINT, Archive, last_version, scenario_of
 from barchan.archive.parent import Parent
-from barchan.simulation import Simulation
+from barchan.simulation import Simulation, StepPacer
 
-BREATH = 0.1
+CHUNK_SECONDS = 0.1
 """Seconds of work between two looks at the clock and at whether someone wants it to stop."""
 
 CHECKPOINT_EVERY = 60.0
@@ -43,7 +43,7 @@ def run(
 ) -> Outcome:
     """Run a simulation to its end into a new folder, which names its ``parent`` if it is a branch.
 
-    ``progress`` is told about ten times a second; when ``stop`` says so the run is saved where it is and
+    ``progress`` is called about ten times a second; when ``stop`` says so the run is saved where it is and
     ends, to be resumed. Raises ArchiveError where the folder is not empty or cannot be written; what was
     saved stays good.
     """
@@ -110,7 +110,8 @@ def _drive(
     simulation: Simulation, archive: Archive, progress: Progress | None, stop: Callable[[], bool]
 ) -> Outcome:
     saved = time.monotonic()
-    pace, first, done, worked = 1, True, 0, 0.0
+    pacer = StepPacer(CHUNK_SECONDS)
+    first, done, worked = True, 0, 0.0
     try:
         while True:
             if not simulation.framed and (simulation.done or simulation.next_frame == simulation.steps_done):
@@ -120,14 +121,14 @@ def _drive(
             if simulation.done or stop():
                 break
             before = time.monotonic()
-            steps = min(pace, simulation.next_frame - simulation.steps_done)
+            steps = min(pacer.steps, simulation.next_frame - simulation.steps_done)
             tally = simulation.advance(steps)
             now = time.monotonic()
             if not first:
                 done += tally.polls
                 worked += now - before
             first = False
-            pace = max(1, min(2 * pace, int(steps * BREATH / max(now - before, 1e-9))))
+            pacer.record(steps, now - before)
             if now - saved > CHECKPOINT_EVERY:
                 archive.checkpoint(simulation)
                 saved = now

@@ -1,14 +1,11 @@
 """Reading a scenario's text, and what can be used of one that has mistakes."""
 
-import re
 from typing import Any
 
 from barchan.errors import Problem, ScenarioError
 from barchan.scenario.definition import Scenario
 from barchan.scenario.files import validate
-from barchan.scenario.source_map import Path, parse
-
-_STEP = re.compile(r"([^.\[\]]+)|\[(\d+)\]")
+from barchan.scenario.source_map import Path, parse, path_of
 
 
 def read_text(text: str, name: str) -> Scenario:
@@ -39,11 +36,6 @@ def salvage(text: str, name: str) -> tuple[Scenario, list[Problem]]:
         except ScenarioError as error:
             left = error
     raise first
-
-
-def path_of(key: str) -> Path:
-    """The path that ``dotted`` wrote: ``sand.parts[0].mean``."""
-    return tuple(int(index) if index else word for word, index in _STEP.findall(key))
 
 
 def _drop(data: dict[str, Any], path: Path) -> bool:

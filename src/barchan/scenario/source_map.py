@@ -14,6 +14,8 @@ Path = tuple[str | int, ...]
 
 _TOKEN = re.compile(r'"(?:[^"\\]|\\.)*"|[{}\[\]:,]|[^\s{}\[\]:,"]+')
 
+_STEP = re.compile(r"([^.\[\]]+)|\[(\d+)\]")
+
 _CONSTANTS = ("NaN", "Infinity", "-Infinity")
 """What Python takes for JSON beyond the standard."""
 
@@ -72,13 +74,13 @@ class Places:
         try:
             yield
         except ScenarioError as error:
-            problems = [p if p.place else replace(p, place=self.of(undotted(p.key))) for p in error.problems]
+            problems = [p if p.place else replace(p, place=self.of(path_of(p.key))) for p in error.problems]
             raise ScenarioError(problems, self.name or "scenario") from None
 
 
-def undotted(key: str) -> Path:
-    """The path that users write as ``sand.parts[0].mean``."""
-    return tuple(int(step) if step.isdigit() else step for step in re.findall(r"[^.\[\]]+", key))
+def path_of(key: str) -> Path:
+    """The path that ``dotted`` wrote: ``sand.parts[0].mean``."""
+    return tuple(int(index) if index else word for word, index in _STEP.findall(key))
 
 
 def dotted(path: Path) -> str:

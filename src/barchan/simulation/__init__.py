@@ -1,26 +1,26 @@
 """The simulation: owns the bed, advances a model through the wind, takes events, emits frames."""
 
-from barchan.simulation.core import Frame, Simulation
+from barchan.simulation.core import Simulation
 from barchan.simulation.events import (
     AnyEvent,
     Event,
-    PlantStroke,
     Record,
-    RockStroke,
     SetParameter,
     SetWind,
-    Stroke,
     event_from,
     in_force,
 )
+from barchan.simulation.frame import Frame
 from barchan.simulation.ledger import Ledger
 from barchan.simulation.state import State
+from barchan.simulation.step_pacer import StepPacer
 from barchan.simulation.stop import StopCondition
-from barchan.simulation.strokes import AnyStroke, asked_by, change_by
+from barchan.simulation.strokes import AnyStroke, BrushStroke, PlantStroke, RockStroke, Stroke
 
 __all__ = [
     "AnyEvent",
     "AnyStroke",
+    "BrushStroke",
     "Event",
     "Frame",
     "Ledger",
@@ -31,10 +31,9 @@ __all__ = [
     "SetWind",
     "Simulation",
     "State",
+    "StepPacer",
     "StopCondition",
     "Stroke",
-    "asked_by",
-    "change_by",
     "event_from",
     "in_force",
 ]

@@ -1,38 +1,25 @@
 """The simulation itself."""
 
 from collections.abc import Iterator
-from dataclasses import asdict, dataclass, replace
+from dataclasses import asdict, replace
 from typing import Any, Self
 
 import numpy as np
 from numpy.typing import NDArray
 
 from barchan.bed import Bed
-from barchan.errors import BarchanError, Problem, ScenarioError
+from barchan.errors import BarchanError
 from barchan.fields import GROUND
 from barchan.lattice import Lattice
 from barchan.models import Model, Tally
-from barchan.parameters import declarations
-from barchan.scenario import Scenario, nearest, validate
-from barchan.simulation.events import AnyEvent, Record, SetParameter, SetWind
+from barchan.scenario import Scenario, validate
+from barchan.simulation.events import AnyEvent, Record
+from barchan.simulation.frame import Frame
 from barchan.simulation.ledger import Ledger
 from barchan.simulation.state import State
 from barchan.simulation.stop import stop_conditions
-from barchan.simulation.strokes import paint
 from barchan.streams import Stream
 from barchan.wind import Segment, Wind
-
-
-@dataclass(frozen=True)
-class Frame:
-    """The bed at one moment, with what had happened until then."""
-
-    step: int
-    direction: float
-    """Where the wind comes from (degrees)."""
-    fields: dict[str, NDArray]
-    ledger: Ledger
-    tally: Tally
 
 
 class Simulation:
@@ -92,7 +79,12 @@ class Simulation:
 
         Of several winds in one step it is where their mean transport came from.
         """
-        return self.forcing.wind_of(max(self.steps_done - 1, 0)).direction
+        return self.last_segment.direction
+
+    @property
+    def last_segment(self) -> Segment:
+        """The wind segment of the last step, or before any step that of the first."""
+        return self.forcing.wind_of(max(self.steps_done - 1, 0))
 
     @property
     def elevation(self) -> NDArray[np.float64]:
@@ -193,48 +185,26 @@ class Simulation:
 
     def apply(self, event: AnyEvent) -> Record:
         """Let something happen now, between two steps; it is journaled in ``events``."""
-        if isinstance(event, SetParameter):
-            self._set_parameter(event)
-        elif isinstance(event, SetWind):
-            self._set_wind(event)
-        else:
-            paint(event, self.bed, self.model, self.ledger)
+        event.apply(self)
         self.finished = None
         record = Record(self.steps_done, event)
         self.events.append(record)
         return record
 
-    def _set_wind(self, event: SetWind) -> None:
-        wind = event.wind.model_dump(mode="json")
-        data = {**self.scenario.data(), "model": self._model_data(), "wind": wind}
-        wanted = validate(data, "event").wind
-        replace(self.forcing, wind=wanted).wind_of(self.steps_done)  # a record that cannot be read is refused
-        self.wind = wanted
-
-    def _set_parameter(self, event: SetParameter) -> None:
-        live = [f"model.{d.key}" for d in declarations(type(self.model.parameters)) if d.live]
-        if event.key not in live:
-            message = f"cannot change during a run{nearest(event.key, live)}; what can: {', '.join(live)}"
-            raise ScenarioError([Problem(event.key, message)], "event")
-        name = event.key.removeprefix("model.")
-        data = {**self.scenario.data(), "model": {**self._model_data(), name: event.value}}
-        rules = self.model.slope_rules()
-        self.model.change(validate(data, "event").model)
-        if self.model.slope_rules() != rules:
-            self.model.settle(self.bed)
-
-    def _model_data(self) -> dict[str, Any]:
-        data: dict[str, Any] = self.model.parameters.model_dump(mode="json")
-        return data
+    def current_data(self) -> dict[str, Any]:
+        """The scenario's data with the parameters and the wind that events have changed."""
+        model: dict[str, Any] = self.model.parameters.model_dump(mode="json")
+        return {**self.scenario.data(), "model": model, "wind": self.wind.model_dump(mode="json")}
 
     def state(self) -> State:
         """Everything it takes to go on from here with the same bits."""
         arrays = {f"bed/{name}": array.copy() for name, array in self.bed.arrays.items()}
         arrays |= {f"model/{name}": np.asarray(value) for name, value in self.model.state().items()}
+        now = self.current_data()
         data: dict[str, Any] = {
             "scenario": self.scenario.data(),
-            "model": self._model_data(),
-            "wind": self.wind.model_dump(mode="json"),
+            "model": now["model"],
+            "wind": now["wind"],
             "step": self.steps_done,
             "framed": self._framed,
             "finished": self.finished,

@@ -4,34 +4,21 @@ Scenario plus events gives the same bits again.
 """
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from pydantic import Field, TypeAdapter, ValidationError, field_validator
 
-from barchan.errors import ScenarioError
-from barchan.ground.brush import Falloff
-from barchan.ground.sand import MOST_SLABS
-from barchan.parameters import Parameters, parameter
-from barchan.scenario import Scenario, validate
-from barchan.scenario.messages import problems_of
+from barchan.errors import Problem, ScenarioError
+from barchan.parameters import declarations, parameter
+from barchan.scenario import Scenario, nearest, validate
 from barchan.scenario.migrations import current_key
+from barchan.simulation.change import Change, wrong
+from barchan.simulation.strokes import PlantStroke, RockStroke, Stroke
 from barchan.wind import Wind
 
-MOST_PLANTS = 100.0
-"""Bound of what one stroke changes of plants."""
-
-
-class Change(Parameters):
-    """What may happen between two steps; raises ScenarioError where it is given wrongly."""
-
-    if not TYPE_CHECKING:  # for a type checker the fields are the signature
-
-        def __init__(self, **data: Any) -> None:
-            try:
-                super().__init__(**data)
-            except ValidationError as error:
-                raise _wrong(error, type(self), data) from None
+if TYPE_CHECKING:
+    from barchan.simulation.core import Simulation
 
 
 class SetParameter(Change):
@@ -40,6 +27,26 @@ class SetParameter(Change):
     kind: Literal["set"] = parameter("set", unit="-", meaning="A parameter takes a new value.")
     key: str = parameter(unit="-", meaning="The parameter, for instance model.hop_length.")
     value: Any = parameter(unit="-", meaning="Its value from now on.")
+
+    def apply(self, simulation: "Simulation") -> None:
+        """Give the model its new parameters; where they change which slopes stand, the bed settles."""
+        model = simulation.model
+        live = [f"model.{d.key}" for d in declarations(type(model.parameters)) if d.live]
+        if self.key not in live:
+            message = f"cannot change during a run{nearest(self.key, live)}; what can: {', '.join(live)}"
+            raise ScenarioError([Problem(self.key, message)], "event")
+        rules = model.slope_rules()
+        model.change(_amended(simulation, self).model)
+        if model.slope_rules() != rules:
+            model.settle(simulation.bed)
+
+    def amend(self, scenario: dict[str, Any]) -> None:
+        """Set the value at its key."""
+        *groups, name = self.key.split(".")
+        group = scenario
+        for inner in groups:
+            group = group[inner]
+        group[name] = self.value
 
 
 class SetWind(Change):
@@ -53,51 +60,16 @@ class SetWind(Change):
     def _steady_unless_stated(cls, wind: Any) -> Any:
         return {"kind": "steady", **wind} if isinstance(wind, dict) else wind
 
+    def apply(self, simulation: "Simulation") -> None:
+        """Replace the wind."""
+        wanted = _amended(simulation, self).wind
+        # A record that cannot be read is refused before anything changes.
+        replace(simulation.forcing, wind=wanted).wind_of(simulation.steps_done)
+        simulation.wind = wanted
 
-class Patch(Change):
-    """A round patch that a brush works on."""
-
-    x: float = parameter(unit="m", meaning="Centre, from the west edge.")
-    y: float = parameter(unit="m", meaning="Centre, from the south edge.")
-    radius: float = parameter(unit="m", gt=0, meaning="Radius of the patch.")
-    falloff: Falloff = parameter("smooth", unit="-", meaning="How the amount falls towards the rim.")
-
-
-class Stroke(Patch):
-    """Sand added to, or taken from, a round patch."""
-
-    kind: Literal["stroke"] = parameter("stroke", unit="-", meaning="Sand added or taken away.")
-    amount: int = parameter(
-        unit="slabs",
-        ge=-MOST_SLABS,
-        le=MOST_SLABS,
-        meaning="Slabs at the centre; negative to take away.",
-    )
-
-
-class RockStroke(Patch):
-    """Ground raised or lowered on a round patch, under the sand that lies there."""
-
-    kind: Literal["rock"] = parameter("rock", unit="-", meaning="Ground raised or lowered.")
-    amount: int = parameter(
-        unit="slabs",
-        ge=-MOST_SLABS,
-        le=MOST_SLABS,
-        meaning="Height at the centre; negative to lower, to the lowest ground at most.",
-    )
-
-
-class PlantStroke(Patch):
-    """Plants of one species, or what else a model lets grow, set or thinned on a round patch."""
-
-    kind: Literal["plants"] = parameter("plants", unit="-", meaning="Plants set or thinned.")
-    field: str = parameter(unit="-", meaning="The model's field that is painted, for instance grass.")
-    amount: float = parameter(
-        unit="-",
-        ge=-MOST_PLANTS,
-        le=MOST_PLANTS,
-        meaning="Change at the centre; negative to thin, to none at most.",
-    )
+    def amend(self, scenario: dict[str, Any]) -> None:
+        """Replace the wind."""
+        scenario["wind"] = self.wind.model_dump(mode="json")
 
 
 AnyEvent = SetParameter | SetWind | Stroke | RockStroke | PlantStroke
@@ -132,10 +104,7 @@ def in_force(scenario: Scenario, events: Iterable[Record], step: int) -> Scenari
     data = scenario.data()
     for record in events:
         if record.step < max(step, 1):
-            if isinstance(record.event, SetParameter):
-                data["model"][record.event.key.removeprefix("model.")] = record.event.value
-            elif isinstance(record.event, SetWind):
-                data["wind"] = record.event.wind.model_dump(mode="json")
+            record.event.amend(data)
     return validate(data, "events")
 
 
@@ -144,9 +113,12 @@ def event_from(data: Any) -> AnyEvent:
     try:
         event: AnyEvent = _EVENTS.validate_python(data)
     except ValidationError as error:
-        raise _wrong(error, Change, data) from None
+        raise wrong(error, Change, data) from None
     return event
 
 
-def _wrong(error: ValidationError, kind: type[Parameters], data: Any) -> ScenarioError:
-    return ScenarioError(problems_of(error, kind, data, lambda _: ""), "event")
+def _amended(simulation: "Simulation", change: Change) -> Scenario:
+    """The scenario as it is in force, with a change made; raises ScenarioError where it is not sound."""
+    data = simulation.current_data()
+    change.amend(data)
+    return validate(data, "event")

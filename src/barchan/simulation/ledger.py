@@ -19,14 +19,17 @@ class Ledger:
     airborne: int = 0
 
     def check(self, bed: Bed) -> None:
-        """Raise ConservationError unless all that was, entered and did not leave is on the bed or in the air.
+        """Raise ConservationError unless the units on a bed are all accounted for.
 
         The classes of a divided layer must add up to the layer on every cell.
         """
-        on_bed = bed.units
         divided = bed.undivided()
         if divided:
             raise ConservationError(f"classes do not add up to their layer: {', '.join(divided)}")
+        self.close(bed.units)
+
+    def close(self, on_bed: int) -> None:
+        """Raise ConservationError unless all units that were, entered and did not leave are there."""
         expected = self.initial + self.entered - self.left
         if on_bed + self.airborne != expected:
             raise ConservationError(

@@ -1,4 +1,6 @@
-"""What strokes of a brush do to a bed: sand, ground and plants painted, then slopes brought to rest."""
+"""Strokes of a brush on a bed: sand, ground and plants painted, then slopes brought to rest."""
+
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -6,81 +8,149 @@ from numpy.typing import NDArray
 from barchan.bed import Bed
 from barchan.errors import BarchanError, Problem, ScenarioError
 from barchan.fields import GROUND
-from barchan.ground.brush import brush, brushed, grown, raised
+from barchan.ground.brush import Falloff, brush, brushed, grown, raised
+from barchan.ground.sand import MOST_SLABS
 from barchan.lattice import Lattice
 from barchan.models import Model
+from barchan.parameters import parameter
 from barchan.scenario import nearest
-from barchan.simulation.events import PlantStroke, RockStroke, Stroke
-from barchan.simulation.ledger import Ledger
+from barchan.simulation.change import Change
+
+if TYPE_CHECKING:
+    from barchan.simulation.core import Simulation
+
+MOST_PLANTS = 100.0
+"""Largest change of plants by one stroke, in the unit of the field."""
+
+
+class BrushStroke(Change):
+    """A stroke on a round patch; the kind of stroke decides which field of the bed it changes."""
+
+    x: float = parameter(unit="m", meaning="Centre, from the west edge.")
+    y: float = parameter(unit="m", meaning="Centre, from the south edge.")
+    radius: float = parameter(unit="m", gt=0, meaning="Radius of the patch.")
+    falloff: Falloff = parameter("smooth", unit="-", meaning="How the amount falls towards the rim.")
+
+    def strength(self, lattice: Lattice) -> NDArray[np.float64]:
+        """Strength of the brush on each cell, from 0 to 1 at the centre."""
+        return brush(lattice, self.x, self.y, self.radius, self.falloff)
+
+    def change(self, bed: Bed, model: Model) -> NDArray:
+        """The change that the bed allows on each cell: slabs, metres of ground, or a field's own unit.
+
+        Raises ScenarioError for a field that the model does not let paint.
+        """
+        raise NotImplementedError
+
+    def requested(self, lattice: Lattice) -> NDArray[np.float64]:
+        """The change on each cell if the bed allowed all of it, in the unit of ``change``."""
+        raise NotImplementedError
+
+    def apply(self, simulation: "Simulation") -> None:
+        """Paint, then let slopes that the change upsets come to rest."""
+        bed = simulation.bed
+        change = self.change(bed, simulation.model)
+        self._lay(change, simulation)
+        simulation.model.settle(bed, change != 0)
+        simulation.ledger.check(bed)
+
+    def _lay(self, change: NDArray, simulation: "Simulation") -> None:
+        """Write the change into the bed."""
+        raise NotImplementedError
+
+
+class Stroke(BrushStroke):
+    """Units added to the uppermost layer, or taken from the layers, on a round patch."""
+
+    kind: Literal["stroke"] = parameter("stroke", unit="-", meaning="Sand (or snow) added or taken away.")
+    amount: int = parameter(
+        unit="slabs",
+        ge=-MOST_SLABS,
+        le=MOST_SLABS,
+        meaning="Slabs at the centre; negative to take away.",
+    )
+
+    def change(self, bed: Bed, model: Model) -> NDArray:  # noqa: ARG002
+        """Units added to each cell; no more are taken than lie there."""
+        return brushed(bed, self.strength(bed.lattice), self.amount)
+
+    def requested(self, lattice: Lattice) -> NDArray[np.float64]:
+        """Slabs on each cell, whole ones."""
+        return np.rint(self.amount * self.strength(lattice))
+
+    def _lay(self, change: NDArray, simulation: "Simulation") -> None:
+        bed, ledger = simulation.bed, simulation.ledger
+        try:
+            bed.lay(change)
+        except OverflowError:
+            unit = bed.layers[-1].unit
+            message = f"a stroke of {self.amount} {unit} is more than a cell can hold on what it has"
+            raise BarchanError(message) from None
+        ledger.entered += int(change[change > 0].sum())
+        ledger.left -= int(change[change < 0].sum())
+
+
+class RockStroke(BrushStroke):
+    """Ground raised or lowered on a round patch, under the sand that lies there."""
+
+    kind: Literal["rock"] = parameter("rock", unit="-", meaning="Ground raised or lowered.")
+    amount: int = parameter(
+        unit="slabs",
+        ge=-MOST_SLABS,
+        le=MOST_SLABS,
+        meaning="Height at the centre; negative to lower, to the lowest ground at most.",
+    )
+
+    def change(self, bed: Bed, model: Model) -> NDArray:  # noqa: ARG002
+        """Rise of the ground on each cell (m), in whole slabs, never below the lowest ground."""
+        return raised(bed, self.strength(bed.lattice), self.amount)
+
+    def requested(self, lattice: Lattice) -> NDArray[np.float64]:
+        """Rise of the ground on each cell (m), in whole slabs."""
+        return np.rint(self.amount * self.strength(lattice)) * lattice.thickness
+
+    def _lay(self, change: NDArray, simulation: "Simulation") -> None:
+        bed = simulation.bed
+        before = bed.ground
+        bed.add(GROUND, before + change)
+        try:
+            simulation.model.check_bed(bed)
+        except ScenarioError:
+            bed.add(GROUND, before)
+            raise
+
+
+class PlantStroke(BrushStroke):
+    """Plants of one species, or another field that a model lets paint, set or thinned on a round patch."""
+
+    kind: Literal["plants"] = parameter("plants", unit="-", meaning="Plants set or thinned.")
+    field: str = parameter(unit="-", meaning="The model's field that is painted, for instance grass.")
+    amount: float = parameter(
+        unit="-",
+        ge=-MOST_PLANTS,
+        le=MOST_PLANTS,
+        meaning="Change at the centre; negative to thin, to none at most.",
+    )
+
+    def change(self, bed: Bed, model: Model) -> NDArray:
+        """Change of the field on each cell, within its bounds."""
+        bounds = self._bounds(model)
+        return grown(bed.arrays[self.field], self.strength(bed.lattice), self.amount, bounds)
+
+    def requested(self, lattice: Lattice) -> NDArray[np.float64]:
+        """Change of the field on each cell."""
+        return self.amount * self.strength(lattice)
+
+    def _lay(self, change: NDArray, simulation: "Simulation") -> None:
+        simulation.bed.arrays[self.field][...] += change
+
+    def _bounds(self, model: Model) -> tuple[float, float]:
+        known = model.paintable()
+        if self.field not in known:
+            names = ", ".join(known) or "none of this model"
+            message = f"'{self.field}' cannot be painted{nearest(self.field, known)}; allowed: {names}"
+            raise ScenarioError([Problem("field", message)], "event")
+        return known[self.field]
+
 
 AnyStroke = Stroke | RockStroke | PlantStroke
-
-
-def change_by(stroke: AnyStroke, bed: Bed, model: Model) -> NDArray:
-    """What a stroke would change on each cell: slabs, metres of ground, or a field's own unit.
-
-    Raises ScenarioError for a field that the model does not let paint.
-    """
-    strength = brush(bed.lattice, stroke.x, stroke.y, stroke.radius, stroke.falloff)
-    if isinstance(stroke, Stroke):
-        return brushed(bed, strength, stroke.amount)
-    if isinstance(stroke, RockStroke):
-        return raised(bed, strength, stroke.amount)
-    bounds = _bounds(stroke, model)
-    return grown(bed.arrays[stroke.field], strength, stroke.amount, bounds)
-
-
-def asked_by(stroke: AnyStroke, lattice: Lattice) -> NDArray[np.float64]:
-    """What a stroke would change on each cell if nothing held it back, in the unit of ``change_by``."""
-    strength = brush(lattice, stroke.x, stroke.y, stroke.radius, stroke.falloff)
-    if isinstance(stroke, PlantStroke):
-        return stroke.amount * strength
-    unit = lattice.thickness if isinstance(stroke, RockStroke) else 1.0
-    return np.rint(stroke.amount * strength) * unit
-
-
-def paint(stroke: AnyStroke, bed: Bed, model: Model, ledger: Ledger) -> None:
-    """Paint, in place; the bed stays as it was where that is refused.
-
-    Raises BarchanError, or ScenarioError where the model cannot work on what would come of it.
-    """
-    change = change_by(stroke, bed, model)
-    if isinstance(stroke, Stroke):
-        _lay(change, stroke, bed, ledger)
-    elif isinstance(stroke, RockStroke):
-        _raise(change, bed, model)
-    else:
-        bed.arrays[stroke.field][...] += change
-    model.settle(bed, change != 0)
-    ledger.check(bed)
-
-
-def _lay(change: NDArray, stroke: Stroke, bed: Bed, ledger: Ledger) -> None:
-    try:
-        bed.lay(change)
-    except OverflowError:
-        message = (
-            f"a stroke of {stroke.amount} {bed.layers[-1].unit} is more than a cell can hold on what it has"
-        )
-        raise BarchanError(message) from None
-    ledger.entered += int(change[change > 0].sum())
-    ledger.left -= int(change[change < 0].sum())
-
-
-def _raise(change: NDArray, bed: Bed, model: Model) -> None:
-    before = bed.ground
-    bed.add(GROUND, before + change)
-    try:
-        model.check_bed(bed)
-    except ScenarioError:
-        bed.add(GROUND, before)
-        raise
-
-
-def _bounds(stroke: PlantStroke, model: Model) -> tuple[float, float]:
-    known = model.paintable()
-    if stroke.field not in known:
-        names = ", ".join(known) or "none of this model"
-        message = f"'{stroke.field}' cannot be painted{nearest(stroke.field, known)}; allowed: {names}"
-        raise ScenarioError([Problem("field", message)], "event")
-    return known[stroke.field]

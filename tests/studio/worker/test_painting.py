@@ -45,7 +45,7 @@ def test_undoing_after_steps_is_an_event_and_takes_back_what_was_given(scenario)
     assert same is simulation
     assert len(same.events) == 2
     assert slabs <= same.bed.units < slabs + given
-    same.ledger.check(same.bed.units)
+    same.ledger.check(same.bed)
 
 
 def test_undoing_an_eraser_after_steps_lays_back_about_what_was_there_to_take(scenario):

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 from barchan.errors import BarchanError
 from barchan.scenario import validate
-from barchan.simulation import AnyStroke, SetParameter, SetWind, event_from
+from barchan.simulation import AnyStroke, BrushStroke, SetParameter, SetWind, event_from
 from barchan.studio.worker.run import StudioRun, started
 
 if TYPE_CHECKING:
@@ -185,6 +185,6 @@ class Orders:
 def _stroke(data: Any) -> AnyStroke:
     """A stroke of any brush from what the browser says of it."""
     event = event_from({"kind": "stroke", **data})
-    if isinstance(event, SetParameter | SetWind):
+    if not isinstance(event, BrushStroke):
         raise BarchanError(f"'{event.kind}' is no stroke")
     return event

@@ -15,10 +15,10 @@ from barchan.studio.worker.live_measures import declared_measures
 def description(simulation: Simulation) -> dict[str, Any]:
     """Scenario as it is now, lattice, fields, measures and what is known of the run."""
     lattice, model = simulation.lattice, simulation.model
-    scenario = current(simulation)
+    sound = validate(simulation.current_data(), "run")
     limits = model.slope_limits().get("bare", ())
     return {
-        "scenario": scenario,
+        "scenario": sound.data(),
         "lattice": {
             "rows": lattice.rows,
             "columns": lattice.columns,
@@ -40,14 +40,6 @@ def description(simulation: Simulation) -> dict[str, Any]:
         "measures": declared_measures(simulation),
         "repose": math.degrees(math.atan(limits[0] * lattice.aspect)) if limits else None,
         "facts": model.facts(),
-        "remarks": validate(scenario, "run").remarks(),
+        "remarks": sound.remarks(),
         "events": len(simulation.events),
     }
-
-
-def current(simulation: Simulation) -> dict[str, Any]:
-    """The scenario with the parameters and the wind that events have changed."""
-    data = simulation.scenario.data()
-    parameters = simulation.model.parameters.model_dump(mode="json")
-    wind = simulation.wind.model_dump(mode="json")
-    return validate({**data, "model": parameters, "wind": wind}, "run").data()

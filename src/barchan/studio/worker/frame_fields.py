@@ -12,7 +12,6 @@ from barchan.fields import GROUND, SAND
 from barchan.models import Derived
 from barchan.simulation import Simulation
 from barchan.studio.protocol import Plane
-from barchan.wind.segment import Segment
 
 STEPS_OF_CHANGE = 50
 """Steps over which erosion and deposition are shown, at least."""
@@ -50,7 +49,7 @@ def _kept(simulation: Simulation) -> Iterator[Shown]:
 
 
 def _derived(simulation: Simulation) -> Iterator[Shown]:
-    model, wind = simulation.model, wind_over(simulation)
+    model, wind = simulation.model, simulation.last_segment
     for derived in model.derived:
         choice = derived.of(model, simulation.bed, wind).dtype == np.bool_
         centre = centre_of(model, derived, wind)
@@ -96,9 +95,4 @@ def _values(simulation: Simulation, name: str, earlier: NDArray[np.float64] | No
 
 
 def _derive(simulation: Simulation, derived: Derived) -> NDArray:
-    return np.asarray(derived.of(simulation.model, simulation.bed, wind_over(simulation)))
-
-
-def wind_over(simulation: Simulation) -> Segment:
-    """The wind of the last step, or before any step that of the first."""
-    return simulation.forcing.wind_of(max(simulation.steps_done - 1, 0))
+    return np.asarray(derived.of(simulation.model, simulation.bed, simulation.last_segment))

@@ -6,7 +6,6 @@ from numpy.typing import NDArray
 from barchan.analysis.grain_paths import broken_at_edges, follows_grains, paths_over
 from barchan.lattice import Lattice
 from barchan.simulation import Simulation
-from barchan.studio.worker.frame_fields import wind_over
 from barchan.studio.worker.time_budget import Ration
 
 MOST = 500
@@ -53,7 +52,7 @@ class Flights:
         if not self.count:
             return []
         with self.ration.spending():
-            wind, seed = wind_over(simulation), simulation.scenario.seed
+            wind, seed = simulation.last_segment, simulation.scenario.seed
             paths = paths_over(simulation.model, simulation.bed, wind, seed, self.count)
             lowest = float(simulation.bed.ground.min())
             return [line for path in paths for line in _lines(path, lowest, simulation.lattice)]

@@ -12,7 +12,6 @@ from barchan.analysis.time_series import LAGS, Moment, measures_of
 from barchan.directions import downwind
 from barchan.measures import crest_orientation, migration, streamwise_slopes
 from barchan.simulation import Simulation
-from barchan.studio.worker.frame_fields import wind_over
 
 LEAST_PAUSE = 0.25
 """Seconds from one look to the next, at least."""
@@ -85,7 +84,7 @@ class Gauges:
         travel = np.dot(downwind(direction), np.subtract(travelled, self._travel))
         self._travel = travelled
         return Moment(
-            modelled=lambda: (simulation.model, simulation.bed, wind_over(simulation)),
+            modelled=lambda: (simulation.model, simulation.bed, simulation.last_segment),
             sand=simulation.bed.sand,
             elevation=surface,
             scenario=simulation.scenario,

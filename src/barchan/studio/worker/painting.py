@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from barchan.simulation import AnyStroke, Simulation, State, asked_by, change_by
+from barchan.simulation import AnyStroke, Simulation, State
 
 MOST_GESTURES = 100
 """Gestures that can be undone."""
@@ -87,7 +87,7 @@ def _journal(simulation: Simulation) -> list[dict[str, object]]:
 
 def _inverse(simulation: Simulation, stroke: AnyStroke) -> AnyStroke:
     """The stroke that brings back as much as this one will add or take."""
-    given = float(np.abs(change_by(stroke, simulation.bed, simulation.model)).sum())
-    asked = float(np.abs(asked_by(stroke, simulation.lattice)).sum())
+    given = float(np.abs(stroke.change(simulation.bed, simulation.model)).sum())
+    asked = float(np.abs(stroke.requested(simulation.lattice)).sum())
     amount = -stroke.amount * (given / asked if asked else 0.0)
     return stroke.model_copy(update={"amount": round(amount) if isinstance(stroke.amount, int) else amount})
