@@ -22,13 +22,23 @@ class Lattice(Parameters):
 
     kind: Literal["square"] = parameter("square", unit="-", meaning="Shape of the cells.")
     rows: int = parameter(
-        256, unit="cells", ge=1, le=65536, meaning="Cells from south to north.", source="seed 000, Table 6.1"
+        256,
+        unit="cells",
+        ge=1,
+        le=65536,
+        meaning="Cells from south to north.",
+        source="Prague thesis, Table 6.1",
     )
     columns: int = parameter(
-        256, unit="cells", ge=8, le=65536, meaning="Cells from west to east.", source="seed 000, Table 6.1"
+        256,
+        unit="cells",
+        ge=8,
+        le=65536,
+        meaning="Cells from west to east.",
+        source="Prague thesis, Table 6.1",
     )
     cell_size: float = parameter(
-        1.0, unit="m", ge=1e-4, le=1e6, scale="log", meaning="Width of a cell.", source="seed 000, §4.3"
+        1.0, unit="m", ge=1e-4, le=1e6, scale="log", meaning="Width of a cell.", source="Prague thesis, §4.3"
     )
     slab_aspect: float | None = parameter(
         None,
@@ -37,7 +47,7 @@ class Lattice(Parameters):
         le=LARGEST_ASPECT,
         meaning="Height of a slab as a fraction of the cell's width; 1/3 where neither this nor "
         "slab_height is given.",
-        source="Momiji et al. 2000; seed 000, §4.3",
+        source="Momiji et al. 2000; Prague thesis, §4.3",
     )
     slab_height: float | None = parameter(
         None, unit="m", gt=0, le=1e6, meaning="Height of a slab, instead of slab_aspect."

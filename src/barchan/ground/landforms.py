@@ -13,9 +13,9 @@ from barchan.streams import Stream
 
 Side = Literal["west", "east", "south", "north"]
 
-HUMP = "seed 003, Fig. 5.4 b: a two-dimensional Gaussian; its sizes are not published"
-DUNE_FORM = "seed 003, Fig. 5.4 c: another Gaussian, a gentle dune; its sizes are not published"
-VALLEY = "seed 003, Fig. 5.4 d: a stretched sine; its sizes are not published"
+HUMP = "Szabó 2019, Fig. 5.4 b: a two-dimensional Gaussian; its sizes are not published"
+DUNE_FORM = "Szabó 2019, Fig. 5.4 c: another Gaussian, a gentle dune; its sizes are not published"
+VALLEY = "Szabó 2019, Fig. 5.4 d: a stretched sine; its sizes are not published"
 
 
 class FlatGround(Terrain):

@@ -12,7 +12,7 @@ from barchan.lattice import Lattice
 from barchan.parameters import parameter
 from barchan.streams import Stream
 
-SOURCE = "seed 000, §6.5.2; our number"
+SOURCE = "Prague thesis, §6.5.2; the number is ours"
 
 
 class Waves(Layer):

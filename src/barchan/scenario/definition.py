@@ -74,7 +74,7 @@ class Run(Parameters):
         le=10**12,
         scale="log",
         meaning="Length of the run; a step polls as many cells as the field has.",
-        source="seed 000, Table 6.1",
+        source="Prague thesis, Table 6.1",
     )
     seed: int | None = parameter(
         None,

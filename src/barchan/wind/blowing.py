@@ -24,13 +24,13 @@ class Blowing(WithWeather):
         lt=360,
         live=True,
         meaning="Where the wind comes from, clockwise from north (270: from the west).",
-        source="seed 000, Table 6.1",
+        source="Prague thesis, Table 6.1",
     )
     speed: float | None = parameter(
         None,
         live=True,
         meaning="Wind speed: as a hop length instead of the model's own, or in m/s; 0 is a calm.",
-        source="seed 000, §5.3",
+        source="Prague thesis, §5.3",
         **SPEED,
     )
     unit: Literal["cells", "m/s"] = parameter(
@@ -46,7 +46,7 @@ class Blowing(WithWeather):
         le=180,
         live=True,
         meaning="Standard deviation of the direction, drawn anew for each step.",
-        source="seed 000, §2.1.3: barchans stand up to 15 degrees",
+        source="Prague thesis, §2.1.3: barchans stand up to 15 degrees",
     )
     gusts: Gusts | None = Field(default=None, description="Gusts of a speed in m/s; none where not given.")
 
