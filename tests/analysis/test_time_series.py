@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from barchan.analysis.time_series import MEASURES, PER_YEAR, course, last_measures, moments
+from barchan.analysis.time_series import MEASURES, PER_YEAR, course, last_measures, measured_frames
 from barchan.entry import simulate
 from barchan.measures import crest_orientation, dominant_spacing, migration, streamwise_slopes
 from barchan.models import models
@@ -98,7 +98,7 @@ def test_the_measures_of_a_single_frame_have_no_speed_and_no_flux():
 
 @pytest.mark.parametrize("first", range(5))
 def test_measuring_may_begin_at_any_frame(dataset, measured, first):
-    found = [moment.speed for moment in moments(dataset, SCENARIO, first)]
+    found = [frame.speed for frame in measured_frames(dataset, SCENARIO, first)]
     np.testing.assert_allclose(found, measured["speed_cells"][first:])
 
 

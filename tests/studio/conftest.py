@@ -1,4 +1,4 @@
-"""A server with a small field, and a browser's end of the line to it."""
+"""A server with a small field, and a browser's end of the connection to it."""
 
 import json
 import threading
@@ -11,12 +11,12 @@ import uvicorn
 from websockets.sync.client import ClientConnection, connect
 
 from barchan.scenario import Scenario, validate
-from barchan.studio.protocol import read_frame
 from barchan.studio.server.app import application
 from barchan.studio.server.launch import listener
 from barchan.studio.server.security import Guard
 from barchan.studio.server.session import Session
-from barchan.studio.server.workspace import Store
+from barchan.studio.server.workspace import Workspace
+from tests.studio.frames import read_frame
 
 PATIENCE = 60.0
 
@@ -37,50 +37,50 @@ def scenario() -> Scenario:
 
 
 class Browser:
-    """Says and hears what the page would."""
+    """Sends and receives as the page would."""
 
-    def __init__(self, line: ClientConnection, confirms: bool = True) -> None:
-        self.line = line
+    def __init__(self, connection: ClientConnection, confirms: bool = True) -> None:
+        self.connection = connection
         self.confirms = confirms
         self.frames = []
-        self.told = []
+        self.messages = []
 
-    def say(self, do: str, **order) -> None:
-        self.line.send(json.dumps({"do": do, **order}))
+    def send(self, command: str, **content) -> None:
+        self.connection.send(json.dumps({"command": command, **content}))
 
-    def hear(self):
-        """The next frame's header and fields, or what is told and None."""
-        data = self.line.recv(timeout=PATIENCE)
+    def receive(self):
+        """The next frame's header and fields, or a message and None."""
+        data = self.connection.recv(timeout=PATIENCE)
         if isinstance(data, str):
-            self.told.append(json.loads(data))
-            return self.told[-1], None
+            self.messages.append(json.loads(data))
+            return self.messages[-1], None
         header, fields = read_frame(data)
         self.frames.append((header, fields))
         if self.confirms:
-            self.say("confirm", run=header["run"])
+            self.send("confirm", run=header["run"])
         return header, fields
 
     def drain(self, seconds: float) -> None:
-        """Listen until nothing comes for so long, which raises TimeoutError."""
+        """Receive until nothing comes for some seconds, which raises TimeoutError."""
         while True:
-            self.line.recv(timeout=seconds)
+            self.connection.recv(timeout=seconds)
 
     def flood(self, count: int) -> None:
         for _ in range(count):
-            self.say("saved")
+            self.send("saved")
         self.drain(10.0)
 
     def until(self, wanted):
-        """Listen until something is as wanted."""
+        """Receive until something is as wanted."""
         for _ in range(5000):
-            header, fields = self.hear()
+            header, fields = self.receive()
             if wanted(header, fields):
                 return header, fields
         raise AssertionError("never came")
 
-    def until_told(self, what: str, **content):
+    def until_message(self, kind: str, **content):
         def wanted(header, _):
-            return header.get("tell") == what and content.items() <= header.items()
+            return header.get("type") == kind and content.items() <= header.items()
 
         return self.until(wanted)[0]
 
@@ -99,14 +99,14 @@ class Served:
     def address(self) -> str:
         return f"http://127.0.0.1:{self.port}"
 
-    def line(self, token: str | None = None, **options) -> ClientConnection:
-        url = f"ws://127.0.0.1:{self.port}/line?token={self.guard.token if token is None else token}"
+    def connection(self, token: str | None = None, **options) -> ClientConnection:
+        url = f"ws://127.0.0.1:{self.port}/connection?token={self.guard.token if token is None else token}"
         return connect(url, max_size=None, compression=None, proxy=None, **options)
 
     @contextmanager
     def browser(self, confirms: bool = True):
-        with self.line() as line:
-            yield Browser(line, confirms)
+        with self.connection() as connection:
+            yield Browser(connection, confirms)
 
 
 @contextmanager
@@ -114,7 +114,7 @@ def serving(folder: Path, scenario: Scenario | None = None, archive: Path | None
     """A server in a thread."""
     socket = listener("127.0.0.1", 0)
     guard = Guard(socket.getsockname()[1])
-    session = Session(Store(folder), scenario, archive)
+    session = Session(Workspace(folder), scenario, archive)
     config = uvicorn.Config(
         application(session, guard),
         log_level="warning",

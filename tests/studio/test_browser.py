@@ -162,7 +162,7 @@ def test_run_pause_and_step(studio):
     studio.page.keyboard.press(".")
     studio.until(f"window.barchan.app.runs[0].status.step === {step + 1}")
     studio.page.get_by_label("Number of steps").fill("25")
-    studio.page.get_by_role("button", name="Run so many steps").click()
+    studio.page.get_by_role("button", name="Run this number of steps").click()
     studio.until(f"window.barchan.app.runs[0].status.step === {step + 26}")
     assert studio.page.locator("[data-status=step]").inner_text().replace("\u202f", "") == str(step + 26)
     studio.page.get_by_role("button", name="Restart").click()
@@ -361,7 +361,7 @@ def test_looking_back_and_going_on_from_there(studio):
     studio.step_beyond(60)
     studio.pause()
     live = studio.status()["live"]
-    studio.ask("window.barchan.app.order({ do: 'look', step: 20 })")
+    studio.ask("window.barchan.app.send({ command: 'look', step: 20 })")
     studio.until("window.barchan.app.runs[0].status.looking")
     assert studio.status()["step"] == 20
     studio.page.get_by_role("button", name="Return to now").click()

@@ -9,11 +9,11 @@ import { Dock } from "./ui/dock";
 import { button, h } from "./ui/dom";
 import { Files } from "./ui/files";
 import { gallery } from "./ui/gallery";
-import { Hand } from "./ui/hand";
 import { type Shortcut, control, help, key, listen } from "./ui/help";
 import { Hud } from "./ui/hud";
 import { Paint } from "./ui/paint";
 import { Panel } from "./ui/panel";
+import { Pointer } from "./ui/pointer";
 import { Tabs } from "./ui/tabs";
 import { Timeline } from "./ui/timeline";
 import { ViewPanel } from "./ui/viewpanel";
@@ -45,8 +45,8 @@ scene.append(hud.element);
 const files = new Files(app, stage);
 files.accept(scene);
 const paint = new Paint(app);
-const section = new SectionView(app, stage, () => hand.drawLine());
-const hand = new Hand(stage, hud, paint, section);
+const section = new SectionView(app, stage, () => pointer.drawLine());
+const pointer = new Pointer(stage, hud, paint, section);
 const log = new LogView(app);
 const dock = new Dock([section, new SeriesView(app), new SpaceTimeView(app, section), log]);
 const timeline = new Timeline(app);
@@ -74,9 +74,9 @@ const shortcuts: Shortcut[] = [
   key("b", "brush on or off", () => paint.activate(!paint.active), "B"),
   key("[", "smaller brush", () => paint.grow(1 / 1.25)),
   key("]", "larger brush", () => paint.grow(1.25)),
-  control("z", false, "undo painting", () => app.order({ do: "undo" })),
-  control("z", true, "redo painting", () => app.order({ do: "redo" })),
-  key("l", "draw the line of the section", () => hand.drawLine(), "L"),
+  control("z", false, "undo painting", () => app.send({ command: "undo" })),
+  control("z", true, "redo painting", () => app.send({ command: "redo" })),
+  key("l", "draw the line of the section", () => pointer.drawLine(), "L"),
   key("1", "section", () => dock.toggle(0)),
   key("2", "measures", () => dock.toggle(1)),
   key("3", "space–time", () => dock.toggle(2)),
@@ -109,7 +109,7 @@ document.getElementById("app")!.append(
 
 app.start().catch((error) => app.refused(error));
 
-/** What those who test or measure look at. */
+/** For tests and measurements. */
 declare global {
   interface Window {
     barchan: { app: App; stage: Stage; files: Files };

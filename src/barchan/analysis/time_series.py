@@ -1,7 +1,7 @@
 """The measures of a run's frames, one after the other: a table of declared measures."""
 
 from collections import deque
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING
@@ -28,8 +28,8 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True)
-class Moment:
-    """One frame of a run and what it is compared with."""
+class MeasuredFrame:
+    """One frame of a run, compared with the frames before it."""
 
     modelled: Callable[[], tuple[Model, Bed, Segment]]
     """The model, the bed and the wind as they were then."""
@@ -64,7 +64,7 @@ class Measure:
     name: str
     title: str
     unit: str
-    of: Callable[[Moment], float]
+    of: Callable[[MeasuredFrame], float]
 
 
 MEASURES = (
@@ -125,39 +125,76 @@ def _own(own: OwnMeasure) -> Measure:
     return Measure(own.name, own.title, own.unit, lambda m: float(own.of(*m.modelled())))
 
 
-def _per_year(moment: Moment, name: str) -> float:
+def _per_year(frame: MeasuredFrame, name: str) -> float:
     """A measure per step as one per year."""
     of = next(measure.of for measure in MEASURES if measure.name == name)
-    return of(moment) * YEAR / (moment.scenario.step_seconds or float("nan"))
+    return of(frame) * YEAR / (frame.scenario.step_seconds or float("nan"))
 
 
 LAGS = 3
 """Earlier frames that a frame's migration is measured from."""
 
 
-def moments(dataset: "xr.Dataset", scenario: Scenario, first: int = 0) -> Iterator[Moment]:
-    """The frames of a run from number ``first`` on; migration is from up to ``LAGS`` frames before."""
-    lattice = scenario.lattice
-    joined = lattice.periodic
-    steps = dataset["step"].values
-    directions = dataset["wind_direction"].values
-    travelled = np.stack([dataset["travel_x"].values, dataset["travel_y"].values])
-    recent = deque((dataset["elevation"][at].values for at in range(max(0, first - LAGS), first)), LAGS + 1)
-    for at in range(first, len(steps)):
-        elevation = dataset["elevation"][at].values
-        recent.append(elevation)
-        travel = np.dot(downwind(directions[at]), travelled[:, at] - travelled[:, max(at - 1, 0)])
-        yield Moment(
-            modelled=partial(as_modelled, dataset.isel(step=at), scenario),
-            sand=dataset["sand"][at].values,
+class FrameMeasurer:
+    """Compares each frame of a run with those before it, of which it keeps up to ``LAGS``."""
+
+    def __init__(self, scenario: Scenario) -> None:
+        """Begin without earlier frames."""
+        self.scenario = scenario
+        self._recent: deque[tuple[int, NDArray[np.float64], NDArray[np.float64]]] = deque(maxlen=LAGS + 1)
+
+    @property
+    def last_step(self) -> int | None:
+        """The step of the newest frame."""
+        return self._recent[-1][0] if self._recent else None
+
+    def keep(self, step: int, elevation: NDArray[np.float64], travelled: Sequence[float]) -> None:
+        """Keep a frame to compare later ones with: elevation (m) and distances travelled (cells, x and y)."""
+        self._recent.append((step, elevation, np.asarray(travelled)))
+
+    def measured(
+        self,
+        step: int,
+        sand: NDArray[np.int32],
+        elevation: NDArray[np.float64],
+        direction: float,
+        travelled: Sequence[float],
+        modelled: Callable[[], tuple[Model, Bed, Segment]],
+    ) -> MeasuredFrame:
+        """The next frame of the run."""
+        self.keep(step, elevation, travelled)
+        steps, surfaces, distances = zip(*self._recent, strict=True)
+        before = max(len(steps) - 2, 0)
+        lattice = self.scenario.lattice
+        return MeasuredFrame(
+            modelled=modelled,
+            sand=sand,
             elevation=elevation,
-            scenario=scenario,
-            direction=float(directions[at]),
-            orientation=crest_orientation(elevation, lattice.cell_size, joined),
-            slopes=streamwise_slopes(elevation, lattice.cell_size, directions[at], joined),
-            migration=migration(steps[at + 1 - len(recent) : at + 1], list(recent), joined),
-            travel=float(travel),
-            steps=int(steps[at] - steps[at - 1]) if at else 0,
+            scenario=self.scenario,
+            direction=direction,
+            orientation=crest_orientation(elevation, lattice.cell_size, lattice.periodic),
+            slopes=streamwise_slopes(elevation, lattice.cell_size, direction, lattice.periodic),
+            migration=migration(steps, surfaces, lattice.periodic),
+            travel=float(np.dot(downwind(direction), distances[-1] - distances[before])),
+            steps=step - steps[before],
+        )
+
+
+def measured_frames(dataset: "xr.Dataset", scenario: Scenario, first: int = 0) -> Iterator[MeasuredFrame]:
+    """The frames of a run from number ``first`` on; migration is from up to ``LAGS`` frames before."""
+    measurer = FrameMeasurer(scenario)
+    steps = dataset["step"].values
+    travelled = np.stack([dataset["travel_x"].values, dataset["travel_y"].values], axis=1)
+    for at in range(max(0, first - LAGS), first):
+        measurer.keep(int(steps[at]), dataset["elevation"][at].values, travelled[at])
+    for at in range(first, len(steps)):
+        yield measurer.measured(
+            int(steps[at]),
+            dataset["sand"][at].values,
+            dataset["elevation"][at].values,
+            float(dataset["wind_direction"][at]),
+            travelled[at],
+            partial(as_modelled, dataset.isel(step=at), scenario),
         )
 
 
@@ -166,7 +203,7 @@ def course(dataset: "xr.Dataset", scenario: Scenario) -> "xr.Dataset":
     import xarray as xr
 
     measures = measures_of(scenario)
-    rows = [[measure.of(moment) for measure in measures] for moment in moments(dataset, scenario)]
+    rows = [[measure.of(frame) for measure in measures] for frame in measured_frames(dataset, scenario)]
     values = np.array(rows, float).T
     return xr.Dataset(
         {
@@ -179,5 +216,5 @@ def course(dataset: "xr.Dataset", scenario: Scenario) -> "xr.Dataset":
 
 def last_measures(dataset: "xr.Dataset", scenario: Scenario) -> dict[str, float]:
     """The measures of a run's last frame, by name."""
-    last = next(iter(moments(dataset, scenario, dataset.sizes["step"] - 1)))
+    last = next(iter(measured_frames(dataset, scenario, dataset.sizes["step"] - 1)))
     return {measure.name: float(measure.of(last)) for measure in measures_of(scenario)}

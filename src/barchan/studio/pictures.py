@@ -1,6 +1,6 @@
 """The small pictures of presets in the gallery: ``python -m barchan.studio.pictures [NAME …]`` draws them.
 
-Each preset runs to its end, or for so long as PATIENCE lets it; the maps are those of ``barchan show``.
+Each preset runs to its end, or for PATIENCE seconds at most; the maps are those of ``barchan show``.
 """
 
 import sys
@@ -22,7 +22,7 @@ WIDTH, HEIGHT = 320, 200
 SMOOTHING = 0.8
 SEED = 1
 PATIENCE = 120.0
-"""Seconds that a preset may run."""
+"""Seconds that a preset may run, at most."""
 
 
 def picture(scenario: Scenario) -> Image.Image:

@@ -1,8 +1,9 @@
-"""What server, workers and browser say to each other.
+"""Messages and frames between browser, server and workers.
 
-Control messages are JSON objects: what a client wants is named by ``do``, what it is told by ``tell``.
+Control messages are JSON objects: a request names its ``command`` (see ``commands``), what comes back its
+``type``. A request with an ``id`` is answered by a message with the same ``id``.
 Frames are binary: ``MAGIC``, the length of a JSON header (32 bits, little-endian), the header padded to four
-bytes, then the planes that it lists, each padded likewise.
+bytes, then the numbers of the fields that it lists as ``encoded``, each padded likewise.
 """
 
 import json
@@ -14,8 +15,21 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-PROTOCOL = 2
+PROTOCOL = 3
 """Version of the messages; client and server of different versions do not talk."""
+
+MESSAGES = {
+    "hello": "The version of the messages, the names of the runs, and whether they run in lockstep.",
+    "runs": "The names of the runs have changed.",
+    "lockstep": "Two runs that are compared started or stopped.",
+    "scenario": "What a run consists of: scenario, lattice, fields, measures, branches.",
+    "compiling": "Kernels are being compiled.",
+    "arrived": "A run has done the steps that it was asked for.",
+    "lost": "The process of a run has ended by itself.",
+    "done": "The answer to a request.",
+    "refused": "A request that cannot be carried out, and why.",
+}
+"""Types of the messages that the browser gets, and their meanings."""
 
 MAGIC = b"BRCH"
 
@@ -25,9 +39,12 @@ LARGEST_MESSAGE = 1 << 20
 FRAMES_IN_FLIGHT = 2
 """Frames that may be on their way to a browser that has not confirmed them."""
 
+Request = dict[str, Any]
+"""A request as it arrives: ``command``, perhaps ``id`` and ``run``, and the command's own keys."""
+
 
 @dataclass(frozen=True)
-class Plane:
+class EncodedField:
     """One field of a frame: whole numbers that become values as ``offset + scale * number``."""
 
     name: str
@@ -36,7 +53,7 @@ class Plane:
     offset: float = 0.0
 
     def header(self) -> dict[str, Any]:
-        """What the browser must know to read the plane."""
+        """The keys by which the browser reads the numbers."""
         return {
             "name": self.name,
             "dtype": self.numbers.dtype.name,
@@ -45,34 +62,20 @@ class Plane:
         }
 
 
-def message(**content: Any) -> bytes:
-    """A control message."""
-    return json.dumps(content, separators=(",", ":"), ensure_ascii=False, allow_nan=False).encode()
+def message(kind: str, **content: Any) -> bytes:
+    """A control message of one of the ``MESSAGES``; raises KeyError for any other."""
+    MESSAGES[kind]
+    return _json({"type": kind, **content})
 
 
-def frame(header: dict[str, Any], planes: Sequence[Plane]) -> bytes:
+def frame(header: dict[str, Any], fields: Sequence[EncodedField]) -> bytes:
     """A frame."""
-    text = message(**header, planes=[plane.header() for plane in planes])
-    parts: list[Any] = [MAGIC, struct.pack("<I", len(text)), text, _padding(len(text))]
-    for plane in planes:
-        numbers = np.ascontiguousarray(plane.numbers)
-        parts += [numbers.data, _padding(numbers.nbytes)]
+    text = _json({**header, "encoded": [field.header() for field in fields]})
+    parts: list[Any] = [MAGIC, struct.pack("<I", len(text)), text, padding(len(text))]
+    for field in fields:
+        numbers = np.ascontiguousarray(field.numbers)
+        parts += [numbers.data, padding(numbers.nbytes)]
     return b"".join(parts)
-
-
-def read_frame(data: bytes) -> tuple[dict[str, Any], dict[str, NDArray[np.float64]]]:
-    """The header of a frame, and its fields' values as flat arrays."""
-    (length,) = struct.unpack_from("<I", data, len(MAGIC))
-    at = len(MAGIC) + 4
-    header: dict[str, Any] = json.loads(data[at : at + length])
-    at += length + len(_padding(length))
-    fields = {}
-    count = header["rows"] * header["columns"]
-    for plane in header["planes"]:
-        numbers = np.frombuffer(data, plane["dtype"], count, at)
-        at += numbers.nbytes + len(_padding(numbers.nbytes))
-        fields[plane["name"]] = plane["offset"] + plane["scale"] * numbers.astype(np.float64)
-    return header, fields
 
 
 def is_frame(data: bytes) -> bool:
@@ -80,5 +83,10 @@ def is_frame(data: bytes) -> bool:
     return data.startswith(MAGIC)
 
 
-def _padding(length: int) -> bytes:
+def padding(length: int) -> bytes:
+    """Bytes that fill up to a multiple of four, as browsers need for arrays of numbers."""
     return b"\0" * (-length % 4)
+
+
+def _json(content: dict[str, Any]) -> bytes:
+    return json.dumps(content, separators=(",", ":"), ensure_ascii=False, allow_nan=False).encode()

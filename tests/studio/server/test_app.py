@@ -17,7 +17,7 @@ from tests.studio.conftest import Browser, serving, small
 def test_frames_show_the_bits_that_the_simulation_gives(served, scenario):
     with served.browser() as browser:
         browser.until_frame(lambda status: status["step"] > 0)
-        browser.say("pause")
+        browser.send("pause")
         header, fields = browser.until_frame(lambda status: not status["running"])
         alone = Simulation(scenario)
         alone.advance(header["status"]["step"])
@@ -31,7 +31,7 @@ def test_a_browser_that_confirms_nothing_gets_two_frames_while_the_run_goes_on(s
         with pytest.raises(TimeoutError):
             browser.drain(0.5)
         assert len(browser.frames) == FRAMES_IN_FLIGHT
-        browser.say("confirm", run="a")
+        browser.send("confirm", run="a")
         later = browser.until_frame()[0]["status"]["live"]
     assert later > first + FRAMES_IN_FLIGHT
 
@@ -56,11 +56,11 @@ def test_a_stalled_browser_neither_halts_the_run_nor_grows_memory(served):
         lively = steps_in(browser, 1.0)
         browser.confirms = False
         last = [browser.until_frame()[0]["status"]["live"] for _ in range(FRAMES_IN_FLIGHT)][-1]
-        pids = os.getpid(), served.session.links["a"].process.pid
+        pids = os.getpid(), served.session.workers["a"].process.pid
         before = [memory(pid) for pid in pids]
         time.sleep(3.0)
         grown = [memory(pid) - known for pid, known in zip(pids, before, strict=True)]
-        browser.say("confirm", run="a")
+        browser.send("confirm", run="a")
         stalled = browser.until_frame()[0]["status"]["live"] - last
         assert stalled > lively / 4  # in three times as long: how fast is for benchmarks
         assert max(grown) < 8.0
@@ -69,44 +69,44 @@ def test_a_stalled_browser_neither_halts_the_run_nor_grows_memory(served):
 def test_a_live_parameter_changes_during_the_run(served):
     with served.browser() as browser:
         browser.until_frame()
-        browser.say("set", key="model.hop_length", value=3.0, re=1, run="a")
-        told = browser.until(lambda told, _: told.get("tell") == "scenario" and told["events"] == 1)[0]
+        browser.send("set", key="model.hop_length", value=3.0, id=1, run="a")
+        told = browser.until(lambda told, _: told.get("type") == "scenario" and told["events"] == 1)[0]
         assert told["scenario"]["model"]["hop_length"] == 3.0
-        browser.until_told("done", re=1)
+        browser.until_message("done", id=1)
 
 
 def test_rock_and_plants_are_painted_and_the_ground_is_sent_anew(served):
     place = {"x": 20.0, "y": 12.0, "radius": 6.0}
     with served.browser() as browser:
-        browser.say("create", scenario=small(model={"name": "nield_baas"}).data(), running=False)
+        browser.send("create", scenario=small(model={"name": "nield_baas"}).data(), running=False)
         told = browser.until(lambda told, _: len(told.get("brushes", [])) == 5)[0]
         assert [brush["title"] for brush in told["brushes"]] == ["sand", "rock", "grass", "mesquite", "shrub"]
-        browser.say("view", fields=["grass"])
+        browser.send("view", fields=["grass"])
         rock = {**told["brushes"][1]["stroke"], **place, "amount": 6}
-        browser.say("stroke", begin=True, end=True, stroke=rock)
+        browser.send("stroke", begin=True, end=True, stroke=rock)
         risen = browser.until(
             lambda _, fields: fields is not None and fields.get("ground", np.zeros(1)).any()
         )
         assert risen[1]["ground"].max() == pytest.approx(2.0, abs=0.4)
         grass = {**told["brushes"][2]["stroke"], **place, "amount": 0.5}
-        browser.say("stroke", begin=True, end=True, stroke=grass)
+        browser.send("stroke", begin=True, end=True, stroke=grass)
         browser.until(lambda _, fields: fields is not None and fields["grass"].max() > 0.4)
         assert "ground" not in browser.frames[-1][1]
-        browser.say("stroke", begin=True, stroke={**grass, "field": "gras"}, re=7)
-        assert "did you mean" in browser.until_told("refused", re=7)["text"]
-        browser.say("stroke", stroke={"kind": "wind", "wind": {"direction": 0}}, re=8)
-        assert "no stroke" in browser.until_told("refused", re=8)["text"]
+        browser.send("stroke", begin=True, stroke={**grass, "field": "gras"}, id=7)
+        assert "did you mean" in browser.until_message("refused", id=7)["text"]
+        browser.send("stroke", stroke={"kind": "wind", "wind": {"direction": 0}}, id=8)
+        assert "no stroke" in browser.until_message("refused", id=8)["text"]
 
 
 def test_the_last_frame_of_a_paused_run_is_followed_by_its_fields(served):
     with served.browser() as browser:
-        browser.say("view", fields=["shadow"])
+        browser.send("view", fields=["shadow"])
         browser.until_frame(lambda status: status["step"] > 30)
-        browser.say("pause")
+        browser.send("pause")
         browser.until(lambda header, fields: fields is not None and not header["status"]["running"])
         if "shadow" not in browser.frames[-1][1]:
             browser.until(lambda _, fields: fields is not None and "shadow" in fields)
-        assert browser.frames[-1][0]["fields"] == ["shadow"]
+        assert browser.frames[-1][0]["shown"] == ["shadow"]
 
 
 def test_paths_of_grains_come_with_frames_as_many_as_asked_for(served):
@@ -115,8 +115,8 @@ def test_paths_of_grains_come_with_frames_as_many_as_asked_for(served):
         lattice=lattice, sand={"kind": "flat", "mean": 20}, model={"name": "wang_hu", "wind_speed": 12}
     )
     with served.browser() as browser:
-        browser.say("paths", count=6)
-        browser.say("create", scenario=grains.data(), running=False)
+        browser.send("paths", count=6)
+        browser.send("create", scenario=grains.data(), running=False)
         told = browser.until(lambda told, _: told.get("paths") is True)[0]
         assert told["model"]["name"] == "wang_hu"
         paths = browser.until(lambda told, fields: fields is not None and told.get("paths"))[0]["paths"]
@@ -124,14 +124,14 @@ def test_paths_of_grains_come_with_frames_as_many_as_asked_for(served):
         assert len(points) >= 6
         assert all((point >= 0).all() and (point[:, :2] <= (0.32, 0.16)).all() for point in points)
         assert max(np.abs(np.diff(point[:, 0])).max() for point in points) < 0.16
-        browser.say("paths", count=0)
+        browser.send("paths", count=0)
         browser.until(lambda told, fields: fields is not None and told.get("paths") == [])
 
 
 def test_a_model_without_grains_has_no_paths(served):
     with served.browser() as browser:
-        browser.say("paths", count=6)
-        assert browser.until_told("scenario")["paths"] is False
+        browser.send("paths", count=6)
+        assert browser.until_message("scenario")["paths"] is False
         browser.until_frame(lambda status: status["step"] > 5)
         assert not any(header.get("paths") for header, _ in browser.frames)
 
@@ -139,22 +139,30 @@ def test_a_model_without_grains_has_no_paths(served):
 def test_what_cannot_change_is_refused_and_the_run_goes_on(served):
     with served.browser() as browser:
         step = browser.until_frame()[0]["status"]["step"]
-        browser.say("set", key="model.p_s", value=7, re=2, run="a")
-        refused = browser.until_told("refused", re=2)
+        browser.send("set", key="model.p_s", value=7, id=2, run="a")
+        refused = browser.until_message("refused", id=2)
         assert refused["problems"][0]["key"] == "model.p_s"
-        browser.say("set", key="lattice.rows", value=64, re=3, run="a")
-        assert "cannot change" in browser.until_told("refused", re=3)["text"]
+        browser.send("set", key="lattice.rows", value=64, id=3, run="a")
+        assert "cannot change" in browser.until_message("refused", id=3)["text"]
         browser.until_frame(lambda status: status["step"] > step)
 
 
 def test_nonsense_is_answered_and_harms_nothing(served):
     with served.browser() as browser:
         browser.until_frame()
-        for text in ("{", "[]", "3", '{"do": 5}', '{"do": "dance"}', '{"do": "stroke"}', '{"do": "look"}'):
-            browser.line.send(text)
-        browser.say("stroke", stroke={"x": "north"})
-        browser.say("set", re=9)
-        browser.until_told("refused", re=9)
+        for text in (
+            "{",
+            "[]",
+            "3",
+            '{"command": 5}',
+            '{"command": "dance"}',
+            '{"command": "stroke"}',
+            '{"command": "look"}',
+        ):
+            browser.connection.send(text)
+        browser.send("stroke", stroke={"x": "north"})
+        browser.send("set", id=9)
+        browser.until_message("refused", id=9)
         browser.until_frame()
 
 
@@ -166,9 +174,9 @@ def test_a_flood_of_messages_closes_the_line(served):
 def test_a_killed_worker_is_told_of_and_replaced(served):
     with served.browser() as browser:
         browser.until_frame(lambda status: status["step"] > 5)
-        os.kill(served.session.links["a"].process.pid, signal.SIGKILL)
-        assert browser.until_told("lost")["run"] == "a"
-        browser.say("revive")
+        os.kill(served.session.workers["a"].process.pid, signal.SIGKILL)
+        assert browser.until_message("lost")["run"] == "a"
+        browser.send("revive")
         browser.until_frame(lambda status: status["step"] > 0)
     with served.browser() as browser:
         browser.until_frame()
@@ -178,12 +186,12 @@ def test_ten_reloads_leave_one_session_and_one_worker(served):
     before = None
     for _ in range(10):
         with served.browser() as browser:
-            browser.until_told("scenario")
+            browser.until_message("scenario")
             status = browser.until_frame()[0]["status"]
-        pid = served.session.links["a"].process.pid
+        pid = served.session.workers["a"].process.pid
         assert before is None or (pid == before[0] and status["step"] >= before[1])
         before = pid, status["step"]
-    assert list(served.session.links) == ["a"]
+    assert list(served.session.workers) == ["a"]
 
 
 def test_a_second_window_takes_over(served):
@@ -205,17 +213,17 @@ def last_halt(browser, run):
 def test_two_models_run_step_by_step_on_the_same_ground(served):
     with served.browser() as browser:
         browser.until_frame()
-        browser.say("compare", model="momiji")
-        browser.until(lambda told, _: told.get("run") == "b" and told.get("tell") == "scenario")
+        browser.send("compare", model="momiji")
+        browser.until(lambda told, _: told.get("run") == "b" and told.get("type") == "scenario")
         browser.until(lambda told, _: told.get("run") == "b" and told.get("status", {}).get("step", 0) > 40)
-        browser.say("pause")
-        browser.until_told("pair", running=False)
+        browser.send("pause")
+        browser.until_message("lockstep", running=False)
         # Each shows every meeting: the last frame of one that waits there may have come before the pause did.
         while not (halted := {name: last_halt(browser, name) for name in "ab"})["a"] == halted["b"] > 40:
-            browser.hear()
-        seeds = {t["run"]: t["scenario"]["run"]["seed"] for t in browser.told if t["tell"] == "scenario"}
-        browser.say("alone")
-        browser.until_told("runs", runs=["a"])
+            browser.receive()
+        seeds = {t["run"]: t["scenario"]["run"]["seed"] for t in browser.messages if t["type"] == "scenario"}
+        browser.send("alone")
+        browser.until_message("runs", runs=["a"])
     assert seeds["a"] == seeds["b"]
 
 
@@ -226,9 +234,9 @@ def test_the_line_needs_token_host_and_origin(served):
         {"origin": "http://evil.example"},
         {"origin": f"http://127.0.0.1:{served.port + 1}"},
     ):
-        with pytest.raises(InvalidStatus), served.line(**options):
+        with pytest.raises(InvalidStatus), served.connection(**options):
             pass
-    with served.line(origin=served.address):
+    with served.connection(origin=served.address):
         pass
 
 
@@ -264,18 +272,18 @@ def test_a_scenario_from_the_browser_opens_no_file_beyond_the_folder(served, sce
     data = {**scenario.data(), "ground": {"kind": "file", "path": "/etc/passwd.npy"}}
     with served.browser() as browser:
         browser.until_frame()
-        browser.say("create", scenario=data, re=4)
-        assert browser.until_told("refused", re=4)["problems"][0]["key"] == "ground.path"
+        browser.send("create", scenario=data, id=4)
+        assert browser.until_message("refused", id=4)["problems"][0]["key"] == "ground.path"
         for name in ("../x", "/tmp/x", "a/b", ""):
-            browser.say("save", name=name, re=5)
-            assert "cannot be a run's name" in browser.until_told("refused", re=5)["text"]
+            browser.send("save", name=name, id=5)
+            assert "cannot be a run's name" in browser.until_message("refused", id=5)["text"]
 
 
 def test_a_wind_from_the_browser_opens_no_file_beyond_the_folder(served):
     with served.browser() as browser:
         browser.until_frame()
-        browser.say("wind", wind={"kind": "record", "path": "/etc/passwd"}, re=4, run="a")
-        assert browser.until_told("refused", re=4)["problems"][0]["key"] == "wind.path"
+        browser.send("wind", wind={"kind": "record", "path": "/etc/passwd"}, id=4, run="a")
+        assert browser.until_message("refused", id=4)["problems"][0]["key"] == "wind.path"
 
 
 def test_a_recorded_wind_has_its_roses(served):
@@ -283,12 +291,12 @@ def test_a_recorded_wind_has_its_roses(served):
     recorded = small(wind={"kind": "record"}, clock=clock)
     with served.browser() as browser:
         browser.until_frame()
-        browser.say("rose", run="a", re=1)
-        assert browser.until_told("done", re=1)["rose"] is None
-        browser.say("create", scenario=recorded.data(), running=False)
+        browser.send("rose", run="a", id=1)
+        assert browser.until_message("done", id=1)["rose"] is None
+        browser.send("create", scenario=recorded.data(), running=False)
         browser.until(lambda told, _: told.get("scenario", {}).get("wind", {}).get("kind") == "record")
-        browser.say("rose", run="a", re=2)
-        rose = browser.until_told("done", re=2)["rose"]
+        browser.send("rose", run="a", id=2)
+        rose = browser.until_message("done", id=2)["rose"]
     record = recorded.wind.record
     assert np.sum(rose["shares"]) + rose["calms"] == pytest.approx(1.0)
     assert np.shape(rose["shares"]) == (16, len(rose["limits"]) + 1)
@@ -302,8 +310,8 @@ def test_a_broken_scenario_names_every_bad_key_and_what_is_left(served):
         '{\n"barchan": 2,\n"model": {"name": "werner", "hop_lenght": 3, "p_s": 0.5},\n"sand": {"mean": -1}\n}'
     )
     with served.browser() as browser:
-        browser.say("check", name="mine.json", text=text, re=6)
-        answer = browser.until_told("done", re=6)
+        browser.send("check", name="mine.json", text=text, id=6)
+        answer = browser.until_message("done", id=6)
     assert [problem["key"] for problem in answer["problems"]] == ["sand.mean", "model.hop_lenght"]
     assert "mine.json:3" in [problem["place"] for problem in answer["problems"]]
     assert answer["scenario"]["model"]["p_s"] == 0.5
@@ -312,15 +320,15 @@ def test_a_broken_scenario_names_every_bad_key_and_what_is_left(served):
 def test_a_run_is_saved_and_opened_again(served):
     with served.browser() as browser:
         browser.until_frame(lambda status: status["step"] > 35)
-        browser.say("pause")
+        browser.send("pause")
         status = browser.until_frame(lambda status: not status["running"])[0]["status"]
-        browser.say("save", name="mine", re=1)
-        assert browser.until_told("done", re=1)["step"] == status["step"]
+        browser.send("save", name="mine", id=1)
+        assert browser.until_message("done", id=1)["step"] == status["step"]
     with serving(served.folder, archive=served.folder / "mine") as again, again.browser() as browser:
         header = browser.until_frame()[0]
         assert header["status"]["step"] == status["step"]
         assert header["history"][:3] == [0, 10, 20]
-        browser.say("look", step=20)
+        browser.send("look", step=20)
         assert not browser.until_frame(lambda status: status["looking"])[0]["status"]["can_branch"]
 
 
@@ -330,6 +338,6 @@ def test_a_scenario_can_start_with_a_ground_of_its_own_file(tmp_path):
     np.save(path, np.zeros((32, 48)))
     mine = small(ground={"kind": "file", "path": str(path)})
     with serving(tmp_path / "folder", mine) as server, server.browser() as browser:
-        told = browser.until_told("scenario")
-        browser.say("create", scenario=told["scenario"], re=1)
-        browser.until_told("scenario")
+        told = browser.until_message("scenario")
+        browser.send("create", scenario=told["scenario"], id=1)
+        browser.until_message("scenario")

@@ -7,14 +7,14 @@ from barchan.errors import BarchanError
 from barchan.simulation import SetParameter, Simulation
 from barchan.studio.worker.branches import MOST
 from barchan.studio.worker.run import StudioRun, started
-from barchan.studio.worker.step_pacer import Pace
+from barchan.studio.worker.run_speed import RunSpeed
 from tests.studio.conftest import small
 
 
 def run_to(run: StudioRun, step: int) -> None:
     run.run(step)
     while run.busy:
-        run.breathe()
+        run.advance_chunk()
 
 
 def test_a_branch_gives_the_bits_of_the_run_that_it_came_from(scenario):
@@ -26,7 +26,7 @@ def test_a_branch_gives_the_bits_of_the_run_that_it_came_from(scenario):
     assert run.shown.steps_done == 30
     run.branch()
     assert run.history.steps == [0, 10, 20, 30]
-    assert max(row["step"] for row in run.gauges.rows) <= 30
+    assert max(row["step"] for row in run.measures.rows) <= 30
     run_to(run, 60)
     assert np.array_equal(run.live.bed.sand, sand)
 
@@ -55,7 +55,7 @@ def test_branches_are_kept_and_gone_back_to(scenario):
     run_to(run, 30)
     second = run.live.bed.sand.copy()
     assert run.branches.current == 2
-    assert run.branches.told(30) == [
+    assert run.branches.listing(30) == [
         {"number": 1, "began": 0, "step": 40},
         {"number": 2, "began": 20, "step": 30},
     ]
@@ -76,7 +76,7 @@ def test_the_branch_that_was_left_first_is_forgotten_beyond_the_most(scenario):
     for _ in range(MOST):
         run.look(10)
         run.branch()
-    assert [branch["number"] for branch in run.branches.told(10)] == list(range(2, MOST + 2))
+    assert [branch["number"] for branch in run.branches.listing(10)] == list(range(2, MOST + 2))
 
 
 def test_pieces_of_any_length_give_the_bits_of_one_run(scenario):
@@ -110,29 +110,29 @@ def test_a_run_that_comes_to_rest_tells_why_and_stops():
 def test_the_speed_limit_holds(scenario, limit):
     run = started(scenario)
     run_to(run, 5)
-    run.pace.limit = limit
+    run.speed.limit = limit
     run.run()
     began = time.perf_counter()
     while time.perf_counter() - began < 0.6:
-        run.breathe()
-        time.sleep(min(run.pace.wait(), 0.05))
+        run.advance_chunk()
+        time.sleep(min(run.speed.wait(), 0.05))
     done = run.live.steps_done - 5
     assert done <= limit * (time.perf_counter() - began) + 1
 
 
-def test_a_pace_without_limit_never_waits():
-    pace = Pace()
-    assert pace.wait() == 0.0
-    assert pace.steps(1.0) == 1
-    pace.took(10, 0.1)
-    assert pace.steps(1.0) == 100
+def test_a_speed_without_limit_never_waits():
+    speed = RunSpeed(1.0)
+    assert speed.wait() == 0.0
+    assert speed.steps == 1
+    speed.record(1, 1e-3)
+    assert speed.steps == 2
 
 
 def test_measures_grow_with_the_run(scenario):
     run = started(scenario)
     run_to(run, 30)
-    rows = run.gauges.sent()
+    rows = run.measures.unsent()
     assert rows[0]["step"] == 0
     assert rows[-1]["step"] == 30
     assert rows[-1]["highest_stack"] == run.live.bed.sand.max()
-    assert run.gauges.sent() == []
+    assert run.measures.unsent() == []

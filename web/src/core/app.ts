@@ -1,7 +1,8 @@
-/** What all parts of the studio share: the line, the runs, what is shown, the log. */
+/** The state that all parts of the studio share: the connection, the runs, the view, the log. */
 
-import { Line, Refused } from "./line";
-import { type Description, type JsonObject, type RunName, type Told, readFrame } from "./protocol";
+import type { MessageType } from "./commands";
+import { Connection, Refused } from "./connection";
+import { type Command, type Description, type JsonObject, type Message, type Problem, type RunName, readFrame } from "./protocol";
 import { Run } from "./run";
 import { Signal } from "./signal";
 import { type Schema } from "./schema";
@@ -16,7 +17,7 @@ export interface Entry {
 }
 
 export class App {
-  readonly line: Line;
+  readonly connection: Connection;
   readonly view = new View();
   runs: Run[] = [];
   /** The run whose parameters the panel shows. */
@@ -34,17 +35,17 @@ export class App {
   private readonly unconfirmed: RunName[] = [];
 
   constructor(token: string) {
-    this.line = new Line(token);
-    this.line.told.watch((told) => this.hear(told));
-    this.line.framed.watch((data) => this.see(data));
+    this.connection = new Connection(token);
+    this.connection.message.watch((message) => this.onMessage(message));
+    this.connection.frame.watch((data) => this.onFrame(data));
     this.view.changed.watch(() => this.refreshFields());
   }
 
   async start(): Promise<void> {
-    this.line.connect();
+    this.connection.connect();
     [this.schema, this.colours] = await Promise.all([
-      this.line.fetch<Schema>("schema"),
-      this.line.fetch<App["colours"]>("colours"),
+      this.connection.fetch<Schema>("schema"),
+      this.connection.fetch<App["colours"]>("colours"),
     ]);
     this.changed.send();
   }
@@ -69,24 +70,24 @@ export class App {
     this.logged.send(entry);
   }
 
-  /** Give an order; without a run's name all runs carry it out. */
-  order(order: JsonObject): void {
-    this.line.send(order);
+  /** Send a command; without a run's name all runs carry it out. */
+  send(command: Command): void {
+    this.connection.send(command);
   }
 
-  /** Ask for something; what is refused goes to the log. */
-  async ask(order: JsonObject): Promise<Told | null> {
+  /** Send a command and wait for its answer; a refusal goes to the log. */
+  async ask(command: Command): Promise<Message | null> {
     try {
-      return await this.line.ask(order);
+      return await this.connection.ask(command);
     } catch (error) {
       this.refused(error);
       return null;
     }
   }
 
-  /** Begin a scenario anew. */
+  /** Start a scenario. */
   create(scenario: JsonObject, running = true): void {
-    this.order({ do: "create", scenario, running, run: this.selected });
+    this.send({ command: "create", scenario, running, run: this.selected });
   }
 
   refused(error: unknown): void {
@@ -97,35 +98,47 @@ export class App {
 
   /** Confirm the frames that were drawn, so that others may come. */
   confirm(): void {
-    for (const run of this.unconfirmed.splice(0)) this.order({ do: "confirm", run });
+    for (const run of this.unconfirmed.splice(0)) this.send({ command: "confirm", run });
   }
 
-  private hear(told: Told): void {
-    const run = typeof told.run === "string" ? this.run(told.run as RunName) : undefined;
-    if (told.tell === "hello") {
-      this.setRuns(told.runs as RunName[]);
-      this.pairRuns = this.runs.length > 1 ? Boolean(told.running) : null;
+  private readonly handlers: Partial<Record<MessageType, (message: Message, run: Run | undefined) => void>> = {
+    hello: (message) => {
+      this.setRuns(message.runs as RunName[]);
+      this.pairRuns = this.runs.length > 1 ? Boolean(message.running) : null;
       this.askForFields();
       this.changed.send();
-    } else if (told.tell === "runs") {
-      this.setRuns(told.runs as RunName[]);
+    },
+    runs: (message) => {
+      this.setRuns(message.runs as RunName[]);
       this.askForFields();
       this.changed.send();
-    } else if (told.tell === "pair") {
-      this.pairRuns = Boolean(told.running);
+    },
+    lockstep: (message) => {
+      this.pairRuns = Boolean(message.running);
       this.changed.send();
-    } else if (told.tell === "compiling") {
+    },
+    compiling: () => {
       this.note("info", "Compiling kernels; only the first run of a model does.");
       this.compiling.send();
-    } else if (told.tell === "scenario" && run) this.describe(run, told as unknown as Description);
-    else if (told.tell === "refused") {
-      this.refused(new Refused(String(told.text), told.problems as never));
+    },
+    scenario: (message, run) => {
+      if (run) this.describe(run, message as unknown as Description);
+    },
+    refused: (message) => {
+      this.refused(new Refused(String(message.text), message.problems as never));
       if (this.current) this.described.send(this.current);
-    } else if (told.tell === "lost" && run) {
+    },
+    lost: (message, run) => {
+      if (!run) return;
       run.lost = true;
-      this.note("error", `The simulation's process ended (code ${told.code}). The server lives; restart the run.`);
+      this.note("error", `The simulation's process ended (code ${message.code}). The server lives; restart the run.`);
       this.changed.send();
-    }
+    },
+  };
+
+  private onMessage(message: Message): void {
+    const run = typeof message.run === "string" ? this.run(message.run as RunName) : undefined;
+    this.handlers[message.type]?.(message, run);
   }
 
   private setRuns(names: RunName[]): void {
@@ -147,7 +160,7 @@ export class App {
     this.changed.send();
   }
 
-  private see(data: ArrayBuffer): void {
+  private onFrame(data: ArrayBuffer): void {
     const frame = readFrame(data);
     const run = this.run(frame.run);
     this.unconfirmed.push(frame.run);
@@ -163,13 +176,13 @@ export class App {
     for (const run of this.runs) {
       const known = new Set(run.description?.fields.map((field) => field.name));
       const fields = this.view.fields().filter((name) => known.has(name));
-      this.order({ do: "view", run: run.name, fields });
-      this.order({ do: "paths", run: run.name, count: this.view.look.paths });
+      this.send({ command: "view", run: run.name, fields });
+      this.send({ command: "paths", run: run.name, count: this.view.look.paths });
     }
     this.asked = this.shown;
   }
 
-  /** Ask anew where what is shown has changed. */
+  /** Ask for other fields where the view has changed. */
   private refreshFields(): void {
     if (this.asked !== this.shown) this.askForFields();
   }
@@ -180,7 +193,7 @@ export class App {
   }
 }
 
-export function problemText(problem: { key: string; message: string; place: string }): string {
+export function problemText(problem: Problem): string {
   const place = problem.place ? ` (${problem.place})` : "";
   return problem.key ? `${problem.key}: ${problem.message}${place}` : `${problem.message}${place}`;
 }

@@ -1,7 +1,7 @@
 /** What a section shows of a run: surface, ground, shadow and slope along a line. */
 
 import type { Run } from "./run";
-import { type Line2, along, samples } from "./section";
+import { type SectionLine, along, samples } from "./section";
 
 /** Cells over which the slope is averaged: single slabs are steps. */
 const SLOPE_CELLS = 2;
@@ -14,7 +14,7 @@ export interface Profile {
   slope: Float32Array;
 }
 
-export function profile(run: Run, line: Line2): Profile {
+export function profile(run: Run, line: SectionLine): Profile {
   const lattice = run.description!.lattice;
   const places = samples(line, lattice);
   const surface = along(run.surface, places, lattice);

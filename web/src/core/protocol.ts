@@ -1,6 +1,6 @@
-/** What the server says, and how frames are read. */
+/** The messages of the server, and how frames are read. */
 
-export const PROTOCOL = 2;
+import type { CommandName, MessageType } from "./commands";
 
 const MAGIC = 0x48435242; // "BRCH"
 
@@ -88,11 +88,15 @@ export interface Problem {
   place: string;
 }
 
-export interface Told extends JsonObject {
-  tell: string;
+export interface Message extends JsonObject {
+  type: MessageType;
 }
 
-interface Plane {
+export interface Command extends JsonObject {
+  command: CommandName;
+}
+
+interface EncodedField {
   name: string;
   dtype: "uint8" | "uint16" | "int32" | "float32";
   scale: number;
@@ -124,12 +128,12 @@ export function readFrame(data: ArrayBuffer): Frame {
   const count = header.rows * header.columns;
   const fields = new Map<string, Float32Array>();
   let at = 8 + padded(length);
-  for (const plane of header.planes as Plane[]) {
-    const numbers = new ARRAYS[plane.dtype](data, at, count);
+  for (const field of header.encoded as EncodedField[]) {
+    const numbers = new ARRAYS[field.dtype](data, at, count);
     at += padded(numbers.byteLength);
-    fields.set(plane.name, scaled(numbers, plane.scale, plane.offset));
+    fields.set(field.name, scaled(numbers, field.scale, field.offset));
   }
-  return { ...header, shown: header.fields, fields };
+  return { ...header, fields };
 }
 
 function scaled(numbers: ArrayLike<number>, scale: number, offset: number): Float32Array {

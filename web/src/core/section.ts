@@ -3,7 +3,7 @@
 import type { Lattice } from "./protocol";
 
 /** From and to, in metres from the south-west corner. */
-export type Line2 = [number, number, number, number];
+export type SectionLine = [number, number, number, number];
 
 export interface Samples {
   /** Metres from the line's beginning. */
@@ -13,7 +13,7 @@ export interface Samples {
 }
 
 /** Places along a line, about two to a cell. */
-export function samples(line: Line2, lattice: Lattice): Samples {
+export function samples(line: SectionLine, lattice: Lattice): Samples {
   const [x0, y0, x1, y1] = line;
   const length = Math.hypot(x1 - x0, y1 - y0);
   const count = Math.min(Math.max(Math.round((2 * length) / lattice.cell_size), 2), 8192);
@@ -49,7 +49,7 @@ export function along(field: Float32Array, at: Samples, lattice: Lattice): Float
 }
 
 /** The line along the wind through the field's middle, from edge to edge. */
-export function alongWind(direction: number, lattice: Lattice): Line2 {
+export function alongWind(direction: number, lattice: Lattice): SectionLine {
   const width = lattice.columns * lattice.cell_size;
   const depth = lattice.rows * lattice.cell_size;
   const angle = (direction * Math.PI) / 180;

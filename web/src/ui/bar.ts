@@ -39,7 +39,7 @@ export class Bar {
         title: "Speed limit",
         onchange: (event: Event) => {
           const chosen = LIMITS[(event.target as HTMLSelectElement).selectedIndex]!;
-          app.order({ do: "limit", rate: chosen[1] });
+          app.send({ command: "limit", rate: chosen[1] });
         },
       },
       ...LIMITS.map(([text]) => h("option", {}, text)),
@@ -54,7 +54,7 @@ export class Bar {
         this.play,
         button("One step (.)", "▸❘", () => this.step(1)),
         this.count,
-        button("Run so many steps", "go", () => this.step(Number(this.count.value) || 1)),
+        button("Run this number of steps", "go", () => this.step(Number(this.count.value) || 1)),
         limit,
         button("Restart with the same seed (R)", "↺", () => this.restart()),
       ),
@@ -66,17 +66,17 @@ export class Bar {
   }
 
   toggle(): void {
-    this.app.order({ do: this.app.running ? "pause" : "run" });
+    this.app.send({ command: this.app.running ? "pause" : "run" });
   }
 
   step(count: number): void {
-    this.app.order({ do: "run", steps: Math.max(1, Math.round(count)) });
+    this.app.send({ command: "run", steps: Math.max(1, Math.round(count)) });
   }
 
   restart(): void {
     const scenario = this.app.current?.description?.scenario;
     if (scenario && this.app.runs.length > 1) this.app.create(scenario, this.app.running);
-    else this.app.order({ do: "restart" });
+    else this.app.send({ command: "restart" });
   }
 
   private status(): HTMLElement[] {

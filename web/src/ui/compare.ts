@@ -17,8 +17,8 @@ export class Compare {
 
   private choose(): void {
     const model = this.select.value;
-    if (model === "") this.app.order({ do: "alone" });
-    else this.app.order({ do: "compare", model });
+    if (model === "") this.app.send({ command: "alone" });
+    else this.app.send({ command: "compare", model });
     if (model === "") this.app.view.set({ side: "surface" });
   }
 

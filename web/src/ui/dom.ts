@@ -56,10 +56,10 @@ export function short(value: number | null | undefined, digits = 4): string {
   return String(Number(value.toPrecision(digits)));
 }
 
-/** Below this (m) lengths are told in millimetres. */
+/** Below this (m) lengths are given in millimetres. */
 const SMALL = 0.1;
 
-/** What lengths up to a size (m) are told in: a unit, and how many make a metre. */
+/** The unit for lengths up to a size (m), and how many of it make a metre. */
 export function lengthUnit(size: number): [string, number] {
   return Math.abs(size) < SMALL ? ["mm", 1000] : ["m", 1];
 }
@@ -118,7 +118,7 @@ export function themeColour(name: string): string {
   return getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
 }
 
-/** Round marks on an axis from `low` to `high`, about so many. */
+/** Round marks on an axis from `low` to `high`, about `count` of them. */
 export function ticks(low: number, high: number, count: number): number[] {
   if (!(high > low)) return [low];
   const rough = (high - low) / Math.max(count, 1);

@@ -70,7 +70,7 @@ export class Files {
 
   /** Load a scenario; a broken one tells every bad key, and is only used in part when asked. */
   async load(name: string, text: string): Promise<void> {
-    const answer = await this.app.ask({ do: "check", name, text });
+    const answer = await this.app.ask({ command: "check", name, text });
     if (!answer) return;
     const problems = answer.problems as unknown as Problem[];
     const scenario = answer.scenario as JsonObject | null;
@@ -134,14 +134,14 @@ export class Files {
   }
 
   private upload(file: File): Promise<{ path: string }> {
-    return this.app.line.fetch(`upload?name=${encodeURIComponent(file.name)}`, { method: "POST", body: file });
+    return this.app.connection.fetch(`upload?name=${encodeURIComponent(file.name)}`, { method: "POST", body: file });
   }
 
   /** Let the winds of a record blow. */
   private async record(file: File): Promise<void> {
     try {
       const kept = await this.upload(file);
-      const answer = await this.app.ask({ do: "wind", wind: { kind: "record", path: kept.path }, run: this.app.selected });
+      const answer = await this.app.ask({ command: "wind", wind: { kind: "record", path: kept.path }, run: this.app.selected });
       if (answer) this.app.note("info", `The winds of ${file.name} blow now.`);
     } catch (error) {
       this.app.refused(error);
@@ -152,7 +152,7 @@ export class Files {
     const name = h("input", { type: "text", value: `run-${new Date().toISOString().slice(0, 16).replaceAll(/[T:]/g, "-")}`, "aria-label": "Name of the run" });
     const save = async () => {
       sheet.close();
-      const answer = await this.app.ask({ do: "save", name: name.value, run: this.app.selected });
+      const answer = await this.app.ask({ command: "save", name: name.value, run: this.app.selected });
       if (answer) this.app.note("info", `Saved ${answer.frames} frames up to step ${answer.step} as ${name.value}.`);
     };
     const sheet: HTMLDialogElement = dialog(
@@ -166,12 +166,12 @@ export class Files {
   }
 
   private async open(): Promise<void> {
-    const answer = await this.app.ask({ do: "saved" });
+    const answer = await this.app.ask({ command: "saved" });
     if (!answer) return;
     const names = answer.saved as string[];
     const begin = async (name: string) => {
       sheet.close();
-      if (await this.app.ask({ do: "open", name })) this.app.note("info", `Opened ${name}; it goes on from its newest state.`);
+      if (await this.app.ask({ command: "open", name })) this.app.note("info", `Opened ${name}; it goes on from its newest state.`);
     };
     const list = names.map((name) => h("li", {}, h("button", { type: "button", onclick: () => void begin(name) }, name)));
     const sheet: HTMLDialogElement = dialog(

@@ -4,7 +4,7 @@ import type { Json, JsonObject } from "../core/protocol";
 import { type Schema, bounds, entryOf, initial } from "../core/schema";
 import { h, id, short } from "./dom";
 import { numberControl } from "./number";
-import { words } from "./words";
+import { labelOf } from "./labels";
 
 
 export type Path = (string | number)[];
@@ -42,7 +42,7 @@ export function field(context: FormContext, name: string, given: Schema, value: 
   if (entry.kind === "variant") return variantField(context, name, given, value as JsonObject, path);
   if (entry.kind === "group" && !entry.nullable) {
     const rows = group(context, entry.schema, (value ?? {}) as JsonObject, path);
-    return h("details", { className: "inner", id: `group-${path.join(".")}` }, h("summary", {}, words(name)), ...rows);
+    return h("details", { className: "inner", id: `group-${path.join(".")}` }, h("summary", {}, labelOf(name)), ...rows);
   }
   if (entry.kind === "list") return listField(context, name, entry.schema, (value ?? []) as Json[], path);
   if (entry.kind === "group") return optionalGroup(context, name, entry.schema, value as JsonObject | null, path);
@@ -60,14 +60,14 @@ export function variantField(context: FormContext, name: string, given: Schema, 
       id: label,
       onchange: (event: Event) => context.variant(path, entry.key, (event.target as HTMLSelectElement).value),
     },
-    ...Object.keys(entry.variants).map((one) => h("option", { value: one, selected: one === kind }, words(one))),
+    ...Object.keys(entry.variants).map((one) => h("option", { value: one, selected: one === kind }, labelOf(one))),
   );
   choice.dataset.path = path.join(".");
   const variant = entry.variants[kind] ?? {};
   return h(
     "fieldset",
     {},
-    h("legend", {}, words(name)),
+    h("legend", {}, labelOf(name)),
     h("div", { className: "row" }, h("label", { for: label }, "kind"), h("div", { className: "control" }, choice)),
     ...group(context, variant, value ?? {}, path),
   );
@@ -81,7 +81,7 @@ function optionalGroup(context: FormContext, name: string, schema: Schema, value
     onchange: () => context.change(path, box.checked ? initial(schema, context.root) : null, false),
   });
   const rows = value === null ? [] : group(context, schema, value, path);
-  const head = h("div", { className: "row" }, h("label", { for: box.id, title: schema.description ?? "" }, words(name)), box);
+  const head = h("div", { className: "row" }, h("label", { for: box.id, title: schema.description ?? "" }, labelOf(name)), box);
   return h("div", {}, head, ...rows);
 }
 
@@ -108,9 +108,9 @@ function listField(context: FormContext, name: string, schema: Schema, value: Js
   return h(
     "fieldset",
     { title: schema.description ?? "" },
-    h("legend", {}, words(name)),
+    h("legend", {}, labelOf(name)),
     ...items,
-    value.length < most && h("button", { type: "button", onclick: add, className: "quiet" }, `+ add to ${words(name)}`),
+    value.length < most && h("button", { type: "button", onclick: add, className: "quiet" }, `+ add to ${labelOf(name)}`),
   );
 }
 
@@ -131,7 +131,7 @@ function row(context: FormContext, name: string, given: Schema, value: Json, pat
       className: "reset",
       hidden: !changed,
       title: `Reset to ${shown(schema.default ?? null)}`,
-      "aria-label": `Reset ${words(name)} to ${shown(schema.default ?? null)}`,
+      "aria-label": `Reset ${labelOf(name)} to ${shown(schema.default ?? null)}`,
       onclick: () => take(schema.default ?? null),
     },
     "↶",
@@ -140,7 +140,7 @@ function row(context: FormContext, name: string, given: Schema, value: Json, pat
   return h(
     "div",
     { className: "row", title: explained(schema, live) },
-    h("label", { for: label }, words(name), restarts && h("span", { className: "restarts", "aria-label": "restarts the run" }, restarts)),
+    h("label", { for: label }, labelOf(name), restarts && h("span", { className: "restarts", "aria-label": "restarts the run" }, restarts)),
     h("div", { className: "control" }, ...controls, unit && h("span", { className: "unit" }, unit), reset),
     h("output", { className: "trouble", "data-trouble": path.join(".") }),
   );
@@ -200,5 +200,5 @@ function explained(schema: Schema, live: boolean): string {
 
 function shown(value: Json): string {
   if (value === null) return "none";
-  return typeof value === "string" ? words(value) : JSON.stringify(value);
+  return typeof value === "string" ? labelOf(value) : JSON.stringify(value);
 }

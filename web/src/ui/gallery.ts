@@ -17,7 +17,7 @@ interface Preset {
 }
 
 export async function gallery(app: App): Promise<void> {
-  const presets = await app.line.fetch<Preset[]>("presets");
+  const presets = await app.connection.fetch<Preset[]>("presets");
   const cards = presets.map((preset) => card(app, preset, () => sheet.close()));
   const search = h("input", {
     type: "search",
@@ -38,13 +38,13 @@ export async function gallery(app: App): Promise<void> {
 function card(app: App, preset: Preset, close: () => void): HTMLElement {
   const begin = async () => {
     close();
-    const answer = await app.ask({ do: "preset", name: preset.name });
+    const answer = await app.ask({ command: "preset", name: preset.name });
     if (!answer) return;
     app.note("info", `Preset ${preset.name}.`);
     app.create(answer.scenario as JsonObject, true);
   };
   const picture = preset.picture
-    ? h("img", { src: app.line.picture(preset.name), alt: "", loading: "lazy", width: 240, height: 150 })
+    ? h("img", { src: app.connection.picture(preset.name), alt: "", loading: "lazy", width: 240, height: 150 })
     : h("div", { className: "no-picture" });
   return h(
     "button",

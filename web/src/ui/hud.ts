@@ -20,7 +20,7 @@ export class Hud {
   private readonly under = h("output", { className: "under" });
   private readonly notice = h("div", { className: "notice", role: "alert", hidden: true });
   private readonly names = h("div", { className: "names" });
-  private line = "Connecting …";
+  private connection = "Connecting …";
   private compiling = false;
 
   constructor(
@@ -43,19 +43,19 @@ export class Hud {
       this.under,
       this.notice,
     );
-    app.line.state.watch((text) => {
-      this.line = text;
-      this.tell();
+    app.connection.state.watch((text) => {
+      this.connection = text;
+      this.notify();
     });
     app.compiling.watch(() => {
       this.compiling = true;
-      this.tell();
+      this.notify();
     });
     app.framed.watch(() => {
       this.compiling = false;
-      this.tell();
+      this.notify();
     });
-    app.changed.watch(() => this.tell());
+    app.changed.watch(() => this.notify());
     stage.onDrawn = () => this.draw();
   }
 
@@ -78,11 +78,11 @@ export class Hud {
       `slope ${slope.toFixed(1)}° · sand ${metres(run.depth[at])}${extra}`;
   }
 
-  private tell(): void {
+  private notify(): void {
     const lost = this.app.runs.some((run) => run.lost);
     const started = this.app.runs.some((run) => run.ready);
     const finished = this.app.current?.status?.finished;
-    let text = this.line;
+    let text = this.connection;
     if (!text && lost) text = "The simulation’s process ended.";
     else if (!text && this.compiling) text = "Compiling the model; only its first run does …";
     else if (!text && !started) text = "Starting …";
@@ -90,9 +90,9 @@ export class Hud {
     this.notice.hidden = text === "";
     if (this.notice.dataset.text === text + lost) return;
     this.notice.dataset.text = text + lost;
-    this.notice.classList.toggle("calm", !lost && this.line === "");
-    const again = h("button", { type: "button", onclick: () => this.app.order({ do: "revive" }) }, "restart the run");
-    this.notice.replaceChildren(text, ...(lost && !this.line ? [again] : []));
+    this.notice.classList.toggle("calm", !lost && this.connection === "");
+    const again = h("button", { type: "button", onclick: () => this.app.send({ command: "revive" }) }, "restart the run");
+    this.notice.replaceChildren(text, ...(lost && !this.connection ? [again] : []));
   }
 
   private draw(): void {

@@ -3,7 +3,7 @@
 import type { Json } from "../core/protocol";
 import { type Entry, type Schema, bounds } from "../core/schema";
 import { h, later } from "./dom";
-import { words } from "./words";
+import { labelOf } from "./labels";
 
 export function numberControl(
   entry: Entry,
@@ -42,7 +42,7 @@ export function numberControl(
     max: "1",
     step: "any",
     value: String(place(Number(value))),
-    "aria-label": words(String(path.at(-1))),
+    "aria-label": labelOf(String(path.at(-1))),
     oninput: () => {
       input.value = String(number(Number(slider.value)));
       send(number(Number(slider.value)));

@@ -27,8 +27,8 @@ export class Paint {
 
   constructor(private readonly app: App) {
     this.toggle = h("button", { type: "button", className: "wide", "aria-pressed": "false", onclick: () => this.activate(!this.active) }, "paint (B)");
-    this.undo = button("Undo (Ctrl+Z)", "undo", () => app.order({ do: "undo" }));
-    this.redo = button("Redo (Ctrl+Shift+Z)", "redo", () => app.order({ do: "redo" }));
+    this.undo = button("Undo (Ctrl+Z)", "undo", () => app.send({ command: "undo" }));
+    this.redo = button("Redo (Ctrl+Shift+Z)", "redo", () => app.send({ command: "redo" }));
     const way = h(
       "select",
       { "data-paint": "way", onchange: () => (this.erases = way.value === "erase") },
@@ -91,7 +91,7 @@ export class Paint {
   }
 
   release(): void {
-    if (this.pressed) this.app.order({ do: "stroke", end: true });
+    if (this.pressed) this.app.send({ command: "stroke", end: true });
     this.pressed = null;
   }
 
@@ -131,7 +131,7 @@ export class Paint {
     if (!brush) return;
     const amount = (this.erases ? -1 : 1) * this.strengths.get(this.painted)!;
     const { x, y } = place;
-    this.app.order({ do: "stroke", ...when, stroke: { ...brush.stroke, x, y, radius: this.radius, amount, falloff: this.falloff } });
+    this.app.send({ command: "stroke", ...when, stroke: { ...brush.stroke, x, y, radius: this.radius, amount, falloff: this.falloff } });
   }
 
   private show(): void {

@@ -5,7 +5,7 @@ import type { Json, JsonObject, Problem } from "../core/protocol";
 import { type Schema, entryOf, replaced } from "../core/schema";
 import { h, id, later } from "./dom";
 import { type FormContext, type Path, field, group, variantField } from "./form";
-import { Quiet } from "./quiet";
+import { RefreshGuard } from "./refresh_guard";
 
 /** Keys of a scenario that are shown elsewhere, or are no groups. */
 const ELSEWHERE = new Set(["barchan", "note", "title", "citation", "look_for", "wind", "model"]);
@@ -21,17 +21,17 @@ export class Panel {
     this.app.create(this.scenario, true);
   });
 
-  private readonly quiet: Quiet;
+  private readonly guard: RefreshGuard;
 
   constructor(private readonly app: App) {
-    this.quiet = new Quiet(this.element, () => this.show());
+    this.guard = new RefreshGuard(this.element, () => this.show());
     app.described.watch(() => this.show());
     app.changed.watch(() => this.show());
   }
 
   private show(): void {
     const description = this.app.current?.description;
-    if (!description || !this.app.schema.properties || this.quiet.busy || this.unsent) return;
+    if (!description || !this.app.schema.properties || this.guard.busy || this.unsent) return;
     const text = JSON.stringify([description.scenario, description.facts, this.app.selected, this.app.runs.map((run) => run.description?.model.title)]);
     if (text === this.shown) return;
     this.shown = text;
@@ -144,7 +144,7 @@ export class Panel {
   private change(path: Path, value: Json, live: boolean): void {
     this.scenario = replaced(this.scenario, path, value) as JsonObject;
     this.trouble([]);
-    if (live) void this.quiet.during(this.set(path.join("."), value));
+    if (live) void this.guard.during(this.set(path.join("."), value));
     else {
       this.unsent = true;
       this.create();
@@ -153,7 +153,7 @@ export class Panel {
 
   private async set(key: string, value: Json): Promise<void> {
     try {
-      await this.app.line.ask({ do: "set", key, value, run: this.app.selected });
+      await this.app.connection.ask({ command: "set", key, value, run: this.app.selected });
     } catch (error) {
       this.app.refused(error);
       this.trouble((error as { problems?: Problem[] }).problems ?? []);
@@ -177,7 +177,7 @@ export class Panel {
       this.show();
       return;
     }
-    const answer = await this.app.ask({ do: "variant", group, value: whole[group] ?? null });
+    const answer = await this.app.ask({ command: "variant", group, value: whole[group] ?? null });
     if (!answer) return;
     this.app.create({ ...this.scenario, [group]: answer.value as Json }, true);
   }

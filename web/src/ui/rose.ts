@@ -21,8 +21,8 @@ export interface Rose {
 
 const R = 44;
 
-export function roses(told: JsonObject): HTMLElement {
-  const rose = told as unknown as Rose;
+export function roses(answer: JsonObject): HTMLElement {
+  const rose = answer as unknown as Rose;
   const still = `calm ${short(100 * rose.calms, 2)} % of ${short(rose.days, 3)} days`;
   const time = wheel(rose.shares, `How often the wind blows from each side; ${still}`);
   const sand = wheel(rose.sand.map((amount) => [amount]), "Sand that winds from each side move", "sand");

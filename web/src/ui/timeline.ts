@@ -15,7 +15,7 @@ export class Timeline {
     "aria-label": "Branch",
     title: "Go back to another branch",
     hidden: true,
-    onchange: () => this.app.order({ do: "switch", branch: Number(this.branches.value) }),
+    onchange: () => this.app.send({ command: "switch", branch: Number(this.branches.value) }),
   });
   private readonly branch: HTMLButtonElement;
   private playing: ReturnType<typeof setInterval> | null = null;
@@ -34,7 +34,7 @@ export class Timeline {
 
   live(): void {
     this.stop();
-    this.app.order({ do: "look", step: null });
+    this.app.send({ command: "look", step: null });
   }
 
   /** Look one remembered state back or on. */
@@ -46,7 +46,7 @@ export class Timeline {
   private goOn(): void {
     this.stop();
     const step = this.app.current?.status?.step;
-    this.app.order({ do: "branch" });
+    this.app.send({ command: "branch" });
     this.app.note("info", `Going on from step ${step} as a new branch.`);
   }
 
@@ -70,7 +70,7 @@ export class Timeline {
     const step = this.app.current?.history[at];
     if (step === undefined) return;
     this.waiting = true;
-    this.app.order({ do: "look", step });
+    this.app.send({ command: "look", step });
   }
 
   private togglePlay(): void {

@@ -5,7 +5,7 @@ import { LOOK, type Look } from "../core/view";
 import { PLAIN } from "../scene/colouring";
 import type { Stage } from "../scene/stage";
 import { h, id } from "./dom";
-import { words } from "./words";
+import { labelOf } from "./labels";
 
 export class ViewPanel {
   readonly element = h("div", { className: "forms" });
@@ -57,7 +57,7 @@ export class ViewPanel {
       ...(layers.length ? [h("h4", {}, "Layers"), ...layers.map((layer) => this.layer(layer.field, layer.title))] : []),
       ...(description?.paths ? [h("h4", {}, "Grains"), this.number("paths", "paths", 0, 500, "grains", 1)] : []),
       h("h4", {}, "Lines"),
-      this.choice("contours", "contours", [["off", "none"], ["interval", "every so many metres"], ["count", "so many"]]),
+      this.choice("contours", "contours", [["off", "none"], ["interval", "at an interval"], ["count", "a number of them"]]),
       this.number("interval", "interval", 0.05, 100, "m", 0.05),
       this.number("count", "count", 1, 60, "", 1),
       this.check("wireframe of the cells", "wireframe"),
@@ -95,7 +95,7 @@ export class ViewPanel {
     const select = h(
       "select",
       { "data-look": key, onchange: () => this.set({ [key]: select.value } as Partial<Look>) },
-      ...options.map(([value, text]) => h("option", { value, selected: value === this.app.view.look[key] }, words(text))),
+      ...options.map(([value, text]) => h("option", { value, selected: value === this.app.view.look[key] }, labelOf(text))),
     );
     return this.row(label, select);
   }

@@ -7,25 +7,25 @@ import { type Course, CurveEditor, STRAIGHT } from "./curve";
 import { Dial } from "./dial";
 import { h, later } from "./dom";
 import { type FormContext, field, group } from "./form";
-import { Quiet } from "./quiet";
+import { RefreshGuard } from "./refresh_guard";
 import { roses } from "./rose";
-import { words } from "./words";
+import { labelOf } from "./labels";
 
 export class WindPanel {
   readonly element = h("div", { className: "forms" });
   private wind: JsonObject = {};
   private shown = "";
   private chosen = 0;
-  private readonly quiet: Quiet;
+  private readonly guard: RefreshGuard;
   /** Whether a change made here is still to be sent. */
   private unsent = false;
   private readonly send = later(60, () => {
     this.unsent = false;
-    void this.quiet.during(this.app.ask({ do: "wind", wind: this.wind }));
+    void this.guard.during(this.app.ask({ command: "wind", wind: this.wind }));
   });
 
   constructor(private readonly app: App) {
-    this.quiet = new Quiet(this.element, () => this.follow());
+    this.guard = new RefreshGuard(this.element, () => this.follow());
     app.described.watch(() => this.follow());
     app.changed.watch(() => this.follow());
   }
@@ -33,7 +33,7 @@ export class WindPanel {
   /** Show the run's wind, unless it is being changed here. */
   private follow(): void {
     const wind = this.app.current?.description?.scenario.wind as JsonObject | undefined;
-    if (!wind || !this.app.schema.properties || this.quiet.busy || this.unsent) return;
+    if (!wind || !this.app.schema.properties || this.guard.busy || this.unsent) return;
     const text = JSON.stringify(wind);
     if (text === this.shown) return;
     this.shown = text;
@@ -52,7 +52,7 @@ export class WindPanel {
     const kinds = h(
       "select",
       { "aria-label": "Kind of wind", onchange: () => void this.become(kinds.value) },
-      ...Object.keys(entry.variants).map((kind) => h("option", { value: kind, selected: kind === this.kind }, words(kind))),
+      ...Object.keys(entry.variants).map((kind) => h("option", { value: kind, selected: kind === this.kind }, labelOf(kind))),
     );
     kinds.dataset.path = "wind.kind";
     const body =
@@ -70,7 +70,7 @@ export class WindPanel {
 
   /** Show the roses of the wind that blows, where it is a record. */
   private async drawRose(): Promise<void> {
-    const answer = !("columns" in this.wind) ? null : await this.app.ask({ do: "rose", run: this.app.selected });
+    const answer = !("columns" in this.wind) ? null : await this.app.ask({ command: "rose", run: this.app.selected });
     const rose = answer?.rose as JsonObject | null | undefined;
     this.element.querySelector("[data-rose]")?.replaceChildren(...(rose ? [roses(rose)] : []));
   }
@@ -114,7 +114,7 @@ export class WindPanel {
   }
 
   private summary(regime: JsonObject, number: number, list: JsonObject[]): HTMLElement {
-    // Buttons take the list as it is when they are pressed: curves change it without drawing it anew.
+    // Buttons take the list as it is when they are pressed: curves change it without redrawing it.
     const tool = (label: string, sign: string, change: (now: JsonObject[]) => JsonObject[], enabled: boolean) =>
       h("button", { type: "button", title: label, "aria-label": `${label}: regime ${number + 1}`, disabled: !enabled, onclick: () => this.reorder(change(this.wind.regimes as JsonObject[])) }, sign);
     const moved = (by: number) => (now: JsonObject[]) => {
@@ -201,7 +201,7 @@ export class WindPanel {
   private async become(kind: string): Promise<void> {
     const direction = Number((this.wind.regimes as JsonObject[] | undefined)?.[0]?.direction ?? this.wind.direction ?? 270);
     const first: JsonObject = kind === "regimes" ? { regimes: [{ direction, steps: 100 }] } : {};
-    const answer = await this.app.ask({ do: "variant", group: "wind", value: { kind, ...first } });
+    const answer = await this.app.ask({ command: "variant", group: "wind", value: { kind, ...first } });
     if (!answer) {
       this.draw();
       return;

@@ -3,21 +3,21 @@
 import type { App } from "../core/app";
 import type { Run } from "../core/run";
 import { type Profile, ends, profile } from "../core/profile";
-import { type Line2, alongWind } from "../core/section";
+import { type SectionLine, alongWind } from "../core/section";
 import type { Stage } from "../scene/stage";
 import { button, download, fitCanvas, h, lengthUnit, metres, short, themeColour, ticks } from "../ui/dom";
 
 const MARGIN = { left: 54, right: 14, top: 12, bottom: 30 };
-/** Sand that lies deeper than so many times its relief is not shown down to the ground. */
+/** Sand deeper than this multiple of its relief is not shown down to the ground. */
 const DEEP = 3;
 
 export class SectionView {
   readonly title = "Section";
   readonly element: HTMLElement;
   /** The line that was dragged; null: along the wind through the middle. */
-  line: Line2 | null = null;
+  line: SectionLine | null = null;
   /** The line along the wind that blew when the run, or its wind, was last changed. */
-  private downwind: Line2 | null = null;
+  private downwind: SectionLine | null = null;
   private readonly canvas = h("canvas", { className: "plot", role: "img", "aria-label": "Profile along the section" });
   private readonly readout = h("output", { className: "readout" });
   private hover: number | null = null;
@@ -65,7 +65,7 @@ export class SectionView {
     this.draw();
   }
 
-  put(line: Line2 | null): void {
+  put(line: SectionLine | null): void {
     this.line = line;
     this.downwind = null;
     this.mark();
@@ -73,7 +73,7 @@ export class SectionView {
   }
 
   /** The line as it is now. */
-  current(run: Run): Line2 {
+  current(run: Run): SectionLine {
     return this.line ?? this.downwind ?? alongWind(run.status!.wind, run.description!.lattice);
   }
 

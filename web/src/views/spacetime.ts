@@ -2,7 +2,7 @@
 
 import type { App } from "../core/app";
 import type { Run } from "../core/run";
-import { type Line2, along, samples } from "../core/section";
+import { type SectionLine, along, samples } from "../core/section";
 import { fitCanvas, h, metres, short, themeColour, ticks } from "../ui/dom";
 import type { SectionView } from "./section";
 
@@ -73,9 +73,9 @@ export class SpaceTimeView {
   }
 
   /** Let the server tell the section over the run's past. */
-  private async recall(run: Run, line: Line2, key: string): Promise<void> {
+  private async recall(run: Run, line: SectionLine, key: string): Promise<void> {
     this.recalled = performance.now();
-    const answer = await this.app.ask({ do: "space_time", run: run.name, line });
+    const answer = await this.app.ask({ command: "space_time", run: run.name, line });
     if (!answer || key !== this.line) return;
     const bytes = Uint8Array.from(atob(String(answer.values)), (sign) => sign.charCodeAt(0));
     const numbers = new Uint16Array(bytes.buffer);

@@ -1,1 +1,4 @@
-"""The studio's server process: routes, sessions, security, workspace, and the handles of worker processes."""
+"""The studio's server process: routes, the session, security, the workspace, and the handles of workers.
+
+It imports nothing of the worker but the function that a worker process runs; simulations run elsewhere.
+"""

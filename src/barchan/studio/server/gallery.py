@@ -1,4 +1,4 @@
-"""What the browser is told once: presets with their pictures, the schema, the colours."""
+"""What a page asks for once: presets with their pictures, the schema, the colours."""
 
 from functools import cache
 from importlib.resources import files
@@ -35,7 +35,7 @@ def presets() -> list[dict[str, Any]]:
 
 
 def thumbnail(name: str) -> bytes | None:
-    """The small picture of a preset, where there is one."""
+    """The small picture of a preset; None where there is none."""
     if name not in preset_names():
         return None
     file = files("barchan.presets").joinpath("pictures", f"{name}.webp")
@@ -44,7 +44,7 @@ def thumbnail(name: str) -> bytes | None:
 
 @cache
 def schema() -> dict[str, Any]:
-    """The JSON schema of scenarios, of which the panel is made."""
+    """The JSON schema of scenarios, from which the panel is generated."""
     return Scenario.model_json_schema()
 
 

@@ -12,23 +12,23 @@ from barchan.scenario import Scenario
 from barchan.studio.protocol import LARGEST_MESSAGE
 from barchan.studio.server.security import LOOPBACK, Guard
 from barchan.studio.server.session import Session
-from barchan.studio.server.workspace import Store
+from barchan.studio.server.workspace import Workspace
 
 
 @dataclass(frozen=True)
 class Studio:
-    """What to start with, and where."""
+    """The scenario or archive to start with, and the address to serve at."""
 
     folder: Path
     scenario: Scenario | None = None
     archive: Path | None = None
     host: str = "127.0.0.1"
     port: int = 0
-    """0: any that is free."""
+    """0: any free one."""
 
 
 def serve(studio: Studio, ready: Callable[[str], None], open_browser: bool = True) -> None:
-    """Serve until interrupted; ``ready`` is told the address. All workers end with the server.
+    """Serve until interrupted; ``ready`` is called with the address. All workers end with the server.
 
     Raises BarchanError where the address is taken or the client was not built.
     """
@@ -41,7 +41,7 @@ def serve(studio: Studio, ready: Callable[[str], None], open_browser: bool = Tru
     sock = listener(studio.host, studio.port)
     port = sock.getsockname()[1]
     guard = Guard(port, tuple({*LOOPBACK, studio.host, *_names(studio.host)}))
-    session = Session(Store(studio.folder), studio.scenario, studio.archive)
+    session = Session(Workspace(studio.folder), studio.scenario, studio.archive)
     config = uvicorn.Config(
         application(session, guard),
         log_level="warning",

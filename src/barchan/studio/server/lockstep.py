@@ -1,39 +1,41 @@
-"""Two simulations led step by step together, so that they can be compared at every moment."""
+"""Two simulations run in lockstep, so that they can be compared at every frame."""
 
 import time
 from collections.abc import Callable
 
-from barchan.studio.server.worker_handle import Link
+from barchan.simulation import StepPacer
+from barchan.studio.server.worker_handle import WorkerHandle
 
-AIM = 0.06
-"""Seconds that the slower one takes from one meeting to the next, about."""
+MEETING_SECONDS = 0.06
+"""Seconds that the slower run takes from one meeting to the next, about."""
 
 
-class Pair:
-    """Lets two workers run the same number of steps, then again when both have arrived."""
+class Lockstep:
+    """Lets two workers run the same number of steps, then the next ones when both have arrived."""
 
-    def __init__(self, links: dict[str, Link], tell: Callable[[bool], None]) -> None:
-        """Lead these workers; ``tell`` is told whether they run."""
-        self.links = links
+    def __init__(self, workers: dict[str, WorkerHandle], on_change: Callable[[bool], None]) -> None:
+        """Lead these workers; ``on_change`` is called with whether they run."""
+        self.workers = workers
         self.running = False
-        self._tell = tell
+        self._on_change = on_change
         self._left: int | None = None
-        self._chunk = 1
+        self._pacer = StepPacer(MEETING_SECONDS)
+        self._steps = 0
         self._away: set[str] = set()
         self._began = 0.0
 
     def run(self, steps: int | None = None) -> None:
-        """Run, on and on or so many steps."""
+        """Run: on and on, or a number of steps."""
         self._left = steps
         self.running = True
-        self._tell(True)
+        self._on_change(True)
         if not self._away:
             self._go()
 
     def pause(self) -> None:
         """Stop where both meet next."""
         self.running = False
-        self._tell(False)
+        self._on_change(False)
 
     def arrived(self, name: str) -> None:
         """A worker has done its steps."""
@@ -42,18 +44,17 @@ class Pair:
         self._away.discard(name)
         if self._away:
             return
-        took = max(time.perf_counter() - self._began, 1e-4)
-        self._chunk = max(1, min(2 * self._chunk, round(self._chunk * AIM / took)))
+        self._pacer.record(self._steps, time.perf_counter() - self._began)
         if self._left == 0:
             self.pause()
         elif self.running:
             self._go()
 
     def _go(self) -> None:
-        steps = self._chunk if self._left is None else min(self._chunk, self._left)
+        self._steps = self._pacer.steps if self._left is None else min(self._pacer.steps, self._left)
         if self._left is not None:
-            self._left -= steps
-        self._away = set(self.links)
+            self._left -= self._steps
+        self._away = set(self.workers)
         self._began = time.perf_counter()
-        for link in self.links.values():
-            link.send(do="run", steps=steps, brief=True)
+        for worker in self.workers.values():
+            worker.send("run", steps=self._steps, brief=True)

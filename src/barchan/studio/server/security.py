@@ -1,12 +1,15 @@
-"""Who may talk to the server: the token, the host, the origin, and how much at once."""
+"""Who may use the server: the token, the host, the origin, and the rate of messages."""
 
 import re
 import secrets
 import time
 from dataclasses import dataclass, field
+from typing import Any
 from urllib.parse import urlsplit
 
 from starlette.datastructures import Headers, QueryParams
+from starlette.responses import PlainTextResponse
+from starlette.types import ASGIApp, Receive, Scope, Send
 
 LOOPBACK = ("127.0.0.1", "localhost", "::1")
 
@@ -16,19 +19,27 @@ MESSAGES_AT_ONCE = 800.0
 LARGEST_UPLOAD = 64 << 20
 """Bytes of an uploaded file."""
 
+HEADERS = {
+    "Content-Security-Policy": "default-src 'self'; img-src 'self' data: blob:; "
+    "style-src 'self' 'unsafe-inline'; connect-src 'self' ws:; frame-ancestors 'none'",
+    "Referrer-Policy": "no-referrer",
+    "X-Content-Type-Options": "nosniff",
+    "Cache-Control": "no-store",
+}
+
 _NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]{0,99}")
 
 
 @dataclass(frozen=True)
 class Guard:
-    """What a request must show."""
+    """The port, host and token that a request must show."""
 
     port: int
     hosts: tuple[str, ...] = LOOPBACK
-    """Names under which the server is addressed."""
+    """Names under which the server is reached."""
     token: str = field(default_factory=lambda: secrets.token_urlsafe(24))
 
-    def addressed(self, headers: Headers) -> bool:
+    def is_addressed(self, headers: Headers) -> bool:
         """Whether the request names this server, so that no foreign name was bound to its address."""
         return self._ours(f"http://{headers.get('host', '')}")
 
@@ -48,21 +59,47 @@ class Guard:
             return False
 
 
-class Valve:
-    """Lets through so many messages a second, a burst now and then."""
+class RateLimiter:
+    """Lets a number of messages per second pass, and a burst now and then."""
 
     def __init__(self) -> None:
-        """Wide open."""
+        """Allow a whole burst at first."""
         self._left = MESSAGES_AT_ONCE
         self._since = time.monotonic()
 
-    def passes(self) -> bool:
-        """Whether one more message may pass now."""
+    def allows(self) -> bool:
+        """Whether one more message may pass now; it is counted."""
         now = time.monotonic()
         self._left = min(MESSAGES_AT_ONCE, self._left + (now - self._since) * MESSAGES_PER_SECOND)
         self._since = now
         self._left -= 1.0
         return self._left >= 0.0
+
+
+class HostCheck:
+    """Middleware that refuses requests to other hosts' names, and adds headers that keep pages apart."""
+
+    def __init__(self, app: ASGIApp, guard: Guard) -> None:
+        """Stand before an application."""
+        self.app = app
+        self.guard = guard
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        """Pass a request on, or refuse it."""
+        if scope["type"] != "http":
+            await self.app(scope, receive, send)
+            return
+        if not self.guard.is_addressed(Headers(scope=scope)):
+            await PlainTextResponse("not this server's name\n", 421)(scope, receive, send)
+            return
+
+        async def with_headers(answer: Any) -> None:
+            if answer["type"] == "http.response.start":
+                extra = [(name.lower().encode(), value.encode()) for name, value in HEADERS.items()]
+                answer["headers"] = [*answer.get("headers", []), *extra]
+            await send(answer)
+
+        await self.app(scope, receive, with_headers)
 
 
 def is_plain_name(name: str) -> bool:

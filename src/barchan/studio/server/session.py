@@ -1,68 +1,67 @@
-"""The session: one or two simulations, and the browser that looks at them."""
+"""The session: one or two simulations, and the browser that shows them."""
 
 import asyncio
 import json
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 from barchan.errors import BarchanError, ScenarioError
 from barchan.models import models
 from barchan.scenario import Scenario, validate
-from barchan.studio.protocol import PROTOCOL, is_frame, message
-from barchan.studio.server.lockstep import Pair
-from barchan.studio.server.queries import ANSWERS
-from barchan.studio.server.worker_handle import Link
-from barchan.studio.server.workspace import Store
-
-Order = dict[str, Any]
+from barchan.studio.commands import Handlers, command_of
+from barchan.studio.protocol import PROTOCOL, Request, is_frame, message
+from barchan.studio.server.lockstep import Lockstep
+from barchan.studio.server.queries import QUERIES
+from barchan.studio.server.worker_handle import WorkerHandle
+from barchan.studio.server.workspace import Workspace
 
 FIRST, SECOND = "a", "b"
 
-TO_WORKERS = frozenset(("confirm", "view", "paths", "rose", "set", "wind", "stroke", "undo", "redo")) | {
-    *("run", "pause", "limit", "restart", "look", "branch", "switch", "space_time")
-}
-"""Orders that workers carry out as they come from the browser."""
+SESSION: Handlers[Callable[["Session", Request], None]] = Handlers("session")
 
 
 class Session:
-    """Workers, the browser that is there, and what passes between them."""
+    """Workers, the browser that is connected, and the messages between them."""
 
-    def __init__(self, store: Store, scenario: Scenario | None = None, archive: Path | None = None) -> None:
+    def __init__(
+        self, workspace: Workspace, scenario: Scenario | None = None, archive: Path | None = None
+    ) -> None:
         """Prepare a session that begins with a scenario or an archive."""
-        self.store = store
-        self.links: dict[str, Link] = {}
+        self.workspace = workspace
+        self.workers: dict[str, WorkerHandle] = {}
         self.scenarios: dict[str, dict[str, Any]] = {}
-        """What each worker runs, as its changes during the run have left it."""
-        self.pair: Pair | None = None
+        """The scenario of each worker, as changes during the run have left it."""
+        self.lockstep: Lockstep | None = None
         self.outbox: asyncio.Queue[bytes] | None = None
         if archive is not None:
-            self.first: Order = {"do": "open", "folder": str(archive)}
+            self.first: Request = {"command": "open_folder", "folder": str(archive)}
         else:
             data = (scenario or Scenario()).seeded().data()
-            store.trust(data)
-            self.first = {"do": "create", "scenario": data, "running": True}
+            workspace.trust(data)
+            self.first = {"command": "start", "scenario": data, "running": True}
 
     def start(self) -> None:
         """Start the first worker."""
-        self._link(FIRST).send(**self.first)
+        self._worker(FIRST).forward(self.first)
 
     def close(self) -> None:
         """End all workers."""
-        for link in self.links.values():
-            link.close()
-        self.links.clear()
+        for worker in self.workers.values():
+            worker.close()
+        self.workers.clear()
 
     def attach(self) -> asyncio.Queue[bytes]:
-        """A browser came; what it is to be told comes through the queue. An earlier one is dismissed."""
+        """A browser came; returns the queue of data for it. An earlier browser is dismissed."""
         if self.outbox is not None:
             self.outbox.put_nowait(b"")
         self.outbox = asyncio.Queue()
-        running = self.pair is not None and self.pair.running
-        self._tell("hello", protocol=PROTOCOL, runs=list(self.links), running=running)
-        for link in self.links.values():
-            link.send(do="attach")
-            if not link.process.is_alive():
-                self._tell("lost", run=link.name, code=link.process.exitcode)
+        running = self.lockstep is not None and self.lockstep.running
+        self._send("hello", protocol=PROTOCOL, runs=list(self.workers), running=running)
+        for worker in self.workers.values():
+            worker.send("attach")
+            if not worker.process.is_alive():
+                self._send("lost", run=worker.name, code=worker.process.exitcode)
         return self.outbox
 
     def detach(self, outbox: asyncio.Queue[bytes]) -> None:
@@ -70,146 +69,148 @@ class Session:
         if self.outbox is outbox:
             self.outbox = None
 
-    def hear(self, text: str) -> None:
-        """The browser said something; what cannot be done is answered."""
-        order: Order = {}
+    def on_message(self, text: str) -> None:
+        """Carry out a request of the browser; one that cannot be carried out is answered with the reason."""
+        request: Request = {}
         try:
-            heard = json.loads(text)
-            if not isinstance(heard, dict) or not isinstance(heard.get("do"), str):
-                raise BarchanError("a message must be an object that says what to do")
-            order = heard
-            self._obey(order)
+            data = json.loads(text)
+            if not isinstance(data, dict):
+                raise BarchanError("a message must be an object that names a command")
+            request = data
+            self._carry_out(request)
         except ScenarioError as error:
-            self._refuse(order, str(error), [vars(problem) for problem in error.problems])
+            self._refuse(request, str(error), [vars(problem) for problem in error.problems])
         except (BarchanError, LookupError, TypeError, ValueError) as error:
-            self._refuse(order, str(error) or type(error).__name__, [])
+            self._refuse(request, str(error) or type(error).__name__, [])
 
-    def _tell(self, what: str, **content: Any) -> None:
+    def _send(self, kind: str, **content: Any) -> None:
         if self.outbox is not None:
-            self.outbox.put_nowait(message(tell=what, **content))
+            self.outbox.put_nowait(message(kind, **content))
 
-    def _refuse(self, order: Order, text: str, problems: list[dict[str, Any]]) -> None:
-        self._tell("refused", re=order.get("re"), order=order.get("do"), text=text, problems=problems)
+    def _refuse(self, request: Request, text: str, problems: list[dict[str, Any]]) -> None:
+        named = {"id": request.get("id"), "command": request.get("command")}
+        self._send("refused", **named, text=text, problems=problems)
 
-    def _obey(self, order: Order) -> None:
-        do = order["do"]
-        if do in TO_WORKERS:
-            self._pass_on(order)
-        elif do in ANSWERS:
-            self._tell("done", re=order.get("re"), **ANSWERS[do](self.store, order))
-        elif do in _ORDERS:
-            _ORDERS[do](self, order)
+    def _carry_out(self, request: Request) -> None:
+        # Workers check by themselves whether they have a run.
+        command = command_of(request.get("command"))
+        if command.internal:
+            raise BarchanError(f"unknown command '{command.name}'")
+        if command.owner == "worker":
+            self._pass_on(request)
+        elif command.owner == "query":
+            self._send("done", id=request.get("id"), **QUERIES[command.name](self.workspace, request))
         else:
-            raise BarchanError(f"unknown order '{do}'")
+            command_of(command.name, has_run=FIRST in self.scenarios)
+            SESSION[command.name](self, request)
 
-    def _pass_on(self, order: Order) -> None:
-        """Let the worker that is meant, or where none is named all of them, carry an order out."""
-        if self.pair is not None and order["do"] == "run":
-            self.pair.run(order.get("steps"))
-        elif self.pair is not None and order["do"] == "pause":
-            self.pair.pause()
+    def _pass_on(self, request: Request) -> None:
+        """Let the worker that is named, or where none is named all of them, carry a request out."""
+        if self.lockstep is not None and request["command"] == "run":
+            self.lockstep.run(request.get("steps"))
+        elif self.lockstep is not None and request["command"] == "pause":
+            self.lockstep.pause()
         else:
-            self.store.check(order)
-            named = order.get("run")
-            for name in [named] if named is not None else list(self.links):
-                self.links[name].send(**{**order, "run": None})
+            self.workspace.check(request)
+            named = request.get("run")
+            for name in [named] if named is not None else list(self.workers):
+                self.workers[name].forward({**request, "run": None})
 
-    def _link(self, name: str) -> Link:
+    def _worker(self, name: str) -> WorkerHandle:
         """The worker of that name, a new one where there is none or it was lost."""
-        link = self.links.get(name)
-        if link is None or not link.process.is_alive():
-            link = self.links[name] = Link(name, self._heard, self._lost)
+        worker = self.workers.get(name)
+        if worker is None or not worker.process.is_alive():
+            worker = self.workers[name] = WorkerHandle(name, self._on_worker_data, self._on_worker_exit)
             if self.outbox is not None:
-                link.send(do="attach")
-        return link
+                worker.send("attach")
+        return worker
 
-    def _heard(self, link: Link, data: bytes) -> None:
-        """A worker said something: the browser hears it, and what concerns all workers is noted."""
-        if self.links.get(link.name) is not link:
+    def _on_worker_data(self, worker: WorkerHandle, data: bytes) -> None:
+        """Pass a worker's message or frame on to the browser, and note what concerns all workers."""
+        if self.workers.get(worker.name) is not worker:
             return
         if not is_frame(data):
-            told = json.loads(data)
-            if told["tell"] == "scenario":
-                self.scenarios[link.name] = told["scenario"]
-            elif told["tell"] == "arrived" and self.pair is not None:
-                self.pair.arrived(link.name)
+            content = json.loads(data)
+            if content["type"] == "scenario":
+                self.scenarios[worker.name] = content["scenario"]
+            elif content["type"] == "arrived" and self.lockstep is not None:
+                self.lockstep.arrived(worker.name)
         if self.outbox is not None:
             self.outbox.put_nowait(data)
 
-    def _lost(self, link: Link) -> None:
-        """A worker ended without being asked to."""
-        if self.links.get(link.name) is link:
-            link.process.join()
-            if self.pair is not None:
-                self.pair.pause()
-            self._tell("lost", run=link.name, code=link.process.exitcode)
+    def _on_worker_exit(self, worker: WorkerHandle) -> None:
+        """A worker ended by itself."""
+        if self.workers.get(worker.name) is worker:
+            worker.process.join()
+            if self.lockstep is not None:
+                self.lockstep.pause()
+            self._send("lost", run=worker.name, code=worker.process.exitcode)
 
-    def _create(self, order: Order) -> None:
-        """Begin a scenario; where there are two workers the other one's, too, with its own model."""
-        self.store.check(order["scenario"])
-        data = validate(order["scenario"]).seeded().data()
-        name = SECOND if self.pair is not None and order.get("run") == SECOND else FIRST
+    @SESSION.handles("create")
+    def _create(self, request: Request) -> None:
+        """Start a scenario; where there are two workers in the other one, too, with its own model."""
+        self.workspace.check(request["scenario"])
+        data = validate(request["scenario"]).seeded().data()
+        name = SECOND if self.lockstep is not None and request.get("run") == SECOND else FIRST
         begun = {name: data}
-        if self.pair is not None:
+        if self.lockstep is not None:
             other = FIRST if name == SECOND else SECOND
             begun[other] = {**data, "model": self.scenarios[other]["model"]}
-        self._begin(begun, bool(order.get("running", True)))
+        self._begin(begun, bool(request.get("running", True)))
 
     def _begin(self, scenarios: dict[str, dict[str, Any]], running: bool) -> None:
-        """Begin these scenarios, together where there are two."""
+        """Start these scenarios, in lockstep where there are two."""
         alone = len(scenarios) == 1
         self.scenarios = scenarios
         for name, data in scenarios.items():
-            self._link(name).send(do="create", scenario=data, running=running and alone)
-        self.pair = None if alone else Pair(self.links, lambda runs: self._tell("pair", running=runs))
-        if self.pair is not None and running:
-            self.pair.run()
+            self._worker(name).send("start", scenario=data, running=running and alone)
+        self.lockstep = None if alone else Lockstep(self.workers, self._on_lockstep)
+        if self.lockstep is not None and running:
+            self.lockstep.run()
 
-    def _compare(self, order: Order) -> None:
+    def _on_lockstep(self, running: bool) -> None:
+        self._send("lockstep", running=running)
+
+    @SESSION.handles("compare")
+    def _compare(self, request: Request) -> None:
         """Run another model beside, on the same ground, under the same wind, from the same seed."""
         first = self.scenarios[FIRST]
-        if order["model"] not in models():
-            raise BarchanError(f"no model '{order['model']}'; allowed: {', '.join(models())}")
-        second = validate({**first, "model": {"name": order["model"]}}).data()
+        if request["model"] not in models():
+            raise BarchanError(f"no model '{request['model']}'; allowed: {', '.join(models())}")
+        second = validate({**first, "model": {"name": request["model"]}}).data()
         self._begin({FIRST: first, SECOND: second}, running=True)
-        self._tell("runs", runs=list(self.links))
+        self._send("runs", runs=list(self.workers))
 
-    def _alone(self, _: Order) -> None:
+    @SESSION.handles("alone")
+    def _alone(self, _: Request) -> None:
         """End the second simulation."""
-        self.pair = None
-        link = self.links.pop(SECOND, None)
-        if link is not None:
-            link.close()
+        self.lockstep = None
+        worker = self.workers.pop(SECOND, None)
+        if worker is not None:
+            worker.close()
         self.scenarios.pop(SECOND, None)
-        self._tell("runs", runs=list(self.links))
+        self._send("runs", runs=list(self.workers))
 
-    def _revive(self, _: Order) -> None:
-        """Start lost workers again, from the beginning of what they ran."""
+    @SESSION.handles("revive")
+    def _revive(self, _: Request) -> None:
+        """Start lost workers again, from the beginning of their scenarios."""
         if self.scenarios:
             self._begin(dict(self.scenarios), running=True)
         else:
             self.start()
 
-    def _save(self, order: Order) -> None:
+    @SESSION.handles("save")
+    def _save(self, request: Request) -> None:
         """Save a run as an archive in the session's folder."""
-        folder = self.store.run(str(order["name"]))
-        self.links[order.get("run") or FIRST].send(do="save", folder=str(folder), re=order.get("re"))
+        folder = self.workspace.run(str(request["name"]))
+        worker = self.workers[request.get("run") or FIRST]
+        worker.send("save_folder", folder=str(folder), id=request.get("id"))
 
-    def _open(self, order: Order) -> None:
-        """Take up an archive of the session's folder."""
-        folder = self.store.run(str(order["name"]))
-        if folder.name not in self.store.runs():
-            raise BarchanError(f"no run '{folder.name}' in {self.store.folder}")
-        self._alone(order)
-        self._link(FIRST).send(do="open", folder=str(folder), re=order.get("re"))
-
-
-_ORDERS = {
-    "create": Session._create,
-    "compare": Session._compare,
-    "alone": Session._alone,
-    "revive": Session._revive,
-    "save": Session._save,
-    "open": Session._open,
-}
-"""What the session does itself."""
+    @SESSION.handles("open")
+    def _open(self, request: Request) -> None:
+        """Continue an archive of the session's folder."""
+        folder = self.workspace.run(str(request["name"]))
+        if folder.name not in self.workspace.runs():
+            raise BarchanError(f"no run '{folder.name}' in {self.workspace.folder}")
+        self._alone(request)
+        self._worker(FIRST).send("open_folder", folder=str(folder), id=request.get("id"))

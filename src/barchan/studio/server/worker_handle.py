@@ -1,4 +1,4 @@
-"""The server's end of a worker: starts it, hears it, ends it."""
+"""The server's end of a worker process: starts it, passes messages, ends it."""
 
 import asyncio
 import json
@@ -7,49 +7,55 @@ import threading
 from collections.abc import Callable
 from typing import Any
 
-from barchan.studio.worker.loop import work
+from barchan.studio.worker.loop import run_worker
 
-Heard = Callable[["Link", bytes], None]
-Lost = Callable[["Link"], None]
+OnData = Callable[["WorkerHandle", bytes], None]
+OnExit = Callable[["WorkerHandle"], None]
 
 PATIENCE = 2.0
 """Seconds that a worker has to end by itself."""
 
 
-class Link:
+class WorkerHandle:
     """A worker process and the pipe to it."""
 
-    def __init__(self, name: str, heard: Heard, lost: Lost) -> None:
-        """Start the process; ``heard`` and ``lost`` are called in the running event loop."""
+    def __init__(self, name: str, on_data: OnData, on_exit: OnExit) -> None:
+        """Start the process; ``on_data`` and ``on_exit`` are called in the running event loop."""
         context = multiprocessing.get_context("spawn")
         self.name = name
         self.closing = False
-        self._heard, self._lost = heard, lost
+        self._on_data, self._on_exit = on_data, on_exit
         self._loop = asyncio.get_running_loop()
         self._connection, theirs = context.Pipe()
-        self.process = context.Process(target=work, args=(theirs, name), daemon=True, name=f"barchan-{name}")
+        self.process = context.Process(
+            target=run_worker, args=(theirs, name), daemon=True, name=f"barchan-{name}"
+        )
         self.process.start()
         theirs.close()
         self._sending = threading.Lock()
-        self._thread = threading.Thread(target=self._listen, daemon=True, name=f"barchan-{name}-ear")
+        self._thread = threading.Thread(target=self._receive, daemon=True, name=f"barchan-{name}-receiver")
         self._thread.start()
 
-    def send(self, **order: Any) -> None:
-        """Give the worker an order; one that has ended hears nothing."""
+    def send(self, command: str, **content: Any) -> None:
+        """Send the worker a request; it is dropped where the worker has ended."""
+        self.forward({**content, "command": command})
+
+    def forward(self, request: dict[str, Any]) -> None:
+        """Send the worker a request as it is; it is dropped where the worker has ended."""
         try:
             with self._sending:
-                self._connection.send_bytes(json.dumps(order).encode())
+                self._connection.send_bytes(json.dumps(request).encode())
         except OSError:
             pass
 
-    def _listen(self) -> None:
+    def _receive(self) -> None:
         try:
             while True:
-                self._loop.call_soon_threadsafe(self._heard, self, self._connection.recv_bytes())
+                self._loop.call_soon_threadsafe(self._on_data, self, self._connection.recv_bytes())
         except (EOFError, OSError, RuntimeError):
             pass
         if not self.closing and not self._loop.is_closed():
-            self._loop.call_soon_threadsafe(self._lost, self)
+            self._loop.call_soon_threadsafe(self._on_exit, self)
 
     def close(self) -> None:
         """End the worker, politely at first."""

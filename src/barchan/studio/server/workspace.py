@@ -1,4 +1,4 @@
-"""The session's folder: where runs are saved and opened, and what is uploaded lies."""
+"""The session's folder: saved runs, and uploaded files."""
 
 from pathlib import Path
 from typing import Any
@@ -12,11 +12,11 @@ KINDS = (".png", ".npy", ".tif", ".tiff", ".csv", ".nc")
 """Files that can be ground or a wind record: data, never programs."""
 
 
-class Store:
+class Workspace:
     """A folder beyond which nothing that a browser names is opened."""
 
     def __init__(self, folder: Path) -> None:
-        """Use a folder; it is made when something is kept."""
+        """Use a folder; it is created when something is kept."""
         self.folder = folder.resolve()
         self._trusted: set[Path] = set()
 

@@ -1,15 +1,15 @@
-"""What a brush can paint on a simulation, as the browser offers it."""
+"""The brushes that the browser offers for a simulation."""
 
 from typing import Any
 
 from barchan.simulation import Simulation
 
 USUAL_SHARE = 0.1
-"""Strength of a brush for plants at first, as a share of what they can come to."""
+"""Strength of a brush for plants at first, as a share of the field's upper bound."""
 
 
 def brushes(simulation: Simulation) -> list[dict[str, Any]]:
-    """Sand, ground and what the model lets paint: what a stroke says of it, unit, strengths."""
+    """Sand, ground and the fields that the model lets paint: data of a stroke, unit, strengths."""
     slab = {"unit": "slabs", "least": 1.0, "most": 1000.0, "whole": True}
     return [
         {"title": "sand", "stroke": {"kind": "stroke"}, "usual": 2.0, **slab},

@@ -1,189 +1,211 @@
-"""What a worker can be told to do, one method an order."""
+"""The commands that a worker carries out, one method each."""
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from pathlib import Path
+from typing import Any
 
 from barchan.errors import BarchanError
 from barchan.scenario import validate
 from barchan.simulation import AnyStroke, BrushStroke, SetParameter, SetWind, event_from
+from barchan.studio.commands import Handlers, command_of
+from barchan.studio.protocol import Request
+from barchan.studio.worker.description import description
+from barchan.studio.worker.frame_sender import FrameSender
+from barchan.studio.worker.rose import rose_of
 from barchan.studio.worker.run import StudioRun, started
+from barchan.studio.worker.saved_runs import open_saved_run, save_run
+from barchan.studio.worker.spacetime import space_time
 
-if TYPE_CHECKING:
-    from barchan.studio.worker.loop import Worker
+Answer = dict[str, Any] | None
+"""The content of the answer, where there is any."""
 
-Order = dict[str, Any]
+WORKER: Handlers[Callable[["RunCommands", Request], Answer]] = Handlers("worker")
 
-BEFOREHAND = frozenset(("create", "open", "attach", "confirm", "view", "paths"))
-"""Orders that need no run yet."""
+SLOWEST, FASTEST = 0.1, 1e6
+"""Limits of the speed limit (steps per second)."""
 
 
-class Orders:
-    """Carries orders out on the worker's run."""
+class RunCommands:
+    """Carries commands out on the worker's run."""
 
-    def __init__(self, worker: "Worker") -> None:
-        """No run yet."""
-        self.worker = worker
+    def __init__(self, frames: FrameSender, send: Callable[..., None]) -> None:
+        """No run yet; ``send`` sends control messages."""
+        self.frames = frames
         self.run: StudioRun | None = None
+        self._send = send
 
-    def obey(self, order: Order) -> dict[str, Any] | None:
-        """Carry one order out; what is to be answered."""
-        method: Callable[[Order], dict[str, Any] | None] | None = getattr(self, f"do_{order['do']}", None)
-        if method is None:
-            raise BarchanError(f"unknown order '{order['do']}'")
-        if self.run is None and order["do"] not in BEFOREHAND:
-            raise BarchanError("there is no run yet")
-        result = method(order)
-        if order["do"] != "confirm":
-            self.worker.stale = True
-            self.worker.fields.at_once()
-        return result
+    def carry_out(self, request: Request) -> Answer:
+        """Carry one command out; returns the answer to it."""
+        command = command_of(request["command"], has_run=self.run is not None)
+        answer = WORKER[command.name](self, request)
+        if command.name != "confirm":
+            self.frames.refresh()
+        return answer
 
     @property
-    def going(self) -> StudioRun:
+    def current(self) -> StudioRun:
         """The run."""
         assert self.run is not None
         return self.run
 
-    def do_attach(self, _: Order) -> None:
+    @WORKER.handles("attach")
+    def attach(self, _: Request) -> None:
         """A browser came."""
-        self.worker.attach()
+        self.frames.attach()
+        if self.run is not None:
+            self.current.measures.resend()
+            self._describe()
 
-    def do_confirm(self, _: Order) -> None:
+    @WORKER.handles("confirm")
+    def confirm(self, _: Request) -> None:
         """The browser has drawn a frame."""
-        self.worker.credit += 1
+        self.frames.credit += 1
 
-    def do_view(self, order: Order) -> None:
+    @WORKER.handles("view")
+    def view(self, request: Request) -> None:
         """Send these fields beside the surface from now on."""
-        self.worker.wanted = [str(name) for name in order["fields"]]
+        self.frames.fields = [str(name) for name in request["fields"]]
 
-    def do_paths(self, order: Order) -> None:
-        """Send the paths of so many grains from now on, where the model follows any."""
-        self.worker.flights.ask(int(order["count"]))
+    @WORKER.handles("paths")
+    def paths(self, request: Request) -> None:
+        """Send the paths of ``count`` grains from now on, where the model follows grains."""
+        self.frames.paths.request(int(request["count"]))
 
-    def do_create(self, order: Order) -> None:
-        """Begin a scenario."""
-        self._take(started(validate(order["scenario"], "scenario")), order)
+    @WORKER.handles("start")
+    def start(self, request: Request) -> None:
+        """Start a scenario."""
+        self._take(started(validate(request["scenario"], "scenario")), bool(request.get("running")))
 
-    def do_restart(self, order: Order) -> None:
-        """Begin again with the same scenario and seed."""
-        running = self.going.running
-        self._take(started(self.going.live.scenario), {"running": running, **order})
+    @WORKER.handles("restart")
+    def restart(self, request: Request) -> None:
+        """Start again with the same scenario and seed."""
+        running = bool(request.get("running", self.current.running))
+        self._take(started(self.current.live.scenario), running)
 
-    def do_open(self, order: Order) -> None:
-        """Take up the run in an archive, paused where it ended."""
-        from barchan.studio.worker.loop import folder_of
-        from barchan.studio.worker.saved_runs import reopened
+    @WORKER.handles("open_folder")
+    def open_folder(self, request: Request) -> None:
+        """Continue the run in an archive, paused where it ended."""
+        self._take(open_saved_run(Path(request["folder"])), running=False)
 
-        self._take(reopened(folder_of(order)), order)
+    @WORKER.handles("save_folder")
+    def save_folder(self, request: Request) -> Answer:
+        """Save the run as an archive."""
+        frames = save_run(self.current, Path(request["folder"]))
+        return {"frames": frames, "step": self.current.live.steps_done}
 
-    def _take(self, run: StudioRun, order: Order) -> None:
-        limit = self.run.pace.limit if self.run else None
-        self.run = run
-        run.pace.limit = limit
-        self._anew()
-        if order.get("running"):
-            run.run()
+    @WORKER.handles("run")
+    def start_running(self, request: Request) -> None:
+        """Run on and on, ``steps`` steps, or up to step ``until``."""
+        target = request.get("until")
+        if "steps" in request:
+            target = self.current.live.steps_done + max(1, int(request["steps"]))
+        self.current.run(target, bool(request.get("brief")))
+        if target is not None and not self.current.busy:
+            self._send("arrived", step=self.current.live.steps_done)
 
-    def _anew(self) -> None:
-        """What the browser knew of the run's past holds no more."""
-        self.worker.ground_sent = None
-        self.worker.flights.again()
-        self.worker.history_sent = []
-        self.going.gauges.again()
-        self.worker.describe()
-
-    def do_run(self, order: Order) -> None:
-        """Run on, or ``steps`` steps, or up to step ``until``."""
-        target = order.get("until")
-        if "steps" in order:
-            target = self.going.live.steps_done + max(1, int(order["steps"]))
-        self.going.run(target, bool(order.get("brief")))
-        if target is not None and not self.going.busy:
-            self.worker.tell("arrived", step=self.going.live.steps_done)
-
-    def do_pause(self, _: Order) -> None:
+    @WORKER.handles("pause")
+    def pause(self, _: Request) -> None:
         """Pause."""
-        self.going.pause()
+        self.current.pause()
 
-    def do_limit(self, order: Order) -> None:
-        """Do so many steps a second at most; null for no limit."""
-        limit = order["rate"]
-        self.going.pace.limit = None if limit is None else min(max(float(limit), 0.1), 1e6)
-        self.going.pace.restart()
+    @WORKER.handles("limit")
+    def limit(self, request: Request) -> None:
+        """Do at most ``rate`` steps a second; null for no limit."""
+        rate, speed = request["rate"], self.current.speed
+        speed.limit = None if rate is None else min(max(float(rate), SLOWEST), FASTEST)
+        speed.restart()
 
-    def do_set(self, order: Order) -> None:
+    @WORKER.handles("set")
+    def set_parameter(self, request: Request) -> None:
         """A parameter of the model takes a new value."""
-        self.going.look_now()
-        self.going.live.apply(SetParameter(key=str(order["key"]), value=order["value"]))
-        self.worker.describe()
+        self.current.look_now()
+        self.current.live.apply(SetParameter(key=str(request["key"]), value=request["value"]))
+        self._describe()
 
-    def do_wind(self, order: Order) -> None:
-        """Another wind from now on."""
-        self.going.look_now()
-        self.going.live.apply(SetWind(wind=order["wind"]))
-        self.worker.describe()
+    @WORKER.handles("wind")
+    def set_wind(self, request: Request) -> None:
+        """Replace the wind from now on."""
+        self.current.look_now()
+        self.current.live.apply(SetWind(wind=request["wind"]))
+        self._describe()
 
-    def do_rose(self, _: Order) -> dict[str, Any]:
-        """Tell the roses of the wind, where it is a record."""
-        from barchan.studio.worker.rose import rose_of
+    @WORKER.handles("rose")
+    def rose(self, _: Request) -> Answer:
+        """The roses of the wind, where it is a record."""
+        return {"rose": rose_of(self.current.live)}
 
-        return {"rose": rose_of(self.going.live)}
-
-    def do_stroke(self, order: Order) -> None:
-        """Paint: ``begin`` and ``end`` tell where a gesture begins and ends."""
-        run = self.going
+    @WORKER.handles("stroke")
+    def stroke(self, request: Request) -> None:
+        """Paint; ``begin`` and ``end`` mark the first and the last stroke of a gesture."""
+        run = self.current
         run.look_now()
-        if order.get("begin"):
+        if request.get("begin"):
             run.painting.begin(run.live)
         elif not run.painting.done:
             raise BarchanError("a stroke without a beginning")
-        if "stroke" in order:
-            run.painting.stroke(run.live, _stroke(order["stroke"]))
-        if order.get("end"):
+        if "stroke" in request:
+            run.painting.stroke(run.live, _stroke(request["stroke"]))
+        if request.get("end"):
             run.painting.end(run.live)
 
-    def do_undo(self, _: Order) -> None:
+    @WORKER.handles("undo")
+    def undo(self, _: Request) -> None:
         """Undo the last gesture."""
-        self.going.change(self.going.painting.undo(self.going.live))
+        self.current.change(self.current.painting.undo(self.current.live))
 
-    def do_redo(self, _: Order) -> None:
-        """Do again what was undone."""
-        self.going.change(self.going.painting.redo(self.going.live))
+    @WORKER.handles("redo")
+    def redo(self, _: Request) -> None:
+        """Repeat the gesture that was undone last."""
+        self.current.change(self.current.painting.redo(self.current.live))
 
-    def do_look(self, order: Order) -> None:
-        """Look back; without a step at the run as it is now."""
-        if order.get("step") is None:
-            self.going.look_now()
+    @WORKER.handles("look")
+    def look(self, request: Request) -> None:
+        """Look back; without a step at the newest state."""
+        if request.get("step") is None:
+            self.current.look_now()
         else:
-            self.going.look(int(order["step"]))
+            self.current.look(int(request["step"]))
 
-    def do_branch(self, _: Order) -> None:
-        """Go on from what is looked at."""
-        self.going.branch()
-        self._anew()
+    @WORKER.handles("branch")
+    def branch(self, _: Request) -> None:
+        """Continue from the state that is looked at."""
+        self.current.branch()
+        self._announce()
 
-    def do_switch(self, order: Order) -> None:
-        """Go back to another branch."""
-        self.going.switch(int(order["branch"]))
-        self._anew()
+    @WORKER.handles("switch")
+    def switch(self, request: Request) -> None:
+        """Return to another branch."""
+        self.current.switch(int(request["branch"]))
+        self._announce()
 
-    def do_space_time(self, order: Order) -> dict[str, Any]:
-        """Tell the section along a line over the whole run."""
-        from barchan.studio.worker.spacetime import space_time
+    @WORKER.handles("space_time")
+    def space_time(self, request: Request) -> Answer:
+        """The section along a line over the whole run."""
+        return space_time(self.current, [float(place) for place in request["line"]])
 
-        return space_time(self.going, [float(place) for place in order["line"]])
+    def _take(self, run: StudioRun, running: bool) -> None:
+        """Continue with another run, under the same speed limit."""
+        run.speed.limit = self.run.speed.limit if self.run else None
+        self.run = run
+        self._announce()
+        if running:
+            run.run()
 
-    def do_save(self, order: Order) -> dict[str, Any]:
-        """Save the run as an archive."""
-        from barchan.studio.worker.loop import folder_of
-        from barchan.studio.worker.saved_runs import shelve
+    def _announce(self) -> None:
+        """Send everything again: the run's past is another one."""
+        self.frames.forget()
+        self.current.measures.resend()
+        self._describe()
 
-        frames = shelve(self.going, folder_of(order))
-        return {"frames": frames, "step": self.going.live.steps_done}
+    def _describe(self) -> None:
+        """Send what the run consists of."""
+        run = self.current
+        branches = run.branches.listing(run.live.steps_done)
+        self._send("scenario", **description(run.live), branches=branches, branch=run.branches.current)
 
 
 def _stroke(data: Any) -> AnyStroke:
-    """A stroke of any brush from what the browser says of it."""
+    """A stroke of any brush from the data in a request."""
     event = event_from({"kind": "stroke", **data})
     if not isinstance(event, BrushStroke):
         raise BarchanError(f"'{event.kind}' is no stroke")

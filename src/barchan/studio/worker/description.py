@@ -1,4 +1,4 @@
-"""What is being run, as the browser needs it beside the frames."""
+"""The description of a run that the browser needs beside its frames."""
 
 import math
 from typing import Any
@@ -13,7 +13,7 @@ from barchan.studio.worker.live_measures import declared_measures
 
 
 def description(simulation: Simulation) -> dict[str, Any]:
-    """Scenario as it is now, lattice, fields, measures and what is known of the run."""
+    """The scenario as changes have left it, lattice, fields, measures, facts and remarks."""
     lattice, model = simulation.lattice, simulation.model
     sound = validate(simulation.current_data(), "run")
     limits = model.slope_limits().get("bare", ())

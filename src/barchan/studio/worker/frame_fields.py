@@ -11,7 +11,7 @@ from barchan.analysis.fields import PLAIN, centre_of
 from barchan.fields import GROUND, SAND
 from barchan.models import Derived
 from barchan.simulation import Simulation
-from barchan.studio.protocol import Plane
+from barchan.studio.protocol import EncodedField
 
 STEPS_OF_CHANGE = 50
 """Steps over which erosion and deposition are shown, at least."""
@@ -22,46 +22,48 @@ _LARGEST = np.iinfo(np.uint16).max
 
 
 @dataclass(frozen=True)
-class Shown:
-    """A field that the browser may ask for."""
+class AvailableField:
+    """A field that the browser may ask for, without its values."""
 
     name: str
     unit: str
     meaning: str
     centre: float | None
-    """The value that its colours lie evenly about, where there is one."""
+    """The value about which its colours are symmetric, where there is one."""
     choice: bool = False
-    """Whether it only says yes or no."""
+    """Whether its values are yes or no."""
 
 
-_CHANGE = Shown(CHANGE, "m", f"erosion and deposition over the last {STEPS_OF_CHANGE} steps or more", 0.0)
+_CHANGE = AvailableField(
+    CHANGE, "m", f"erosion and deposition over the last {STEPS_OF_CHANGE} steps or more", 0.0
+)
 
 
 def fields_of(simulation: Simulation) -> list[dict[str, Any]]:
-    """All fields that ``plane_of`` can make, beside those that the browser derives from the surface."""
+    """All fields that ``encoded_field`` can make, beside those that the browser derives from the surface."""
     return [asdict(field) for field in (_CHANGE, *_kept(simulation), *_derived(simulation))]
 
 
-def _kept(simulation: Simulation) -> Iterator[Shown]:
+def _kept(simulation: Simulation) -> Iterator[AvailableField]:
     for field in simulation.bed.declared.values():
         if field.in_frames and field.name not in (GROUND.name, SAND.name):
-            yield Shown(field.name, field.unit, field.meaning, field.centre)
+            yield AvailableField(field.name, field.unit, field.meaning, field.centre)
 
 
-def _derived(simulation: Simulation) -> Iterator[Shown]:
+def _derived(simulation: Simulation) -> Iterator[AvailableField]:
     model, wind = simulation.model, simulation.last_segment
     for derived in model.derived:
         choice = derived.of(model, simulation.bed, wind).dtype == np.bool_
         centre = centre_of(model, derived, wind)
-        yield Shown(derived.name, derived.unit, derived.meaning, centre, choice)
+        yield AvailableField(derived.name, derived.unit, derived.meaning, centre, choice)
 
 
-def surface_planes(simulation: Simulation, with_ground: bool) -> Iterator[Plane]:
-    """The depth of the sand as whole slabs, before it the ground where it is wanted."""
+def surface_fields(simulation: Simulation, with_ground: bool) -> Iterator[EncodedField]:
+    """The depth of the sand in whole slabs; before it, where wanted, the ground (m)."""
     bed = simulation.bed
     if with_ground:
-        yield Plane("ground", bed.ground.astype(np.float32))
-    yield Plane("depth", bed.sand.astype(_type_up_to(bed.sand.max())), simulation.lattice.thickness)
+        yield EncodedField("ground", bed.ground.astype(np.float32))
+    yield EncodedField("depth", bed.sand.astype(_type_up_to(bed.sand.max())), simulation.lattice.thickness)
 
 
 def _type_up_to(largest: int) -> type[np.number]:
@@ -69,19 +71,21 @@ def _type_up_to(largest: int) -> type[np.number]:
     return next(kind for kind in (np.uint8, np.uint16, np.int32) if largest <= np.iinfo(kind).max)
 
 
-def plane_of(simulation: Simulation, name: str, earlier: NDArray[np.float64] | None) -> Plane | None:
-    """A field by its name, with some 16 bits; None where the model has no such field.
+def encoded_field(
+    simulation: Simulation, name: str, earlier: NDArray[np.float64] | None
+) -> EncodedField | None:
+    """A field by its name, in 16 bits a cell or fewer; None where the model has no such field.
 
-    ``earlier`` is the elevation that erosion and deposition are counted from.
+    ``earlier`` is the elevation (m) from which erosion and deposition are counted.
     """
     values = _values(simulation, name, earlier)
     if values is None:
         return None
     if values.dtype == np.bool_:
-        return Plane(name, values.astype(np.uint8))
+        return EncodedField(name, values.astype(np.uint8))
     low, high = float(values.min()), float(values.max())
     scale = (high - low) / _LARGEST or 1.0
-    return Plane(name, np.rint((values - low) / scale).astype(np.uint16), scale, low)
+    return EncodedField(name, np.rint((values - low) / scale).astype(np.uint16), scale, low)
 
 
 def _values(simulation: Simulation, name: str, earlier: NDArray[np.float64] | None) -> NDArray | None:

@@ -1,4 +1,4 @@
-"""Paths of grains as frames carry them to the browser, flown anew so seldom that they cost little."""
+"""Paths of grains as frames carry them to the browser, computed so seldom that they cost little."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -6,10 +6,10 @@ from numpy.typing import NDArray
 from barchan.analysis.grain_paths import broken_at_edges, follows_grains, paths_over
 from barchan.lattice import Lattice
 from barchan.simulation import Simulation
-from barchan.studio.worker.time_budget import Ration
+from barchan.studio.worker.time_budget import TimeBudget
 
 MOST = 500
-"""Paths that may be asked for."""
+"""Most paths that may be asked for."""
 
 SHARE = 0.04
 """Share of the time that may go into paths."""
@@ -23,35 +23,35 @@ _DIGITS = 3
 Line = list[float]
 
 
-class Flights:
+class GrainPaths:
     """The paths of some grains over the bed that is looked at."""
 
     def __init__(self) -> None:
-        """None asked for."""
+        """No grain is followed yet."""
         self.count = 0
-        self.ration = Ration(SHARE)
-        self._flown: tuple[int, ...] | None = None
+        self.budget = TimeBudget(SHARE)
+        self._sent: tuple[int, ...] | None = None
 
-    def ask(self, count: int) -> None:
-        """Let so many grains fly from now on."""
+    def request(self, count: int) -> None:
+        """Follow ``count`` grains from now on."""
         self.count = min(max(count, 0), MOST)
-        self.again()
+        self.resend()
 
-    def again(self) -> None:
-        """Whatever was sent is not known any more."""
-        self._flown = None
-        self.ration.at_once()
+    def resend(self) -> None:
+        """Let the paths that were sent count as not sent."""
+        self._sent = None
+        self.budget.at_once()
 
     def wanted_over(self, simulation: Simulation) -> bool:
         """Whether other paths than those that were sent are to be shown."""
-        return self._flown != self._key(simulation)
+        return self._sent != self._key(simulation)
 
     def over(self, simulation: Simulation) -> list[Line]:
         """Lines through x, y and z (m) of each point after the other."""
-        self._flown = self._key(simulation)
+        self._sent = self._key(simulation)
         if not self.count:
             return []
-        with self.ration.spending():
+        with self.budget.spending():
             wind, seed = simulation.last_segment, simulation.scenario.seed
             paths = paths_over(simulation.model, simulation.bed, wind, seed, self.count)
             lowest = float(simulation.bed.ground.min())

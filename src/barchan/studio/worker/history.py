@@ -1,4 +1,4 @@
-"""The states that a run went through, kept in memory within a budget, so that one can look and go back."""
+"""Earlier states of a run, kept in memory within a budget, so that one can look and go back."""
 
 from dataclasses import replace
 
@@ -21,7 +21,7 @@ class History:
     """States of one run by their steps, evenly spaced, the first one always kept."""
 
     def __init__(self, every: int, states: tuple[State, ...] = ()) -> None:
-        """Keep the state of every so-manieth step."""
+        """Keep a state every ``every`` steps."""
         self.every = every
         self.states = list(states)
 
@@ -46,14 +46,14 @@ class History:
         self.fit(BUDGET)
 
     def fit(self, budget: int) -> None:
-        """Let every second state go until they take no more than so many bytes."""
+        """Forget every second state until all take no more than ``budget`` bytes."""
         while len(self.states) > 2 and (self.bytes > budget or len(self.states) > MOST_STATES):
             self.every *= 2
             self.states = self.states[::2]
 
     @property
     def bytes(self) -> int:
-        """What the states take in memory."""
+        """Memory of all states (bytes)."""
         arrays = {id(array): array.nbytes for state in self.states for array in state.arrays.values()}
         return sum(arrays.values())
 
@@ -62,7 +62,7 @@ class History:
         return min(self.states, key=lambda state: abs(state.step - step))
 
     def until(self, step: int) -> "History":
-        """What happened up to a step, for another run to go on from."""
+        """The states up to a step, for another run that continues from there."""
         return History(self.every, tuple(state for state in self.states if state.step <= step))
 
 

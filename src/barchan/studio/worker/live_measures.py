@@ -1,20 +1,14 @@
-"""The measures of a running simulation, taken now and then so that they cost little."""
+"""The measures of a running simulation, taken so seldom that they cost little."""
 
 import math
-import time
-from collections import deque
 from typing import Any
 
-import numpy as np
-from numpy.typing import NDArray
-
-from barchan.analysis.time_series import LAGS, Moment, measures_of
-from barchan.directions import downwind
-from barchan.measures import crest_orientation, migration, streamwise_slopes
+from barchan.analysis.time_series import FrameMeasurer, measures_of
 from barchan.simulation import Simulation
+from barchan.studio.worker.time_budget import TimeBudget
 
 LEAST_PAUSE = 0.25
-"""Seconds from one look to the next, at least."""
+"""Seconds from one measurement to the next, at least."""
 
 SHARE = 0.02
 """Share of the time that may go into measuring."""
@@ -23,80 +17,64 @@ MOST_ROWS = 4000
 """Rows that are kept; beyond, every second one is forgotten."""
 
 
-class Gauges:
-    """Looks at a simulation now and then and keeps what it measured."""
+class LiveMeasures:
+    """Measures a simulation at intervals and keeps a row for each measurement."""
 
     def __init__(self) -> None:
-        """Nothing seen yet."""
+        """Begin without any row."""
         self.rows: list[dict[str, Any]] = []
-        self.fresh: list[dict[str, Any]] = []
-        """Rows that were not sent yet."""
-        self._seen: deque[tuple[int, NDArray[np.float64]]] = deque(maxlen=LAGS + 1)
-        self._travel = (0.0, 0.0)
-        self._next = 0.0
+        self._unsent: list[dict[str, Any]] = []
+        self._budget = TimeBudget(SHARE, LEAST_PAUSE)
+        self._measurer: FrameMeasurer | None = None
 
-    def look(self, simulation: Simulation, at_once: bool = False) -> None:
-        """Measure, if it is time to and something happened."""
-        began = time.perf_counter()
-        step = simulation.steps_done
-        if (self._seen and self._seen[-1][0] == step) or (began < self._next and not at_once):
+    def take(self, simulation: Simulation, at_once: bool = False) -> None:
+        """Measure, if the time for it has come or ``at_once``, and steps were done since."""
+        measurer = self._measurer = self._measurer or FrameMeasurer(simulation.scenario)
+        if measurer.last_step == simulation.steps_done or not (at_once or self._budget.is_due):
             return
-        row = self._measured(simulation)
+        with self._budget.spending():
+            row = _row(simulation, measurer)
         self.rows.append(row)
-        self.fresh.append(row)
+        self._unsent.append(row)
         if len(self.rows) > MOST_ROWS:
             self.rows = self.rows[::2]
-        del self.fresh[:-MOST_ROWS]
-        now = time.perf_counter()
-        self._next = now + max(LEAST_PAUSE, (now - began) / SHARE)
+        del self._unsent[:-MOST_ROWS]
 
-    def sent(self) -> list[dict[str, Any]]:
+    def unsent(self) -> list[dict[str, Any]]:
         """The rows that were not sent yet; they count as sent from now on."""
-        fresh, self.fresh = self.fresh, []
-        return fresh
+        rows, self._unsent = self._unsent, []
+        return rows
 
-    def again(self) -> None:
-        """Send everything once more."""
-        self.fresh = list(self.rows)
+    def resend(self) -> None:
+        """Let all rows count as not sent."""
+        self._unsent = list(self.rows)
 
-    def until(self, step: int) -> "Gauges":
-        """What was measured up to a step, for another run to go on from."""
-        gauges = Gauges()
-        gauges.rows = [row for row in self.rows if row["step"] <= step]
-        gauges.again()
-        return gauges
+    def until(self, step: int) -> "LiveMeasures":
+        """The rows up to a step, for another run that continues from there."""
+        earlier = LiveMeasures()
+        earlier.rows = [row for row in self.rows if row["step"] <= step]
+        earlier.resend()
+        return earlier
 
-    def _measured(self, simulation: Simulation) -> dict[str, Any]:
-        moment = self._moment(simulation)
-        values = {measure.name: measure.of(moment) for measure in measures_of(simulation.scenario)}
-        return {
-            "step": simulation.steps_done,
-            **{name: float(value) if math.isfinite(value) else None for name, value in values.items()},
-        }
 
-    def _moment(self, simulation: Simulation) -> Moment:
-        lattice, surface = simulation.lattice, simulation.elevation
-        joined, direction = lattice.periodic, simulation.wind_direction
-        before = self._seen[-1][0] if self._seen else simulation.steps_done
-        self._seen.append((simulation.steps_done, surface))
-        steps, surfaces = zip(*self._seen, strict=True)
-        travelled = simulation.tally.travel_x, simulation.tally.travel_y
-        travel = np.dot(downwind(direction), np.subtract(travelled, self._travel))
-        self._travel = travelled
-        return Moment(
-            modelled=lambda: (simulation.model, simulation.bed, simulation.last_segment),
-            sand=simulation.bed.sand,
-            elevation=surface,
-            scenario=simulation.scenario,
-            direction=direction,
-            orientation=crest_orientation(surface, lattice.cell_size, joined),
-            slopes=streamwise_slopes(surface, lattice.cell_size, direction, joined),
-            migration=migration(steps, surfaces, joined),
-            travel=float(travel),
-            steps=simulation.steps_done - before,
-        )
+def _row(simulation: Simulation, measurer: FrameMeasurer) -> dict[str, Any]:
+    """The measures of a simulation as it is now, by name; None where one has no value."""
+    tally = simulation.tally
+    frame = measurer.measured(
+        simulation.steps_done,
+        simulation.bed.sand,
+        simulation.elevation,
+        simulation.wind_direction,
+        (tally.travel_x, tally.travel_y),
+        lambda: (simulation.model, simulation.bed, simulation.last_segment),
+    )
+    values = {measure.name: measure.of(frame) for measure in measures_of(simulation.scenario)}
+    return {
+        "step": simulation.steps_done,
+        **{name: float(value) if math.isfinite(value) else None for name, value in values.items()},
+    }
 
 
 def declared_measures(simulation: Simulation) -> list[dict[str, str]]:
-    """Name, title and unit of everything that is measured."""
+    """Name, title and unit of every measure."""
     return [{"name": m.name, "title": m.title, "unit": m.unit} for m in measures_of(simulation.scenario)]

@@ -49,31 +49,31 @@ class Painting:
         self.done[-1].after = simulation.state()
 
     def undo(self, simulation: Simulation) -> Simulation:
-        """Undo the last gesture; the simulation to go on with."""
+        """Undo the last gesture; returns the simulation to continue with."""
         if not self.done:
             return simulation
         gesture = self.done.pop()
         self.undone.append(gesture)
-        return _led(simulation, gesture.after, gesture.before, gesture.inverse)
+        return _brought(simulation, gesture.after, gesture.before, gesture.inverse)
 
     def redo(self, simulation: Simulation) -> Simulation:
-        """Do again what was undone last; the simulation to go on with."""
+        """Repeat the gesture that was undone last; returns the simulation to continue with."""
         if not self.undone:
             return simulation
         gesture = self.undone.pop()
         self.done.append(gesture)
-        return _led(simulation, gesture.before, gesture.after, gesture.strokes)
+        return _brought(simulation, gesture.before, gesture.after, gesture.strokes)
 
     def stepped(self) -> None:
-        """Steps were done: what was there before the gestures cannot be put back exactly any more."""
+        """Steps were done: the states before the gestures can no longer be put back exactly."""
         for gesture in (*self.done, *self.undone):
             gesture.before = gesture.after = None
 
 
-def _led(
+def _brought(
     simulation: Simulation, here: State | None, there: State | None, strokes: list[AnyStroke]
 ) -> Simulation:
-    """The simulation led from one state to another, exactly where it is still in the first one."""
+    """The simulation brought from one state to another, exactly if it is still in the first one."""
     if here is not None and there is not None and here.data["events"] == _journal(simulation):
         return Simulation.from_state(there)
     for stroke in strokes:
@@ -86,7 +86,7 @@ def _journal(simulation: Simulation) -> list[dict[str, object]]:
 
 
 def _inverse(simulation: Simulation, stroke: AnyStroke) -> AnyStroke:
-    """The stroke that brings back as much as this one will add or take."""
+    """The stroke that reverses the amount which this one will add or take."""
     given = float(np.abs(stroke.change(simulation.bed, simulation.model)).sum())
     asked = float(np.abs(stroke.requested(simulation.lattice)).sum())
     amount = -stroke.amount * (given / asked if asked else 0.0)

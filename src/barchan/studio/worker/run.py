@@ -13,33 +13,33 @@ from barchan.simulation import Simulation, State
 from barchan.studio.worker.branches import Branches
 from barchan.studio.worker.frame_fields import STEPS_OF_CHANGE
 from barchan.studio.worker.history import FINEST, History
-from barchan.studio.worker.live_measures import Gauges
+from barchan.studio.worker.live_measures import LiveMeasures
 from barchan.studio.worker.painting import Painting
-from barchan.studio.worker.step_pacer import Pace
+from barchan.studio.worker.run_speed import RunSpeed
 
 LOOK_ONLY = "look_only"
 """The key of a state's data that says that no run can go on from it."""
 
-BREATH = 0.016
-"""Seconds of work between two looks at what the browser wants: a call of the model costs some tenths of a
-millisecond beside its steps, so shorter ones would cost speed."""
+CHUNK_SECONDS = 0.016
+"""Seconds of work between two looks at the browser's requests: a call of the model costs some tenths of a
+millisecond beside its steps, so shorter chunks would cost speed."""
 
 
 class StudioRun:
-    """A simulation with its pace, its history and its measures."""
+    """A simulation with its speed, its history and its measures."""
 
     def __init__(self, simulation: Simulation) -> None:
         """Take a simulation over, paused."""
-        self.pace = Pace()
-        self.begin(simulation, History(min(simulation.scenario.run.save_every, FINEST)), Gauges())
-        self.gauges.look(simulation, at_once=True)
-        self.branches = Branches(self.live, self.history, self.gauges)
+        self.speed = RunSpeed(CHUNK_SECONDS)
+        self.begin(simulation, History(min(simulation.scenario.run.save_every, FINEST)), LiveMeasures())
+        self.measures.take(simulation, at_once=True)
+        self.branches = Branches(self.live, self.history, self.measures)
 
-    def begin(self, simulation: Simulation, history: History, gauges: Gauges) -> None:
-        """Go on with a simulation that has this past."""
+    def begin(self, simulation: Simulation, history: History, measures: LiveMeasures) -> None:
+        """Continue with a simulation that has this past."""
         self.live = simulation
         self.history = history
-        self.gauges = gauges
+        self.measures = measures
         self.painting = Painting()
         self.looking: Simulation | None = None
         self.can_branch = True
@@ -50,7 +50,7 @@ class StudioRun:
 
     @property
     def shown(self) -> Simulation:
-        """The simulation that is looked at: as it is now, or as it was."""
+        """The simulation that is looked at: its newest state, or an earlier one."""
         return self.live if self.looking is None else self.looking
 
     @property
@@ -59,40 +59,40 @@ class StudioRun:
         return self.running and self.live.finished is None
 
     def run(self, target: int | None = None, brief: bool = False) -> None:
-        """Run, on and on or up to a step; ``brief`` where it will go on at once from there."""
+        """Run, on and on or up to a step; ``brief`` where it will continue at once from there."""
         self.looking = None
         self.brief = brief
         self.target = target
         self.running = target is None or target > self.live.steps_done
-        self.pace.restart()
+        self.speed.restart()
 
     def pause(self) -> None:
         """Stop."""
         self.running = False
-        self.gauges.look(self.live, at_once=True)
+        self.measures.take(self.live, at_once=True)
 
-    def breathe(self) -> bool:
-        """Do some steps, as many as fit between two looks at the clock; whether a set goal is reached."""
-        steps = self.pace.steps(BREATH)
+    def advance_chunk(self) -> bool:
+        """Do a chunk of steps; returns whether a set target is reached."""
+        steps = self.speed.steps
         if self.target is not None:
             steps = min(steps, self.target - self.live.steps_done)
         steps = min(steps, self.history.due - self.live.steps_done)
         if steps > 0:
             began = time.perf_counter()
             done = self.live.advance(steps).steps
-            self.pace.took(done, time.perf_counter() - began)
+            self.speed.record(done, time.perf_counter() - began)
             self.painting.stepped()
         self.remember()
-        self.gauges.look(self.live)
+        self.measures.take(self.live)
         arrived = self.target is not None and self.live.steps_done >= self.target
         if self.live.finished or arrived:
             self.running = False
         if not self.running and not self.brief:
-            self.gauges.look(self.live, at_once=True)
+            self.measures.take(self.live, at_once=True)
         return not self.running and self.target is not None
 
     def remember(self) -> None:
-        """Keep the state, where it is due, and the surface that change is counted from."""
+        """Keep the state where one is due, and the surface from which change is counted."""
         step = self.live.steps_done
         if step >= self.history.due:
             self.history.keep(self.live.state())
@@ -114,11 +114,11 @@ class StudioRun:
         self.can_branch = LOOK_ONLY not in state.data
 
     def look_now(self) -> None:
-        """Look at the run as it is."""
+        """Look at the newest state."""
         self.looking = None
 
     def branch(self) -> None:
-        """Go on from the state that is looked at; what came after it is kept as a branch of its own.
+        """Continue from the state that is looked at; the steps after it are kept as a branch of their own.
 
         Raises BarchanError where an archive holds no more of it than a picture.
         """
@@ -126,24 +126,24 @@ class StudioRun:
             if not self.can_branch:
                 raise BarchanError("an archive keeps its frames to look at; go on from its newest state")
             step = self.looking.steps_done
-            past = self.history.until(step), self.gauges.until(step)
-            self.branches.leave(self.live, self.history, self.gauges)
+            past = self.history.until(step), self.measures.until(step)
+            self.branches.leave(self.live, self.history, self.measures)
             self.begin(self.looking, *past)
             self.branches.add(self.live, *past)
 
     def switch(self, number: int) -> None:
         """Go back to another branch, paused where it was left; raises BarchanError where it is not kept."""
-        self.branches.leave(self.live, self.history, self.gauges)
+        self.branches.leave(self.live, self.history, self.measures)
         branch = self.branches.take(number)
-        self.begin(branch.simulation, branch.history, branch.gauges)
+        self.begin(branch.simulation, branch.history, branch.measures)
 
     def change(self, simulation: Simulation) -> None:
-        """Go on with a simulation that was led to another state by the brush."""
+        """Continue with a simulation that the brush has brought to another state."""
         self.live = simulation
         self.looking = None
 
     def status(self) -> dict[str, Any]:
-        """What is always in view."""
+        """The numbers and flags that the browser always shows, SI units."""
         shown = self.shown
         lattice, seconds = shown.lattice, shown.scenario.step_seconds
         return {
@@ -153,7 +153,7 @@ class StudioRun:
             "finished": self.live.finished,
             "looking": self.looking is not None,
             "can_branch": self.looking is not None and self.can_branch,
-            "rate": self.pace.rate if self.busy else 0.0,
+            "rate": self.speed.rate if self.busy else 0.0,
             "highest": highest_stack(shown.bed.sand),
             "volume": sand_volume(shown.bed.sand, lattice.thickness, lattice.cell_size),
             "wind": shown.wind_direction,
@@ -169,8 +169,8 @@ def started(scenario: Scenario) -> StudioRun:
 
 
 def resumed(state: State, history: History) -> StudioRun:
-    """A run that goes on from a state and has this past."""
+    """A run that continues from a state and has this past."""
     run = StudioRun(Simulation.from_state(state))
-    run.begin(run.live, history, run.gauges)
-    run.branches = Branches(run.live, history, run.gauges)
+    run.begin(run.live, history, run.measures)
+    run.branches = Branches(run.live, history, run.measures)
     return run

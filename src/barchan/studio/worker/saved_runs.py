@@ -1,4 +1,4 @@
-"""Runs of the studio saved as archives, and archives taken up again."""
+"""Runs of the studio saved as archives, and archives continued in the studio."""
 
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -11,20 +11,21 @@ from barchan.errors import ArchiveError
 from barchan.simulation import Simulation, State
 from barchan.studio.worker.history import FINEST, History
 from barchan.studio.worker.run import LOOK_ONLY, StudioRun, resumed
+from barchan.version import __version__
 
 if TYPE_CHECKING:
     import xarray as xr
 
 
-def shelve(run: StudioRun, folder: Path) -> int:
-    """Save a run, with all states that are remembered as frames; how many there are.
+def save_run(run: StudioRun, folder: Path) -> int:
+    """Save a run, with all kept states as frames; returns the number of frames.
 
     Raises ArchiveError where the folder is not empty or cannot be written.
     """
     live = run.live
     archive = Archive.create(folder, Simulation.from_state(run.history.states[0]))
     try:
-        archive.log("start", seed=live.scenario.seed, steps=live.scenario.run.steps, version=_version())
+        archive.log("start", seed=live.scenario.seed, steps=live.scenario.run.steps, version=__version__)
         for state in run.history.states:
             if state.step <= live.steps_done:
                 archive.save(Simulation.from_state(state).frame())
@@ -38,10 +39,10 @@ def shelve(run: StudioRun, folder: Path) -> int:
         archive.close()
 
 
-def reopened(folder: Path) -> StudioRun:
+def open_saved_run(folder: Path) -> StudioRun:
     """The run in a folder, at its newest checkpoint, with its frames as its past.
 
-    Raises ArchiveError where there is no run to go on with.
+    Raises ArchiveError where there is no run to continue.
     """
     scenario = scenario_of(folder)
     last = read_checkpoint(folder / CHECKPOINT)
@@ -59,7 +60,7 @@ def reopened(folder: Path) -> StudioRun:
 
 
 def _state_of(frame: "xr.Dataset", last: State) -> State:
-    """A frame as a state to look at; frames lack what the model remembers, so no run goes on from it."""
+    """A frame as a state to look at; frames lack the model's own state, so no run continues from it."""
     arrays = dict(last.arrays)
     for name, values in frame.data_vars.items():
         if f"bed/{name}" in arrays:
@@ -77,9 +78,3 @@ def _state_of(frame: "xr.Dataset", last: State) -> State:
 
 def _updated(before: dict[str, Any], counters: dict[str, Any]) -> dict[str, Any]:
     return {name: counters.get(name, value) for name, value in before.items()}
-
-
-def _version() -> str:
-    from barchan.version import __version__
-
-    return __version__

@@ -1,4 +1,4 @@
-"""The section along a line at every state that a run remembers."""
+"""The section along a line at every kept state of a run."""
 
 import base64
 from typing import Any
@@ -20,7 +20,7 @@ _LARGEST = np.iinfo(np.uint16).max
 def space_time(run: StudioRun, line: list[float]) -> dict[str, Any]:
     """Elevations along a line from x, y to x, y (m), a row for each state, as 16 bits between two heights.
 
-    Raises BarchanError for what is no line.
+    Raises BarchanError where that is no line.
     """
     if len(line) != 4 or not np.isfinite(line).all():
         raise BarchanError("a section needs two places: x, y, x, y in metres")
@@ -60,7 +60,7 @@ class _Sampler:
 
 
 def _between(place: NDArray[np.float64], count: int) -> tuple[NDArray[np.intp], NDArray[np.float64]]:
-    """The two cells about each place (counted in cells from an edge), and what each weighs."""
+    """The two cells about each place (counted in cells from an edge), and the weight of each."""
     at = np.clip(place - 0.5, 0.0, count - 1.0)
     first = np.floor(at).astype(np.intp)
     share = at - first

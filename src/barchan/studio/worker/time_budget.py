@@ -1,18 +1,19 @@
-"""What may cost a share of the time, and no more: it is done the more seldom the longer it takes."""
+"""Limits a periodic task to a given fraction of wall-clock time."""
 
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 
 
-class Ration:
-    """When something may be done again, by how long it took."""
+class TimeBudget:
+    """The moment from which a task may be done again, given the time that it took."""
 
-    def __init__(self, share: float) -> None:
-        """Let it take a share of the time; it may be done at once."""
+    def __init__(self, share: float, least_pause: float = 0.0) -> None:
+        """Let it take a share of the time, with a pause (s) at least; it may be done at once."""
         self._share = share
+        self._least_pause = least_pause
         self.due = 0.0
-        """When it may be done (``time.perf_counter``)."""
+        """Moment from which it may be done (``time.perf_counter``)."""
 
     @property
     def is_due(self) -> bool:
@@ -25,8 +26,8 @@ class Ration:
 
     @contextmanager
     def spending(self) -> Iterator[None]:
-        """Do it, and count how long it takes."""
+        """Do it, and count the time that it takes."""
         began = time.perf_counter()
         yield
         now = time.perf_counter()
-        self.due = now + (now - began) / self._share
+        self.due = now + max(self._least_pause, (now - began) / self._share)

@@ -1,13 +1,13 @@
-/** What the mouse does over the scene: it turns the view, paints, or draws the line of a section. */
+/** The mouse over the scene: turns the view, paints, or draws the line of a section. */
 
-import type { Line2 } from "../core/section";
+import type { SectionLine } from "../core/section";
 import type { Stage } from "../scene/stage";
 import type { Hud } from "./hud";
 import type { Paint } from "./paint";
 
 const PAUSE = 40;
 
-export class Hand {
+export class Pointer {
   private drawing = false;
   private from: [number, number] | null = null;
   private last = 0;
@@ -16,7 +16,7 @@ export class Hand {
     private readonly stage: Stage,
     private readonly hud: Hud,
     private readonly paint: Paint,
-    private readonly section: { put: (line: Line2 | null) => void },
+    private readonly section: { put: (line: SectionLine | null) => void },
   ) {
     const { canvas } = stage;
     canvas.addEventListener("pointerdown", (event) => this.press(event), { capture: true });

@@ -1,19 +1,23 @@
-"""How fast a run goes, and how fast it may."""
+"""The speed of a run: steps per second, measured and limited."""
 
 import time
 
-MEMORY = 0.5
+from barchan.simulation import StepPacer
+
+AVERAGED_OVER = 0.5
 """Seconds over which the speed is averaged, about."""
 
 
-class Pace:
-    """Steps per second: measured, and limited where one wants to watch."""
+class RunSpeed:
+    """Steps per second: measured, and limited where the user wants to watch."""
 
-    def __init__(self) -> None:
-        """No limit, nothing measured."""
+    def __init__(self, chunk_seconds: float) -> None:
+        """No limit, nothing measured; without a limit steps are done in chunks of this duration."""
         self.limit: float | None = None
+        """Most steps per second."""
         self.rate = 0.0
-        self._each = 0.0
+        """Steps per second, measured."""
+        self._pacer = StepPacer(chunk_seconds)
         self.restart()
 
     def restart(self) -> None:
@@ -21,13 +25,13 @@ class Pace:
         self._since = self._allowed_from = time.perf_counter()
         self._counted = self._allowed = 0
 
-    def steps(self, seconds: float) -> int:
-        """Steps to do in about so many seconds, at least one; 0 while the limit says to wait."""
-        count = max(1, int(seconds / self._each)) if self._each else 1
+    @property
+    def steps(self) -> int:
+        """Steps to do in the next chunk, at least one; 0 while the limit asks to wait."""
         if self.limit is None:
-            return count
+            return self._pacer.steps
         allowed = int((time.perf_counter() - self._allowed_from) * self.limit) + 1 - self._allowed
-        return max(0, min(count, allowed))
+        return max(0, min(self._pacer.steps, allowed))
 
     def wait(self) -> float:
         """Seconds until the limit lets the next step pass."""
@@ -35,14 +39,13 @@ class Pace:
             return 0.0
         return max(0.0, self._allowed_from + self._allowed / self.limit - time.perf_counter())
 
-    def took(self, steps: int, seconds: float) -> None:
-        """So many steps were done."""
-        if steps:
-            self._each = seconds / steps if not self._each else 0.7 * self._each + 0.3 * seconds / steps
+    def record(self, steps: int, seconds: float) -> None:
+        """Count steps that took a time."""
+        self._pacer.record(steps, seconds)
         self._counted += steps
         self._allowed += steps
         now = time.perf_counter()
-        if now - self._since >= MEMORY:
+        if now - self._since >= AVERAGED_OVER:
             self.rate = self._counted / (now - self._since)
             self._since, self._counted = now, 0
         if self.limit is not None and now - self._allowed_from > self._allowed / self.limit + 1.0:

@@ -1,12 +1,12 @@
-/** Holds a panel still while one is at it: while the mouse is down in it, and until what was asked is answered. */
+/** Keeps a panel from being drawn again while the mouse is down in it or a request is not answered yet. */
 
-export class Quiet {
+export class RefreshGuard {
   private down = false;
-  private asked = 0;
+  private pending = 0;
 
   constructor(
     element: HTMLElement,
-    private readonly quiet: () => void,
+    private readonly refresh: () => void,
   ) {
     element.addEventListener("pointerdown", () => (this.down = true));
     for (const end of ["pointerup", "pointercancel"]) {
@@ -17,23 +17,23 @@ export class Quiet {
     }
   }
 
-  /** Whether the panel must not be drawn anew now. */
+  /** Whether the panel must not be drawn again now. */
   get busy(): boolean {
-    return this.down || this.asked > 0;
+    return this.down || this.pending > 0;
   }
 
   /** Wait for an answer. */
   async during(answer: Promise<unknown>): Promise<void> {
-    this.asked++;
+    this.pending++;
     try {
       await answer;
     } finally {
-      this.asked--;
+      this.pending--;
       this.settle();
     }
   }
 
   private settle(): void {
-    if (!this.busy) this.quiet();
+    if (!this.busy) this.refresh();
   }
 }

@@ -1,0 +1,79 @@
+/** Names that server and client share; written by `python -m barchan.studio.commands`. */
+
+export const PROTOCOL = 3;
+
+export type CommandName =
+  /** A frame was drawn; another one may follow. */
+  | "confirm"
+  /** Choose the fields that frames carry beside the surface. */
+  | "view"
+  /** Choose how many paths of grains frames carry. */
+  | "paths"
+  /** Run: on and on, some steps, or up to a step. */
+  | "run"
+  /** Pause. */
+  | "pause"
+  /** Limit the steps per second; null for no limit. */
+  | "limit"
+  /** Start again with the same scenario and seed. */
+  | "restart"
+  /** Give a live parameter a new value. */
+  | "set"
+  /** Replace the wind. */
+  | "wind"
+  /** Ask for the roses of a recorded wind. */
+  | "rose"
+  /** Paint with a brush. */
+  | "stroke"
+  /** Undo the last gesture of the brush. */
+  | "undo"
+  /** Repeat the gesture that was undone last. */
+  | "redo"
+  /** Look back at a step; null for the newest state. */
+  | "look"
+  /** Continue from the state that is looked at. */
+  | "branch"
+  /** Return to another branch. */
+  | "switch"
+  /** Ask for the section along a line over the whole run. */
+  | "space_time"
+  /** Start a scenario, in both runs where two are compared. */
+  | "create"
+  /** Start a second run with another model. */
+  | "compare"
+  /** End the second run. */
+  | "alone"
+  /** Start lost runs again. */
+  | "revive"
+  /** Save a run in the session's folder. */
+  | "save"
+  /** Continue a run of the session's folder. */
+  | "open"
+  /** Ask what is wrong with a scenario's text. */
+  | "check"
+  /** Ask for a preset's scenario. */
+  | "preset"
+  /** Ask for a group of a scenario with all its defaults. */
+  | "variant"
+  /** Ask for the names of the runs that can be opened. */
+  | "saved";
+
+export type MessageType =
+  /** The version of the messages, the names of the runs, and whether they run in lockstep. */
+  | "hello"
+  /** The names of the runs have changed. */
+  | "runs"
+  /** Two runs that are compared started or stopped. */
+  | "lockstep"
+  /** What a run consists of: scenario, lattice, fields, measures, branches. */
+  | "scenario"
+  /** Kernels are being compiled. */
+  | "compiling"
+  /** A run has done the steps that it was asked for. */
+  | "arrived"
+  /** The process of a run has ended by itself. */
+  | "lost"
+  /** The answer to a request. */
+  | "done"
+  /** A request that cannot be carried out, and why. */
+  | "refused";
