@@ -63,7 +63,7 @@ def report(only: str) -> Iterator[str]:
         yield f"Rates are the best of spells, {about}."
         yield ""
         seconds = grains.seed_003_seconds()
-        yield f"Seed 003's 3000 iterations: {seconds:.1f} s, against {grains.PUBLISHED_SECONDS:.0f} s there."
+        yield f"Szabó's 3000 iterations: {seconds:.1f} s, against {grains.PUBLISHED_SECONDS:.0f} s there."
     if not only:
         yield ""
         yield "| program | seconds |"

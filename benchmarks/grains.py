@@ -1,4 +1,4 @@
-"""Grains in flight: grain updates a second on one thread and on two, and seed 003's case.
+"""Grains in flight: grain updates a second on one thread and on two, and Szabó's case.
 
 A spell is an advance of some ``ITERATIONS`` iterations, as real runs make them: what an advance does once,
 and the start of a helping thread, then count as much as they do there.
@@ -21,7 +21,7 @@ ITERATIONS = 100
 """Of a spell."""
 
 PUBLISHED_SECONDS = 210.0
-"""What seed 003's 3000 iterations took there."""
+"""What Szabó's 3000 iterations took there."""
 
 
 def updates(preset: str, changes: dict[str, int], spells: int = 40) -> tuple[float, float, bool]:
@@ -44,7 +44,7 @@ def updates(preset: str, changes: dict[str, int], spells: int = 40) -> tuple[flo
 
 
 def seed_003_seconds() -> float:
-    """Wall time (s) of seed 003's 3000 iterations, on as many threads as there are cores."""
+    """Wall time (s) of Szabó's 3000 iterations, on as many threads as there are cores."""
     simulation = barchan.Simulation(barchan.load("szabo-10", run__seed=1))
     simulation.advance(1)
     began = time.perf_counter()

@@ -6,7 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from barchan.bed import Bed, Lattice
+from barchan.bed import Bed
+from barchan.lattice import Lattice
 from barchan.models import models
 from barchan.streams import Stream
 from barchan.wind.segment import Segment

@@ -1,6 +1,6 @@
 """Draw a diagram of dune types from real runs: sand supply against how variable the wind is.
 
-The counterpart of Fig. 2.5 of seed 003, after Wasson & Hyde (1983) and Bishop et al. (2002): barchans and
+The counterpart of Fig. 2.5 of Szabó (2019), after Wasson & Hyde (1983) and Bishop et al. (2002): barchans and
 transverse dunes under one wind, linear dunes between two, domes, stars and networks under many. Each
 picture is one run of Werner's model, from the lowest to the highest of its surface. Below each column stands
 RDP/DP of its wind, beside each row the thickness of its sand spread evenly.

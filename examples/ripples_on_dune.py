@@ -1,4 +1,4 @@
-"""Compose a picture of two scales: ripples laid over a dune, after Figs. 1.2 and 3.9 of seed 000.
+"""Compose a picture of two scales: ripples laid over a dune, after Figs. 1.2 and 3.9 of the Prague thesis.
 
 A barchan grows from a heap in Werner's model, ripples grow in Nishimori & Ouchi's. The dune is resampled to
 finer cells and the ripples are laid over its sand: not on the slip face, not in the shadow zone, not on bare

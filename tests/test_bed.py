@@ -8,7 +8,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 from pydantic import ValidationError
 
-from barchan.bed import Bed, FieldInfo, Lattice
+from barchan.bed import Bed
+from barchan.fields import SAND, FieldInfo, LayerInfo
+from barchan.lattice import Lattice
 
 
 def bed_of(sand, **lattice):
@@ -65,7 +67,7 @@ def test_elevation_is_ground_plus_slabs_times_thickness():
 
 
 def test_the_total_of_slabs_is_exact_beyond_32_bits():
-    assert bed_of(np.full((16, 24), 10**9)).slabs == 16 * 24 * 10**9
+    assert bed_of(np.full((16, 24), 10**9)).units == 16 * 24 * 10**9
 
 
 def test_a_bed_keeps_fields_of_its_own():
@@ -112,3 +114,72 @@ def test_a_level_bed_stands_at_its_stack_everywhere(rows, columns, stack, height
     assert bed.elevation.shape == (rows, columns)
     assert math.isclose(float(bed.elevation.min()), stack * height, rel_tol=1e-12)
     assert bed.elevation.min() == bed.elevation.max()
+
+
+OLD = LayerInfo("old", "int32", "kg/m²", "snow that has hardened", mass=1.0)
+FRESH = LayerInfo("fresh", "int32", "kg/m²", "snow that fell last", mass=1.0, height_field="height")
+HEIGHT = FieldInfo("height", "int32", "0.1 mm", "thickness of the snow")
+
+
+def snow_bed():
+    """Two layers of mass: 3 and 2 kg/m² on each cell, 5 cm of snow together."""
+    lattice = Lattice(rows=2, columns=8)
+    old, fresh = np.full(lattice.shape, 3), np.full(lattice.shape, 2)
+    bed = Bed(lattice, np.full(lattice.shape, 10.0), old, fresh, layers=(OLD, FRESH))
+    bed.add(HEIGHT, np.full(lattice.shape, 500))
+    return bed
+
+
+def test_elevation_of_layers_of_a_mass_follows_from_their_height_and_not_from_their_count():
+    bed = snow_bed()
+    np.testing.assert_allclose(bed.depth, 0.05, rtol=1e-12)
+    np.testing.assert_allclose(bed.elevation, 10.05, rtol=1e-12)
+    assert bed.volume == pytest.approx(16 * 0.05)
+    bed.arrays["height"] //= 2  # densified: the same mass, half as thick
+    np.testing.assert_allclose(bed.depth, 0.025, rtol=1e-12)
+    assert bed.units == 16 * 5
+
+
+def test_units_are_laid_on_the_uppermost_layer_and_taken_from_the_top_down():
+    bed = snow_bed()
+    change = np.zeros(bed.lattice.shape, np.int64)
+    change[0, 0], change[1, 1] = 4, -4
+    bed.lay(change)
+    assert (bed.arrays["old"][0, 0], bed.arrays["fresh"][0, 0]) == (3, 6)
+    assert (bed.arrays["old"][1, 1], bed.arrays["fresh"][1, 1]) == (1, 0)
+    assert (bed.stack[0, 0], bed.stack[1, 1]) == (9, 1)
+    with pytest.raises(ValueError, match="more units are taken"):
+        bed.lay(np.full(bed.lattice.shape, -6))
+    assert bed.units == 16 * 5
+
+
+def test_layers_of_different_quanta_do_not_lie_on_one_bed():
+    lattice = Lattice(rows=2, columns=8)
+    nothing = np.zeros(lattice.shape)
+    with pytest.raises(ValueError, match="same quantum"):
+        Bed(lattice, nothing, nothing, nothing, layers=(OLD, SAND))
+
+
+def test_the_classes_of_a_layer_add_up_to_it():
+    bed = bed_of([[3] * 8, [2] * 8])
+    fine = LayerInfo("fine", "int32", "slabs", "", part_of="sand", class_value=1e-4, class_unit="m")
+    coarse = LayerInfo("coarse", "int32", "slabs", "", part_of="sand", class_value=1e-3, class_unit="m")
+    bed.add(fine, np.full(bed.lattice.shape, 2))
+    bed.add(coarse, bed.sand - 2)
+    assert [one.class_value for one in bed.classes_of("sand")] == [1e-4, 1e-3]
+    assert bed.undivided() == []
+    bed.arrays["fine"][0, 0] += 1
+    assert bed.undivided() == ["sand"]
+
+
+def test_a_bed_shows_its_size_its_layers_and_its_heights():
+    assert repr(bed_of([[3] * 8, [6] * 8])) == (
+        "<Bed of 2 × 8 cells of 1 m: 72 slabs of sand, elevation 1 to 2 m>"
+    )
+    assert repr(snow_bed()) == (
+        "<Bed of 2 × 8 cells of 1 m: 48 kg/m² of old, 32 kg/m² of fresh, elevation 10.05 to 10.05 m; "
+        "fields height>"
+    )
+    assert repr(Lattice(rows=2, columns=8)) == (
+        "<Lattice of 2 × 8 cells of 1 m, slabs of 0.3333 m, periodic edges>"
+    )

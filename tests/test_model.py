@@ -3,7 +3,8 @@
 import numpy as np
 import pytest
 
-from barchan.bed import Bed, Lattice
+from barchan.bed import Bed
+from barchan.lattice import Lattice
 from barchan.models import models
 from barchan.wind.segment import Segment
 

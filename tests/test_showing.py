@@ -41,7 +41,7 @@ def test_a_simulation_shows_how_far_it_is_and_its_bed_in_units():
     simulation = barchan.Simulation(tiny(title="Small"))
     simulation.advance(3)
     assert repr(simulation).startswith("<Simulation of 'Small': werner, step 3 of ")
-    assert f"{simulation.bed.slabs} slabs, elevation " in repr(simulation)
+    assert f"{simulation.bed.units} slabs of sand, elevation " in repr(simulation)
     assert repr(simulation).endswith(" m>")
     assert "step 3 of" in simulation._repr_html_()
     assert "16 × 24 cells" in simulation._repr_html_()

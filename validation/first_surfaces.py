@@ -1,6 +1,6 @@
 """Ripples and transverse dunes laid out at the start, against a flat start, 1000 steps.
 
-Presets `first-ripples` and `first-transverse`, and the same with flat sand. Seed 000 (§6.5.2): any
+Presets `first-ripples` and `first-transverse`, and the same with flat sand. The Prague thesis (§6.5.2): any
 initial surface is forgotten.
 """
 

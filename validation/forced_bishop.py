@@ -1,4 +1,4 @@
-"""Forced erosion speeds the growth of Bishop's barchans (seed 000, §6.5.4 and Fig. 6.17).
+"""Forced erosion speeds the growth of Bishop's barchans (Prague thesis, §6.5.4 and Fig. 6.17).
 
 Presets `bishop-unforced` and `bishop-forced`, 700 steps; and the angle of repose of Fig. 6.16 (presets
 `bishop-repose-30` and `bishop-repose-33.7`, 500 steps): steeper slopes at the larger angle.
@@ -26,6 +26,6 @@ def rows():
 
 
 READING = """
-Forced erosion hastens Bishop's barchans as seed 000 shows. The mean lee slope tells the two angles of
-repose apart in most seeds but by less than its spread: at 500 steps little of the field is slip face.
+Forced erosion hastens Bishop's barchans as the Prague thesis shows. The mean lee slope tells the two angles
+of repose apart in most seeds but by less than its spread: at 500 steps little of the field is slip face.
 """

@@ -83,7 +83,7 @@ def rows():
     rough, straight, smooth = others[:3], others[3 : 3 + len(LENGTHS)], others[3 + len(LENGTHS) :]
     by_length = {waves: smooth[3 * at : 3 * at + 3] for at, waves in enumerate(LENGTHS)}
     found = by_length[16]
-    yield _speed("`wang_hu`, lift-off from anywhere", "against the wind (seed 000)", anywhere, -1)
+    yield _speed("`wang_hu`, lift-off from anywhere", "against the wind (Prague thesis)", anywhere, -1)
     yield _speed("`wang_hu`, not from lee faces", "–", stoss, 1)
     for speed, result in zip(winds, found, strict=True):
         yield _speed(f"`ripples`, {speed:g} m/s", "downwind", result, 1)
@@ -116,14 +116,14 @@ def _speed(what, published, found, sign):
 
 READING = """
 Lifted from anywhere, sand is lost alike everywhere and gained where faces look upwind: the waves travel
-against the wind, as seed 000 reports. Where lee faces give none, the windward ones lose it too and the waves
-travel downwind.
+against the wind, as the Prague thesis reports. Where lee faces give none, the windward ones lose it too and
+the waves travel downwind.
 
 With splash and grains that are pushed along the bed waves of all lengths travel downwind in every wind and
 seed, faster in stronger wind, and of those below 16 cm the shorter ones faster; on a bed that whole parcels
-have roughened to slopes of 13 to 14° too, at less than half the speed. Lester, Murray, Durán, Andreotti and
-Claudin (2025, Nature Geoscience 18) derive that the direction hangs on a small difference of what flies, and
-that ripples turn where hops are short beside the wavelength; here pushed grains outweigh it.
+have roughened to slopes of 13 to 14° too, at less than half the speed. Lester et al. (2025) derive that the
+direction hangs on a small difference of what flies, and that ripples turn where hops are short beside the
+wavelength; here pushed grains outweigh it.
 
 These waves are a 40th as high as long. Those of 8 cm neither grow nor shrink much, others shrink: sines are
 not the shape that ripples take, and a bed that is left to itself has as high ones of 10 to 11 cm.

@@ -1,4 +1,4 @@
-"""Werner's model with the parameters of Table 6.1 of seed 000, 1000 steps from flat sand.
+"""Werner's model with the parameters of Table 6.1 of the Prague thesis, 1000 steps from flat sand.
 
 Presets `barchans` (3 slabs a cell) and `transverse` (10 slabs a cell).
 """
@@ -15,5 +15,5 @@ def rows():
 
 
 READING = """
-Both agree with single runs of seed 000.
+Both agree with single runs of the Prague thesis.
 """

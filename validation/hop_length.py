@@ -1,9 +1,10 @@
-"""Hops of 1 cell against hops of 5, no erosion in shadow, 200 steps (seed 004, Figs. 6 and 7).
+"""Hops of 1 cell against hops of 5, no erosion in shadow, 200 steps (Elder 2009, Figs. 6 and 7).
 
 Presets `hop-1-mean-100`, `hop-5-mean-100`, `hop-1-mean-2`, `hop-5-mean-2`. Nield & Baas (2008) call hops of
-one cell a mere compression along the wind; seed 004 compresses its picture of hops of 5 to 48 % to match the
-frequency of the bedforms. Scales are the dominant spacing along the wind and, of the same spectrum's other
-axis, across it. If hops only compressed the field along the wind, the scale across would keep its size.
+one cell a mere compression along the wind; Elder (2009) compresses its picture of hops of 5 to 48 % to
+match the frequency of the bedforms. Scales are the dominant spacing along the wind and, of the same
+spectrum's other axis, across it. If hops only compressed the field along the wind, the scale across would
+keep its size.
 """
 
 import barchan
@@ -39,6 +40,6 @@ def rows():
 READING = """
 With much sand the field is compressed along the wind as published, and across it by a sixth at most, within
 the spread of the seeds: nearly the mere compression that Nield & Baas speak of. With 2 slabs a cell the
-ratio is smaller, about a third, so hops of one cell change more than the scale there (seed 004 also finds
+ratio is smaller, about a third, so hops of one cell change more than the scale there (Elder 2009 also finds
 the differences larger with little sand).
 """

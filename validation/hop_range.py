@@ -1,14 +1,14 @@
 """Which hop lengths make dunes?
 
-Seed 000, §6.5.5: on 100² cells transverse dunes form for hops of 2 to 42 cells in Werner's model, from 1 in
-Momiji's, of 2 to 39 in Bishop's; around 40 cells they stand much closer and several remain. Barchans on
-256² cells form for hops of 3 to 10 cells in Werner's model; at 1 cell Momiji's dunes are unspecified, at 2
-they look like ripples. Presets `transverse` and `momiji-transverse` (also with Bishop's model), 100² cells
-and 1000 steps; `barchans` and `momiji-barchans`, 192² cells and 600 steps. Here ridges count as formed in a
-run where the straightness is above 0.5, crests lie within 20° of across the wind and the highest of the
-stacks, 10 slabs on the average, has 15 or more. Barchans are told by the highest of stacks of 3 slabs on
-the average, by the number of dunes that rise 0.5 m above the mean sand, and by their crescent, which is
-positive for barchans ([measures](measures.md#dunes-one-by-one)).
+The Prague thesis, §6.5.5: on 100² cells transverse dunes form for hops of 2 to 42 cells in Werner's model,
+from 1 in Momiji's, of 2 to 39 in Bishop's; around 40 cells they stand much closer and several remain.
+Barchans on 256² cells form for hops of 3 to 10 cells in Werner's model; at 1 cell Momiji's dunes are
+unspecified, at 2 they look like ripples. Presets `transverse` and `momiji-transverse` (also with Bishop's
+model), 100² cells and 1000 steps; `barchans` and `momiji-barchans`, 192² cells and 600 steps. Here ridges
+count as formed in a run where the straightness is above 0.5, crests lie within 20° of across the wind and
+the highest of the stacks, 10 slabs on the average, has 15 or more. Barchans are told by the highest of
+stacks of 3 slabs on the average, by the number of dunes that rise 0.5 m above the mean sand, and by their
+crescent, which is positive for barchans ([measures](measures.md#dunes-one-by-one)).
 """
 
 import numpy as np
@@ -85,8 +85,8 @@ Werner's lower bounds come out: no ridges at one cell, ridges from two on, and a
 ones (34 m apart on 100 m) where 20 cells leave one. The upper bound does not: hops of 60 cells, more than
 half of the field, make straight ridges in every run, two on the field. Momiji's and Bishop's ridges pass
 our test only at two cells: from five on they stand high, but their crests are bent or lie more than 20°
-off, on so small a field after 1000 steps; seed 000 judged by eye and states no time. Werner's barchans grow
-high for hops of 5 and 10 cells and begin at 3, low ones at 1, 2, 20 and 50 are none: the published 3 to 10.
-Momiji's range is wider as published, from 3 to 20 cells, with ripples at 1 and 2. The mean crescent is
-below zero in all, for chains and heaps outnumber clear crescents after 600 steps.
+off, on so small a field after 1000 steps; the Prague thesis judged by eye and states no time. Werner's
+barchans grow high for hops of 5 and 10 cells and begin at 3, low ones at 1, 2, 20 and 50 are none: the
+published 3 to 10. Momiji's range is wider as published, from 3 to 20 cells, with ripples at 1 and 2. The
+mean crescent is below zero in all, for chains and heaps outnumber clear crescents after 600 steps.
 """

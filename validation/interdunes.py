@@ -1,7 +1,8 @@
 """Small bumps between dunes, with and without erosion in shadow.
 
-Preset `barchans` (1000 steps) with the switch either way. Seed 000 (§6.1) blames the bumps on erosion in
-shadow. A bump is a patch of sand (cells that touch by faces) of fewer than 30 cells on otherwise bare ground.
+Preset `barchans` (1000 steps) with the switch either way. The Prague thesis (§6.1) blames the bumps on
+erosion in shadow. A bump is a patch of sand (cells that touch by faces) of fewer than 30 cells on otherwise
+bare ground.
 """
 
 import numpy as np
@@ -35,5 +36,5 @@ def rows():
 
 
 READING = """
-Erosion in shadow makes the bumps, as seed 000 supposes; without it most of the field is swept bare.
+Erosion in shadow makes the bumps, as the Prague thesis supposes; without it most of the field is swept bare.
 """

@@ -1,4 +1,4 @@
-"""Highest stacks of the vegetated scenes of seed 000 (Tables 6.4 to 6.6), and what plants do.
+"""Highest stacks of the vegetated scenes of the Prague thesis (Tables 6.4 to 6.6), and what plants do.
 
 Presets `nebkhas`, `parabolic`, `blowouts` and `islands`. The growth curves of grass and shrub are those of
 DECAL's descendants, that of mesquite is assumed, so heights can agree by chance only. Published claims: a
@@ -114,9 +114,9 @@ def rows():
 
 
 READING = """
-The heights of seed 000 hang on growth curves that exist only as pictures. With our assumed mesquite the
-vegetated scenes settle earlier and lower than published; with mesquite kept out (its initial coefficient is
-0 in two of the three tables) they come closer, and the islands agree. The qualitative claims come out.
-Under a wind along the lattice the three blowouts are overgrown before they become hairpins; under an
-oblique wind they grow into hairpins with arms that point upwind.
+The heights of the Prague thesis hang on growth curves that exist only as pictures. With our assumed
+mesquite the vegetated scenes settle earlier and lower than published; with mesquite kept out (its initial
+coefficient is 0 in two of the three tables) they come closer, and the islands agree. The qualitative claims
+come out. Under a wind along the lattice the three blowouts are overgrown before they become hairpins; under
+an oblique wind they grow into hairpins with arms that point upwind.
 """

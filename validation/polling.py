@@ -1,8 +1,8 @@
 """Growth of relief when cells are polled at random, each once a step, and until a slab moves.
 
-Preset `barchans-repeated` (200 steps) and the same with non-repeated polling and with forced erosion. Seed
-000 finds dunes formed faster and sharper with non-repeated polling (§6.1, Fig. 6.4) and faster and smoother
-with forced erosion (§6.5.4). Relief is the standard deviation of elevation.
+Preset `barchans-repeated` (200 steps) and the same with non-repeated polling and with forced erosion. The
+Prague thesis finds dunes formed faster and sharper with non-repeated polling (§6.1, Fig. 6.4) and faster
+and smoother with forced erosion (§6.5.4). Relief is the standard deviation of elevation.
 """
 
 import barchan

@@ -1,6 +1,6 @@
 """Mean slopes of both sides of ridges with avalanches either way, and with none against the wind.
 
-Preset `no-upwind-avalanches` (1000 steps) with the switch either way. Seed 004 finds cross-sections
+Preset `no-upwind-avalanches` (1000 steps) with the switch either way. Elder (2009) finds cross-sections
 roughly symmetric with avalanches both ways and asymmetric without those against the wind (its Fig. 5). It
 does not say which side is the steeper.
 """

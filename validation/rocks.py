@@ -1,4 +1,4 @@
-"""Rocks in the wind: with slabs that stop before walls and without (seed 000, Figs. 6.14 and 6.15).
+"""Rocks in the wind: with slabs that stop before walls and without (Prague thesis, Figs. 6.14 and 6.15).
 
 Presets `three-rocks` and `three-rocks-ignored`, 500 steps. Published: without the test sand lies on the rocks
 and none gathers before them; with it the tops stay bare and sand gathers on the windward side and trails

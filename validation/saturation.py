@@ -1,6 +1,6 @@
-"""Ridges in a row of 1024 cells with deep sand: Momiji's wind delays their merging (seed 004).
+"""Ridges in a row of 1024 cells with deep sand: Momiji's wind delays their merging (Elder 2009).
 
-30 slabs a cell, no erosion in shadow, angle of repose 33.7°. Seed 004: Werner's dunes are one after about
+30 slabs a cell, no erosion in shadow, angle of repose 33.7°. Elder (2009): Werner's dunes are one after about
 150,000 cycles; with wind speed-up there are still half a dozen after more than a million. Ridges are what
 stands more than the mean height, after smoothing over five cells; 3 seeds.
 """
@@ -53,6 +53,6 @@ def rows():
 
 
 READING = """
-Both come out as seed 004 has it: Werner's dunes are one or two by 150,000 steps, Momiji's stay half a dozen
-beyond a million.
+Both come out as Elder (2009) has it: Werner's dunes are one or two by 150,000 steps, Momiji's stay half a
+dozen beyond a million.
 """

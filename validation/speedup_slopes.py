@@ -2,8 +2,8 @@
 
 256 × 256 cells with 10 slabs a cell, 2000 steps, angle of repose 33.7° tested before a slab moves, no
 erosion in shadow but for Werner's own row (its lee erosion is on, as in 1995). Momiji's and Bishop's models
-are said to have gentler windward slopes than Werner's (seed 000, §6.2 and 6.3); field dunes have 5 to 15°
-windward and slip faces of 30 to 34°. The last rows are the strips of seed 004, Fig. 5.
+are said to have gentler windward slopes than Werner's (Prague thesis, §6.2 and 6.3); field dunes have 5 to
+15° windward and slip faces of 30 to 34°. The last rows are the strips of Elder (2009), Fig. 5.
 """
 
 import numpy as np

@@ -1,9 +1,9 @@
-"""Highest stacks of Momiji's and Bishop's models with the parameters of seed 000 (Tables 6.2 and 6.3).
+"""Highest stacks of Momiji's and Bishop's models (parameters: Prague thesis, Tables 6.2 and 6.3).
 
 Presets `momiji-barchans` (1000 steps), `momiji-transverse` (10,000 steps), `momiji-large` (1024² cells, 3
 seeds) and `bishop-barchans` (1500 steps); for Bishop also with Moore's neighbourhood (`bishop-moore`), as
-seed 004 reads the paper. The papers' rounding of hops is not known: the first three are also run with hops
-of exact length.
+Elder (2009) reads the paper. The papers' rounding of hops is not known: the first three are also run with
+hops of exact length.
 """
 
 from validation.study import measures_after, number, over_seeds
@@ -31,7 +31,7 @@ def rows():
 
 
 READING = """
-Momiji's transverse dunes and Bishop's barchans agree with single runs of seed 000; Momiji's barchans are a
-tenth lower with hops rounded to whole cells and agree with hops of exact length. Bishop's with eight
-neighbours are a tenth lower than with four: sand also slides over corners.
+Momiji's transverse dunes and Bishop's barchans agree with single runs of the Prague thesis; Momiji's
+barchans are a tenth lower with hops rounded to whole cells and agree with hops of exact length. Bishop's
+with eight neighbours are a tenth lower than with four: sand also slides over corners.
 """

@@ -1,9 +1,9 @@
 """Winds that spread: up to which spread of directions do barchans and transverse dunes stand?
 
-Barchan and transverse dunes form in winds of one direction, which varies by 15° at most (seed 000, §2.1.3).
-Here each step's direction is drawn from a normal distribution with the standard deviation given. A single
-barchan (preset `single-barchan`, 300 steps), a field of them (`barchans-p`, 192² cells, 300 steps; 1 m of
-sand) and transverse dunes (`transverse`, 128² cells, 600 steps). *Crescent* is how far the sides of a
+Barchan and transverse dunes form in winds of one direction, which varies by 15° at most (Prague thesis,
+§2.1.3). Here each step's direction is drawn from a normal distribution with the standard deviation given. A
+single barchan (preset `single-barchan`, 300 steps), a field of them (`barchans-p`, 192² cells, 300 steps; 1
+m of sand) and transverse dunes (`transverse`, 128² cells, 600 steps). *Crescent* is how far the sides of a
 dune's downwind edge reach beyond its middle, over its width ([measures](measures.md#dunes-one-by-one)):
 positive for a barchan, negative for a round dune. Straightness is 0 where crests run every way.
 """
@@ -64,12 +64,12 @@ def rows():
 
 
 READING = """
-The single barchan loses its form as seed 000 has it: its horns shorten steadily with the spread, are gone
-at about 10°, and from 15° on the heap grows rounder. A spread here is a standard deviation, so that a third
-of the steps deviate more; the thesis does not say what its 15° measure. In the field barchans merge into
-chains with slanting edges, and the scatter between runs hides the trend up to 20°; rounder dunes at 30 and
-45° are plain. Transverse dunes stand much more than claimed: at 30° their crests are as straight and lie as
-well across the mean wind as without a spread, only at 45° they are lower and less straight. Directions are
-independent from step to step, and a ridge hardly moves in one; winds that keep a direction for long would
-act more strongly.
+The single barchan loses its form as the Prague thesis has it: its horns shorten steadily with the spread,
+are gone at about 10°, and from 15° on the heap grows rounder. A spread here is a standard deviation, so
+that a third of the steps deviate more; the thesis does not say what its 15° measure. In the field barchans
+merge into chains with slanting edges, and the scatter between runs hides the trend up to 20°; rounder dunes
+at 30 and 45° are plain. Transverse dunes stand much more than claimed: at 30° their crests are as straight
+and lie as well across the mean wind as without a spread, only at 45° they are lower and less straight.
+Directions are independent from step to step, and a ridge hardly moves in one; winds that keep a direction
+for long would act more strongly.
 """

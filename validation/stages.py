@@ -1,8 +1,9 @@
 """Momiji's additions one at a time: no erosion in shadow, then the linear and the quadratic speed-up.
 
-256 × 256 cells with 10 slabs a cell, 2000 steps, otherwise Table 6.2 of seed 000. Published: without erosion
-in shadow dunes grow faster; the linear term makes windward slopes gentler and dunes lower and faster; the
-quadratic term makes dunes lower and more of them (abstract of the paper, seed 000 §3.2).
+256 × 256 cells with 10 slabs a cell, 2000 steps, otherwise Table 6.2 of the Prague thesis. Published:
+without erosion in shadow dunes grow faster; the linear term makes windward slopes gentler and dunes lower
+and faster; the quadratic term makes dunes lower and more of them (abstract of the paper; Prague thesis,
+§3.2).
 """
 
 from validation.study import Row, measures_after, order, over_seeds, spread

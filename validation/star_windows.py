@@ -1,13 +1,13 @@
 """Star dunes under uneven winds: do they keep their form longer?
 
-Star dunes are said to need winds that vary in direction, speed and time, with one dominant direction; seed
-000 (§4.2) leaves open what that would do, and finds that stars under four equal winds merge and lose their
-form (§6.1). Presets `star` (80 steps a wind), `star-unequal` (120, 80, 40 and 80 steps), `star-speeds`
-(hops grow from 2 to 8 cells under each), `star-dominant` (half of the time from the west), `star-five`
-(five even directions, 64 steps each), 192² cells with 10 slabs each. Arms are ridges that lead away from a
-summit, top and foot the upper and the lowest third of its relief ([measures](measures.md#star-dunes)); a
-star has 3 arms or more. In nature arms are 3 or 4, slopes 15 to 30° along the crest and 5 to 10° at the
-foot (seed 000, §2.1.3).
+Star dunes are said to need winds that vary in direction, speed and time, with one dominant direction; the
+Prague thesis (§4.2) leaves open what that would do, and finds that stars under four equal winds merge and
+lose their form (§6.1). Presets `star` (80 steps a wind), `star-unequal` (120, 80, 40 and 80 steps),
+`star-speeds` (hops grow from 2 to 8 cells under each), `star-dominant` (half of the time from the west),
+`star-five` (five even directions, 64 steps each), 192² cells with 10 slabs each. Arms are ridges that lead
+away from a summit, top and foot the upper and the lowest third of its relief
+([measures](measures.md#star-dunes)); a star has 3 arms or more. In nature arms are 3 or 4, slopes 15 to 30°
+along the crest and 5 to 10° at the foot (Prague thesis, §2.1.3).
 """
 
 import numpy as np
@@ -61,11 +61,11 @@ def rows():
 READING = """
 No. After 640 steps most summits stand on ridges with two ends, and few are stars by our count: 1 in 28
 under equal winds, as few under uneven ones. The later share of stars is larger only because fewer summits
-are left. After 2560 steps none of the three kinds of unevenness that seed 000 asks for has more stars than
-equal winds, nor crests less straight, beyond the scatter of three runs; under hops that grow no star is
-left. What the four winds share, directions along the axes of the lattice and right angles between them,
-shapes ridges along its diagonals. Five even directions change more than any unevenness: crests stay the
-least straight, and the largest share of summits has three arms at the end, though the scatter is large.
+are left. After 2560 steps none of the three kinds of unevenness that the Prague thesis asks for has more
+stars than equal winds, nor crests less straight, beyond the scatter of three runs; under hops that grow no
+star is left. What the four winds share, directions along the axes of the lattice and right angles between
+them, shapes ridges along its diagonals. Five even directions change more than any unevenness: crests stay
+the least straight, and the largest share of summits has three arms at the end, though the scatter is large.
 Slopes at the top grow to 14 to 19° with size, and so into the range of real crests (15 to 30°); feet stay
 at 11 to 20°, too steep, for slabs leave no gentle apron.
 """

@@ -1,10 +1,10 @@
 """Winds in turn: highest stacks of star dunes, and which way ridges run.
 
-Presets `star` (Werner, 80 steps a wind, 640 steps: 23 slabs in seed 000) and `momiji-star` (40 steps a
-wind, 320 steps: 22 slabs). Two exactly opposite winds make ridges across them, which seed 000 took for a
-failure to make linear dunes and the rule of gross bedform-normal transport predicts (preset `opposite-
-winds`, crest azimuth 0°); two equal winds 120° apart make linear dunes along their resultant (preset
-`linear`, 90°).
+Presets `star` (Werner, 80 steps a wind, 640 steps: 23 slabs in the Prague thesis) and `momiji-star` (40
+steps a wind, 320 steps: 22 slabs). Two exactly opposite winds make ridges across them, which the Prague
+thesis took for a failure to make linear dunes and the rule of gross bedform-normal transport predicts
+(preset `opposite- winds`, crest azimuth 0°); two equal winds 120° apart make linear dunes along their
+resultant (preset `linear`, 90°).
 """
 
 import numpy as np
@@ -26,8 +26,8 @@ def rows():
 
 
 READING = """
-Star dunes agree with seed 000 in both models. Ridges run as theory has it: across two opposite winds, along
-the resultant of two winds 120° apart. The attempt at vegetated linear dunes (preset `vegetated-linear`: two
-acute winds, one stronger, plants everywhere at first) makes none: plants cover the field within some years
-and hold a net of low mounds.
+Star dunes agree with the Prague thesis in both models. Ridges run as theory has it: across two opposite
+winds, along the resultant of two winds 120° apart. The attempt at vegetated linear dunes (preset
+`vegetated-linear`: two acute winds, one stronger, plants everywhere at first) makes none: plants cover the
+field within some years and hold a net of low mounds.
 """

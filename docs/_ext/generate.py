@@ -11,6 +11,8 @@ from itertools import groupby
 from pathlib import Path
 from typing import Any
 
+from presets import copy_pictures, presets_page
+from references import linked, references_page
 from sphinx.application import Sphinx
 
 from barchan.parameters import Declaration, declarations
@@ -25,6 +27,7 @@ def setup(app: Sphinx) -> dict[str, Any]:
 def generate(app: Sphinx) -> None:
     """Write all pages; one whose text is unchanged is left alone, so that it is not built again."""
     folder = Path(app.srcdir) / "_generated"
+    copy_pictures(Path(app.srcdir) / "_static" / "presets")
     pages = dict(all_pages())
     for path in folder.rglob("*.md"):
         if str(path.relative_to(folder)) not in pages:
@@ -45,11 +48,13 @@ def all_pages() -> Iterator[tuple[str, str]]:
         yield f"models/{name}.md", model_page(model)
     yield "keys.md", keys_page()
     yield "presets.md", presets_page()
+    yield "references.md", references_page()
     yield "commands.md", commands_page()
     yield "parts/measures.md", measures_table()
     yield "parts/events.md", events_tables()
+    yield "parts/streams.md", streams_table()
     yield "parts/laws.md", laws_table()
-    yield "parts/saltation.md", group_table("barchan.wind", "Saltation")
+    yield "parts/saltation.md", group_table("barchan.aeolian.saltation", "Saltation")
     yield "parts/records.md", group_table("barchan.wind.records", "RecordFormat")
 
 
@@ -110,7 +115,7 @@ def models_page() -> str:
 
 def model_page(model: Any) -> str:
     """One model: what it is and every parameter it has."""
-    from barchan.bed import Lattice
+    from barchan.lattice import Lattice
 
     parts = [f"# {model.title}", f"Model `{model.name}`. {model.citation}", "```{eval-rst}"]
     parts += [inspect.getdoc(model) or "", "```", "## Parameters"]
@@ -158,24 +163,6 @@ def keys_page() -> str:
     return "\n\n".join(parts) + "\n"
 
 
-def presets_page() -> str:
-    """Every preset: where it comes from, what to look for, how to run it."""
-    from barchan.models import models
-    from barchan.scenario import load_scenario, preset_names
-
-    parts = ["# Presets", "Scenarios that ship with Barchan. `barchan presets NAME` prints one as a file."]
-    for name in preset_names():
-        scenario = load_scenario(name)
-        lattice, run = scenario.lattice, scenario.run
-        facts = models()[scenario.model.name](scenario.model, lattice).facts()
-        field = f"{lattice.columns} × {lattice.rows} cells of {lattice.cell_size:g} m, {run.steps} steps"
-        lines = [f"Source\n: {scenario.citation or '–'}", f"Look for\n: {scenario.look_for or '–'}"]
-        lines += [f"Model\n: [`{scenario.model.name}`](models/{scenario.model.name}.md)", f"Size\n: {field}"]
-        lines += [f"{fact.capitalize()}\n: {value}" for fact, value in facts.items()]
-        parts += [f"## {name}: {scenario.title}", *lines, f"```sh\nbarchan run {name}\n```"]
-    return "\n\n".join(parts) + "\n"
-
-
 def commands_page() -> str:
     """The commands with their options."""
     from barchan.cli import app
@@ -193,17 +180,26 @@ def measures_table() -> str:
     return table(("Name", "What", "Unit"), rows, "30 45 25")
 
 
+def streams_table() -> str:
+    """The named streams of random numbers."""
+    from barchan.streams import STREAMS
+
+    return table(
+        ("Stream", "Random numbers for"), ((code(name), use) for name, use in STREAMS.items()), "30 70"
+    )
+
+
 def laws_table() -> str:
     """The flux laws."""
     from barchan.aeolian.flux import LAWS
 
-    rows = [(code(name), law.title, code(law.formula), law.source) for name, law in LAWS.items()]
+    rows = [(code(name), law.title, code(law.formula), linked(law.source)) for name, law in LAWS.items()]
     return table(("Name", "Law", "Mass flux", "Source"), rows, "18 17 30 35")
 
 
 def group_table(module: str, name: str) -> str:
     """The parameters of a group that no scenario holds."""
-    return parameter_table(declarations(getattr(import_module(module), name)))
+    return linked(parameter_table(declarations(getattr(import_module(module), name))))
 
 
 def events_tables() -> str:

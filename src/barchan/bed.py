@@ -1,146 +1,55 @@
-"""The bed: the lattice and the fields on it. Layers are whole numbers of a declared quantum.
+"""The bed: the lattice, the ground, and the layers on it that wind can move, in whole numbers of a quantum.
 
 The surface is always computed from the ground and the layers, never accumulated.
 """
 
-from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
-from typing import Literal, Self
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Self
 
 import numpy as np
 from numpy.typing import NDArray
-from pydantic import model_validator
 
-from barchan.parameters import Parameters, parameter
-
-Boundary = Literal["periodic", "open"]
-
-DEFAULT_ASPECT = 1 / 3
-LEAST_ASPECT, LARGEST_ASPECT = 1e-4, 10.0
-
-
-class Lattice(Parameters):
-    """The lattice: its size, what a cell and a slab measure, and what lies beyond its edges."""
-
-    kind: Literal["square"] = parameter("square", unit="-", meaning="Shape of the cells.")
-    rows: int = parameter(
-        256, unit="cells", ge=1, le=65536, meaning="Cells from south to north.", source="seed 000, Table 6.1"
-    )
-    columns: int = parameter(
-        256, unit="cells", ge=8, le=65536, meaning="Cells from west to east.", source="seed 000, Table 6.1"
-    )
-    cell_size: float = parameter(
-        1.0, unit="m", ge=1e-4, le=1e6, scale="log", meaning="Width of a cell.", source="seed 000, §4.3"
-    )
-    slab_aspect: float | None = parameter(
-        None,
-        unit="-",
-        ge=LEAST_ASPECT,
-        le=LARGEST_ASPECT,
-        meaning="Height of a slab as a fraction of the cell's width; 1/3 where neither this nor "
-        "slab_height is given.",
-        source="Momiji et al. 2000; seed 000, §4.3",
-    )
-    slab_height: float | None = parameter(
-        None, unit="m", gt=0, le=1e6, meaning="Height of a slab, instead of slab_aspect."
-    )
-    boundary_x: Boundary = parameter(
-        "periodic", unit="-", meaning="West and east edges: joined, or open so that sand may leave."
-    )
-    boundary_y: Boundary = parameter(
-        "periodic", unit="-", meaning="South and north edges: joined, or open so that sand may leave."
-    )
-
-    @model_validator(mode="after")
-    def _one_height(self) -> Self:
-        if self.slab_aspect is not None and self.slab_height is not None:
-            raise ValueError(
-                f"slab_aspect {self.slab_aspect} and slab_height {self.slab_height} m are both given; "
-                "give one of them"
-            )
-        if not LEAST_ASPECT <= self.aspect <= LARGEST_ASPECT:
-            raise ValueError(
-                f"slab_height {self.slab_height} m is {self.aspect:g} of cell_size {self.cell_size} m; "
-                f"allowed: {LEAST_ASPECT:g} to {LARGEST_ASPECT:g} of it"
-            )
-        return self
-
-    @property
-    def aspect(self) -> float:
-        """Height of a slab over the width of a cell."""
-        if self.slab_height is not None:
-            return self.slab_height / self.cell_size
-        return DEFAULT_ASPECT if self.slab_aspect is None else self.slab_aspect
-
-    @property
-    def thickness(self) -> float:
-        """Height of a slab in metres."""
-        return self.aspect * self.cell_size
-
-    @property
-    def shape(self) -> tuple[int, int]:
-        """(rows, columns)."""
-        return self.rows, self.columns
-
-    @property
-    def cells(self) -> int:
-        """Number of cells."""
-        return self.rows * self.columns
-
-    @property
-    def periodic(self) -> tuple[bool, bool]:
-        """Whether the field is periodic south to north and west to east."""
-        return self.boundary_y == "periodic", self.boundary_x == "periodic"
-
-    @property
-    def x(self) -> NDArray[np.float64]:
-        """Distance of the cells' centres from the west edge (m)."""
-        return (np.arange(self.columns, dtype=np.float64) + 0.5) * self.cell_size
-
-    @property
-    def y(self) -> NDArray[np.float64]:
-        """Distance of the cells' centres from the south edge (m)."""
-        return (np.arange(self.rows, dtype=np.float64) + 0.5) * self.cell_size
-
-
-@dataclass(frozen=True)
-class FieldInfo:
-    """The declaration of a field on the lattice."""
-
-    name: str
-    dtype: str
-    unit: str
-    meaning: str
-    in_frames: bool = True
-    """Whether frames of a run carry the field."""
-    centre: float | None = None
-    """The value that pictures show it evenly about, where there is one."""
-
-
-GROUND = FieldInfo("ground", "float64", "m", "elevation of the non-erodible ground")
-SAND = FieldInfo("sand", "int32", "slabs", "slabs of sand on the ground")
+from barchan.fields import GROUND, SAND, FieldInfo, LayerInfo, depth_of
+from barchan.lattice import Lattice
 
 
 class Bed:
-    """The fields of a simulation, by name; ``sand`` and ``ground`` are always there.
+    """The fields of a simulation, by name: the ground, the layers on it, and what else models declare.
 
-    Arrays are ``[row, column]``, row 0 at the south edge, column 0 at the west edge.
+    Layers lie on the ground in the order of ``layers``, the lowest first. All count the same quantum, so that
+    a unit that passes from one layer to another stays whole. Elevation is computed from ground and layers,
+    never accumulated. Arrays are ``[row, column]``, row 0 at the south edge, column 0 at the west edge.
     """
 
-    def __init__(self, lattice: Lattice, ground: NDArray[np.float64], sand: NDArray[np.int32]) -> None:
-        """Take the ground (m) and the sand (slabs), each of the lattice's shape, as they are."""
+    def __init__(
+        self,
+        lattice: Lattice,
+        ground: NDArray[np.float64],
+        *counts: NDArray[np.integer],
+        layers: Sequence[LayerInfo] = (SAND,),
+    ) -> None:
+        """Take the ground (m) and the units of each of ``layers``, of the lattice's shape, as they are."""
+        if len({(layer.mass, layer.unit) for layer in layers}) != 1:
+            raise ValueError("layers of a bed count the same quantum")
         self.lattice = lattice
+        self.layers = tuple(layers)
         self.declared: dict[str, FieldInfo] = {}
         self.arrays: dict[str, NDArray] = {}
         self.add(GROUND, ground)
-        self.add(SAND, sand)
+        for layer, values in zip(layers, counts, strict=True):
+            self.add(layer, values)
 
     @classmethod
     def from_fields(
-        cls, lattice: Lattice, fields: Mapping[str, NDArray], declared: Iterable[FieldInfo] = ()
+        cls,
+        lattice: Lattice,
+        fields: Mapping[str, NDArray],
+        declared: Iterable[FieldInfo] = (),
+        layers: Sequence[LayerInfo] = (SAND,),
     ) -> Self:
-        """The bed that a frame shows: ground, sand and what else it carries of the ``declared`` fields."""
-        bed = cls(lattice, fields[GROUND.name], fields[SAND.name])
+        """The bed that a frame shows: ground, layers and what else it carries of the ``declared`` fields."""
+        counts = [fields[layer.name] for layer in layers]
+        bed = cls(lattice, fields[GROUND.name], *counts, layers=layers)
         for field in declared:
             if field.in_frames:
                 bed.add(field, fields[field.name])
@@ -157,27 +66,93 @@ class Bed:
     @property
     def ground(self) -> NDArray[np.float64]:
         """Elevation of the non-erodible ground (m)."""
-        return self.arrays["ground"]
+        return self.arrays[GROUND.name]
 
     @property
     def sand(self) -> NDArray[np.int32]:
-        """Slabs of sand on the ground."""
-        return self.arrays["sand"]
+        """Slabs of sand on each cell, of a bed that has a layer of sand."""
+        return self.arrays[SAND.name]
+
+    @property
+    def top(self) -> NDArray[np.int32]:
+        """Units of the uppermost layer on each cell."""
+        return self.arrays[self.layers[-1].name]
+
+    @property
+    def stack(self) -> NDArray[np.integer]:
+        """Units of all layers on each cell; of a single layer its own array."""
+        if len(self.layers) == 1:
+            return self.top
+        total = sum(self.arrays[layer.name].astype(np.int64) for layer in self.layers)
+        return np.asarray(total)
+
+    @property
+    def depth(self) -> NDArray[np.float64]:
+        """Thickness (m) of all layers on each cell."""
+        return np.asarray(depth_of(self.layers, self.arrays, self.lattice.thickness))
 
     @property
     def elevation(self) -> NDArray[np.float64]:
-        """Elevation of the surface (m), computed from ground and sand."""
-        return self.ground + self.sand * self.lattice.thickness
+        """Elevation of the surface (m), computed from ground and layers."""
+        return self.ground + self.depth
 
     @property
-    def slabs(self) -> int:
-        """Slabs of sand on the whole bed."""
-        return int(self.sand.sum(dtype=np.int64))
+    def units(self) -> int:
+        """Units of all layers on the whole bed."""
+        return sum(int(self.arrays[layer.name].sum(dtype=np.int64)) for layer in self.layers)
+
+    @property
+    def volume(self) -> float:
+        """Volume (m³) of all layers on the whole bed, pores included."""
+        area = self.lattice.cell_size**2
+        if any(layer.mass is not None for layer in self.layers):
+            return float(self.depth.sum()) * area
+        return self.units * self.lattice.thickness * area
+
+    def classes_of(self, layer: str) -> list[LayerInfo]:
+        """The classes that a layer is divided into, in order of declaration; none: it is all alike."""
+        return [f for f in self.declared.values() if isinstance(f, LayerInfo) and f.part_of == layer]
+
+    def undivided(self) -> list[str]:
+        """Names of layers whose classes, where all of them are on the bed, do not add up to the layer."""
+        wrong = []
+        for layer in self.layers:
+            classes = self.classes_of(layer.name)
+            parts = sum(self.arrays[one.name].astype(np.int64) for one in classes)
+            if classes and not np.array_equal(parts, self.arrays[layer.name]):
+                wrong.append(layer.name)
+        return wrong
+
+    def lay(self, change: NDArray[np.int64]) -> None:
+        """Add units to the uppermost layer, and take units (negative) from the uppermost that there are.
+
+        Raises OverflowError where a cell cannot count as many, ValueError where it does not hold as many.
+        """
+        taken = np.maximum(-change, 0)
+        if (taken > self.stack).any():
+            raise ValueError("more units are taken from a cell than lie on it")
+        top = self.top.astype(np.int64) + np.maximum(change, 0)
+        if top.max() > np.iinfo(self.top.dtype).max:
+            raise OverflowError("more units than a cell can count")
+        self.top[...] = top
+        for layer in reversed(self.layers):
+            counts = self.arrays[layer.name]
+            here = np.minimum(taken, counts)
+            counts -= here.astype(counts.dtype)
+            taken = taken - here
 
     def frame(self) -> dict[str, NDArray]:
         """Copies of the fields that frames carry."""
-        return {name: self.arrays[name].copy() for name in self._names(self.declared.values())}
+        shown = [field.name for field in self.declared.values() if field.in_frames]
+        return {name: self.arrays[name].copy() for name in shown}
 
-    @staticmethod
-    def _names(fields: Iterable[FieldInfo]) -> list[str]:
-        return [field.name for field in fields if field.in_frames]
+    def __repr__(self) -> str:
+        """Size, layers with their amounts, and the range of elevation."""
+        elevation = self.elevation
+        names = {layer.name for layer in self.layers} | {GROUND.name}
+        amounts = [f"{self.arrays[x.name].sum(dtype=np.int64)} {x.unit} of {x.name}" for x in self.layers]
+        others = [name for name in self.declared if name not in names]
+        also = f"; fields {', '.join(others)}" if others else ""
+        size = f"{self.lattice.rows} × {self.lattice.columns} cells of {self.lattice.cell_size:g} m"
+        heights = f"elevation {elevation.min():.4g} to {elevation.max():.4g} m"
+        return f"<Bed of {size}: {', '.join(amounts)}, {heights}{also}>"

@@ -27,7 +27,7 @@ def check_heights(bed: Bed, mean_kept: bool) -> None:
     thickness = bed.lattice.thickness
     rise = bed.ground - bed.ground.min()
     relief = float(rise.max()) / thickness
-    together = float(rise.sum()) / thickness + bed.slabs
+    together = float(rise.sum()) / thickness + bed.units
     message = ""
     if relief > MOST_RELIEF:
         message = (

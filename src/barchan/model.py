@@ -8,7 +8,9 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
-from barchan.bed import Bed, FieldInfo, Lattice
+from barchan.bed import Bed
+from barchan.fields import SAND, FieldInfo, LayerInfo
+from barchan.lattice import Lattice
 from barchan.parameters import Parameters
 from barchan.streams import Stream
 from barchan.wind.segment import Segment
@@ -84,7 +86,7 @@ class OwnMeasure:
 
 
 @dataclass(frozen=True)
-class Layer:
+class Overlay:
     """How a field, kept or derived, is drawn on top of the surface: from 0, unseen, to 1, dark."""
 
     field: str
@@ -113,18 +115,22 @@ class Model(ABC):
     name: ClassVar[str] = ""
     title: ClassVar[str] = ""
     citation: ClassVar[str] = ""
+    takes_influx: ClassVar[bool] = False
+    """Whether it lets sand enter across open edges, where the forcing brings any."""
     material: ClassVar[str] = "sand"
     """What its slabs or parcels are of, in one word; the studio offers models by it."""
     counts: ClassVar[str] = "polls"
     """What a unit of its work is, for rates that people read."""
     Parameters: ClassVar[type[Parameters]]
+    layers: tuple[LayerInfo, ...] = (SAND,)
+    """Layers on the ground that wind can move, the lowest first; a run starts with the uppermost filled."""
     fields: tuple[FieldInfo, ...] = ()
-    """Fields the model keeps on the bed beside ground and sand; parameters may ask for more of them."""
+    """Fields the model keeps on the bed beside ground and layers; parameters may ask for more of them."""
     derived: tuple[Derived, ...] = ()
     """Fields that show how the model sees a bed; parameters may ask for more of them."""
     measures: ClassVar[tuple[OwnMeasure, ...]] = ()
-    layers: tuple[Layer, ...] = ()
-    """What is drawn over the surface; parameters may ask for more."""
+    overlays: tuple[Overlay, ...] = ()
+    """Fields that pictures draw over the surface; parameters may ask for more."""
 
     def __init__(self, parameters: Any, lattice: Lattice) -> None:
         """Set the model up for a lattice."""

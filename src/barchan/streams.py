@@ -1,4 +1,4 @@
-"""Named random streams: what is drawn for one purpose never shifts what is drawn for another."""
+"""Named random streams: random numbers of one purpose never shift those of another."""
 
 import hashlib
 from dataclasses import dataclass
@@ -10,6 +10,19 @@ from numpy.typing import NDArray
 MASK = (1 << 64) - 1
 GOLDEN = 0x9E3779B97F4A7C15
 """SplitMix64's increment, as in ``kernels.random``."""
+
+STREAMS = {
+    "ground": "uneven ground",
+    "initial surface": "sand at the start",
+    "sizes": "size class of each parcel at the start",
+    "vegetation": "plants at the start",
+    "transport": "polls, hops, flights and avalanches",
+    "wind direction": "spread of a wind's direction",
+    "gusts": "gusts of a wind's speed",
+    "wind record": "intervals taken from a recorded wind",
+    "paths": "grains whose paths are drawn; they change nothing on the bed",
+}
+"""Streams of Barchan's own parts, each with its purpose; a model may add streams of its own."""
 
 
 def mix(z: int) -> int:

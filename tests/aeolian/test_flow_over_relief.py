@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 
 import barchan
 from barchan.aeolian.flow_over_relief import Spectrum, wind_over_waves
-from barchan.bed import Lattice
+from barchan.lattice import Lattice
 from barchan.models import model
 from barchan.simulation import Simulation
 from barchan.streams import Stream

@@ -26,7 +26,7 @@ def test_every_field_has_a_finite_value_a_unit_and_a_meaning_everywhere(name, di
     frame, scenario = last(model={"name": name}, wind__direction=direction)
     names = field_names(frame, scenario)
     assert names == sorted(set(names))
-    assert {"elevation", "ground", "sand", "slope", "sand_depth"} <= set(names)
+    assert {"elevation", "ground", "sand", "slope", "depth"} <= set(names)
     for field in (field_of(frame, scenario, name) for name in names):
         assert field.shape == (ROWS, COLUMNS)
         assert np.isfinite(field.values).all()
@@ -67,7 +67,7 @@ def test_sand_is_as_deep_as_its_slabs_are_thick():
     hill = {"kind": "bump", "height": 3.0, "radius": 6.0}
     frame, scenario = last(lattice__cell_size=3.0, ground=hill, run__steps=0)
     frame["sand"][...] = 4
-    np.testing.assert_allclose(field_of(frame, scenario, "sand_depth").values, 4.0)
+    np.testing.assert_allclose(field_of(frame, scenario, "depth").values, 4.0)
 
 
 def test_the_shadow_is_the_one_that_the_model_steps_by():
@@ -110,7 +110,7 @@ def test_an_unknown_field_is_answered_with_those_there_are():
     with pytest.raises(BarchanError) as error:
         field_of(frame, scenario, "hopp")
     assert str(error.value) == (
-        "no field 'hopp'; this run has elevation, ground, hop, sand, sand_depth, shadow, slope, speedup; "
+        "no field 'hopp'; this run has elevation, ground, hop, sand, depth, shadow, slope, speedup; "
         "did you mean 'hop'?"
     )
 

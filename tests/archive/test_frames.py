@@ -5,7 +5,7 @@ import pytest
 import zarr
 
 from barchan.archive.frames import Frames, field_attributes
-from barchan.bed import GROUND, SAND, FieldInfo
+from barchan.fields import GROUND, SAND, FieldInfo
 from barchan.simulation import Simulation
 from tests.tiny import tiny
 

@@ -170,7 +170,7 @@ def test_a_reader_keeps_its_view_while_frames_are_added(tmp_path):
     with datasets[0] as dataset:
         assert dataset["step"].values.tolist() == [0, 5]
         assert dataset["elevation"].shape == (2, 16, 24)
-        assert (dataset["sand"].sum(("y", "x")) == Simulation(tiny()).bed.slabs).all()
+        assert (dataset["sand"].sum(("y", "x")) == Simulation(tiny()).bed.units).all()
 
 
 def test_a_folder_without_a_run_is_a_clear_error(tmp_path):

@@ -55,12 +55,12 @@ def test_sand_is_conserved_exactly_and_no_stack_is_negative(name, boundary, dire
             ground=ground,
         )
     )
-    before = simulation.bed.slabs
+    before = simulation.bed.units
     rock = simulation.bed.ground.copy()
     for _ in range(3):
         simulation.advance(4)
         ledger = simulation.ledger
-        assert simulation.bed.slabs + ledger.airborne == before + ledger.entered - ledger.left
+        assert simulation.bed.units + ledger.airborne == before + ledger.entered - ledger.left
         assert simulation.bed.sand.min() >= 0
     np.testing.assert_array_equal(simulation.bed.ground, rock)
     if boundary == "periodic":

@@ -123,7 +123,7 @@ def test_a_stand_catches_sand():
     grown = simulation.bed.sand.mean(axis=0) - 40
     assert grown[16:32].mean() > 3
     assert grown[[*range(10), *range(54, 64)]].mean() < -1
-    assert simulation.bed.slabs + simulation.ledger.airborne == 16 * 64 * 40
+    assert simulation.bed.units + simulation.ledger.airborne == 16 * 64 * 40
 
 
 def test_a_resumed_run_keeps_its_plants_and_its_bits():

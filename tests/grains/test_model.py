@@ -59,7 +59,7 @@ def test_the_filter_keeps_the_sand_and_lowers_peaks():
     simulation.ledger.entered += 200
     simulation.advance(3)
     assert simulation.bed.sand[8, 16] < 150
-    assert simulation.bed.slabs + simulation.ledger.airborne == 16 * 32 * 20 + 200
+    assert simulation.bed.units + simulation.ledger.airborne == 16 * 32 * 20 + 200
 
 
 @pytest.mark.parametrize("along", [(1, 0), (0, 1), (1, 1)])
@@ -67,12 +67,12 @@ def test_the_filter_smooths_a_sawtooth_away(along):
     simulation = Simulation(barchan.load(SMALL, model__collapse="filter", model__filter_scale=50.0))
     rows, cols = np.indices((16, 32))
     simulation.bed.sand[...] = 2000 + 1000 * (-1) ** (rows * along[0] + cols * along[1])
-    before = simulation.bed.slabs
+    before = simulation.bed.units
     ground = GrainGround(simulation.model.parameters, simulation.bed)
     for _ in range(8):
         ground.settle(0)
     assert np.ptp(simulation.bed.sand) < 300
-    assert simulation.bed.slabs == before
+    assert simulation.bed.units == before
 
 
 def test_a_step_of_trajectories_ends_with_no_grain_in_the_air():

@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from barchan.bed import Bed, Lattice
+from barchan.bed import Bed
+from barchan.lattice import Lattice
 from barchan.models import model
 from barchan.streams import Stream
 from barchan.wind.segment import Segment

@@ -83,7 +83,7 @@ def test_parcels_of_each_size_are_conserved(sizes, boundary, footprint, collapse
 def test_the_start_has_the_shares_of_the_scenario_but_for_whole_parcels():
     simulation = sorted_sand(THREE)
     check_bed(simulation)
-    shares = simulation.model.sizes.on_bed(simulation.bed) / simulation.bed.slabs
+    shares = simulation.model.sizes.on_bed(simulation.bed) / simulation.bed.units
     np.testing.assert_allclose(shares, [0.7, 0.2, 0.1], atol=1e-3)
 
 

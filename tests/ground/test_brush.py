@@ -6,8 +6,9 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
-from barchan.bed import Bed, Lattice
+from barchan.bed import Bed
 from barchan.ground.brush import brush, brushed, grown, raised
+from barchan.lattice import Lattice
 
 ROWS, COLUMNS, CELL = 10, 14, 2.0
 

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 from scipy.ndimage import label
 
-from barchan.bed import Lattice
 from barchan.ground.cylinders import Cylinder, Cylinders
+from barchan.lattice import Lattice
 from barchan.streams import Stream
 
 LATTICE = Lattice(rows=120, columns=160, cell_size=0.5)

@@ -9,11 +9,11 @@ from hypothesis import strategies as st
 from PIL import Image
 
 import barchan
-from barchan.bed import Lattice
 from barchan.errors import ScenarioError
 from barchan.ground.fitting import bilinear, filled
 from barchan.ground.sand import FileSand
 from barchan.ground.surface import FileGround
+from barchan.lattice import Lattice
 from barchan.streams import Stream
 
 rasterio = pytest.importorskip("rasterio")

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from barchan.bed import Lattice
 from barchan.ground.landforms import Bump, Cliff, DuneForm, Escarpment, FlatGround, Hump, Ramp, Valley
+from barchan.lattice import Lattice
 from barchan.streams import Stream
 
 LATTICE = Lattice(rows=16, columns=24, cell_size=2.0)

@@ -5,9 +5,9 @@ import pytest
 from pydantic import ValidationError
 from scipy.ndimage import label
 
-from barchan.bed import Lattice
 from barchan.ground.noise import hills
 from barchan.ground.rocks import Rock, ThreeRocks, UnevenGround
+from barchan.lattice import Lattice
 from barchan.streams import Stream
 
 LATTICE = Lattice(rows=128, columns=192, cell_size=2.0)

@@ -8,9 +8,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 from pydantic import ValidationError
 
-from barchan.bed import Lattice
 from barchan.ground.layer import Part
 from barchan.ground.sand import DroppedSand, FlatSand, RandomSand
+from barchan.lattice import Lattice
 from barchan.streams import Stream
 
 SMALL = Lattice(rows=16, columns=24)

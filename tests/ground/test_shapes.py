@@ -7,7 +7,6 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from barchan.bed import Lattice
 from barchan.errors import ScenarioError
 from barchan.ground.heaps import Block, Cone, Mound, Patch
 from barchan.ground.landforms import FlatGround
@@ -16,6 +15,7 @@ from barchan.ground.rocks import ThreeRocks
 from barchan.ground.sand import DroppedSand, FileSand, FlatSand, LevelSand, NoisySand, RandomSand, Sand
 from barchan.ground.start import first_bed
 from barchan.ground.waves import RippledSand, TransverseSand, Waves
+from barchan.lattice import Lattice
 from barchan.streams import Stream
 from tests.scenario.strategies import group
 

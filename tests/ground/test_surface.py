@@ -7,10 +7,10 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from barchan.bed import Lattice
 from barchan.errors import ScenarioError
 from barchan.ground.surface import FileGround, Ground
 from barchan.ground.terrain import HIGHEST
+from barchan.lattice import Lattice
 from barchan.scenario import load_scenario
 from barchan.streams import Stream
 from tests.scenario.strategies import group

@@ -91,7 +91,7 @@ def test_sand_that_dying_plants_held_slides():
     )
     simulation.bed.sand[:, 3] += 3
     simulation.bed.arrays["year_start"][...] = simulation.bed.sand
-    simulation.ledger.initial = simulation.bed.slabs
+    simulation.ledger.initial = simulation.bed.units
     simulation.advance(5)
     limit = simulation.model.slope_limits()["bare"][0]
     assert np.abs(np.diff(simulation.bed.sand, axis=1)).max() <= limit

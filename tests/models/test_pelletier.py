@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 
 from barchan.aeolian.flow_over_relief import stress_coefficients
-from barchan.bed import Bed, Lattice
+from barchan.bed import Bed
+from barchan.lattice import Lattice
 from barchan.models.pelletier import Pelletier
 
 

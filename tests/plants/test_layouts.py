@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from barchan.bed import Lattice
 from barchan.errors import ScenarioError
+from barchan.lattice import Lattice
 from barchan.models.nield_baas import NieldBaas
 from barchan.plants.layouts import Blowouts, Islands, MappedPlants, UniformPlants
 from barchan.plants.species import Shrub

@@ -4,9 +4,9 @@ from typing import Any, Literal, Union, get_args, get_origin
 
 from hypothesis import strategies as st
 
-from barchan.bed import LARGEST_ASPECT, LEAST_ASPECT, Lattice
 from barchan.grains.parameters import GrainFlight
 from barchan.ground.area import Area
+from barchan.lattice import LARGEST_ASPECT, LEAST_ASPECT, Lattice
 from barchan.parameters import NOTE, Parameters
 from barchan.plants.species import Species
 from barchan.scenario import Scenario

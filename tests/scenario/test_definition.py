@@ -106,7 +106,7 @@ def test_every_small_scenario_builds_a_bed_at_rest_or_is_refused_for_what_its_pa
     bed = simulation.bed
     assert bed.sand.shape == (drawn["lattice"]["rows"], drawn["lattice"]["columns"])
     assert bed.sand.min() >= 0
-    assert bed.slabs == simulation.ledger.initial
+    assert bed.units == simulation.ledger.initial
     assert np.isfinite(bed.elevation).all()
     assert simulation.model.settle(bed) == 0
 
@@ -132,7 +132,7 @@ EXTREMES = {
 def test_extremes_that_are_allowed_can_be_run(extreme, ground, direction):
     simulation = Simulation(tiny(**extreme, **ground, wind__direction=direction))
     assert simulation.advance(1).steps == 1
-    assert simulation.bed.slabs == simulation.ledger.initial
+    assert simulation.bed.units == simulation.ledger.initial
 
 
 @pytest.mark.parametrize(

@@ -31,7 +31,7 @@ def test_the_ledger_stays_closed_to_the_slab(painted, steps):
         simulation.advance(steps)
         simulation.apply(stroke)
     ledger = simulation.ledger
-    assert simulation.bed.slabs == ledger.initial + ledger.entered - ledger.left
+    assert simulation.bed.units == ledger.initial + ledger.entered - ledger.left
     assert simulation.bed.sand.min() >= 0
 
 
@@ -46,7 +46,7 @@ def test_painting_adds_exactly_the_slabs_of_the_stroke():
     simulation = Simulation(tiny(sand={"kind": "flat", "mean": 0}))
     simulation.apply(Stroke(x=6.5, y=4.5, radius=1.5, amount=7, falloff="none"))
     assert simulation.ledger.entered == 9 * 7
-    assert simulation.bed.slabs == 9 * 7
+    assert simulation.bed.units == 9 * 7
     assert simulation.bed.sand.max() < 7
 
 
@@ -55,7 +55,7 @@ def test_taking_more_than_there_is_takes_what_there_is():
     simulation.apply(Stroke(x=6.5, y=4.5, radius=1.5, amount=-100, falloff="none"))
     assert simulation.ledger.left == 9 * 2
     assert simulation.bed.sand[3:6, 5:8].sum() == 0
-    assert simulation.bed.slabs == (16 * 24 - 9) * 2
+    assert simulation.bed.units == (16 * 24 - 9) * 2
 
 
 def test_a_stroke_lies_where_it_is_painted():
@@ -108,12 +108,12 @@ def planted(**vegetation):
 
 def test_painted_rock_lifts_the_sand_on_it_by_whole_slabs():
     simulation = Simulation(tiny(sand={"kind": "flat", "mean": 1}))
-    slabs = simulation.bed.slabs
+    slabs = simulation.bed.units
     simulation.apply(RockStroke(x=12.0, y=8.0, radius=6.0, amount=20))
     risen = simulation.bed.ground / simulation.lattice.thickness
     assert risen.max() == pytest.approx(20, abs=1)
     assert np.allclose(risen, np.rint(risen))
-    assert simulation.bed.slabs == slabs
+    assert simulation.bed.units == slabs
     assert (simulation.bed.sand[risen > 10] == 0).any()
 
 

@@ -52,7 +52,7 @@ def test_idle_steps_count_from_the_last_slab_that_moved():
     while not simulation.done:
         if simulation.advance(1).moved:
             moved_at = simulation.steps_done
-    assert simulation.bed.slabs == 0
+    assert simulation.bed.units == 0
     assert simulation.ledger.left == simulation.ledger.initial
     assert simulation.steps_done == moved_at + 6
 

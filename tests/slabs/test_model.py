@@ -2,7 +2,7 @@
 
 import pytest
 
-from barchan.bed import Lattice
+from barchan.lattice import Lattice
 from barchan.models.werner import Werner, WernerParameters
 
 LATTICE = Lattice(rows=16, columns=24)

@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from barchan.bed import Bed, Lattice
+from barchan.bed import Bed
+from barchan.lattice import Lattice
 from barchan.models.momiji import Momiji
 from barchan.streams import Stream
 from barchan.wind.segment import Segment

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from barchan.bed import Lattice
+from barchan.lattice import Lattice
 from barchan.slabs.parameters import SlabTransport
 
 THIRD = Lattice(rows=8, columns=8)

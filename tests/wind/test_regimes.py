@@ -105,9 +105,9 @@ def test_segments_do_not_depend_on_where_they_are_cut(step, steps, cut):
 def test_sand_is_kept_when_the_wind_turns_at_every_step():
     wind = {"kind": "regimes", "regimes": [{"direction": d, "steps": 1} for d in (270.0, 13.0, 200.0, 91.5)]}
     simulation = Simulation(tiny(wind=wind))
-    before = simulation.bed.slabs
+    before = simulation.bed.units
     simulation.advance(20)
-    assert simulation.bed.slabs == before
+    assert simulation.bed.units == before
     assert simulation.wind_direction == 91.5
 
 

@@ -8,8 +8,8 @@ from numpy.typing import NDArray
 from scipy.fft import irfft2, rfft2
 
 from barchan.aeolian.mesh import following, over_mesh
-from barchan.bed import Lattice
 from barchan.directions import downwind
+from barchan.lattice import Lattice
 
 STEEPEST = 0.3
 """Slope of streamlines at most, and how far they turn: over steeper ground the flow comes off, which this

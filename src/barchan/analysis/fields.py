@@ -29,9 +29,7 @@ def _slope(_model: Model, bed: Bed, _wind: Segment) -> NDArray[np.float64]:
 
 PLAIN = (
     Derived("slope", "degrees", "slope of the surface", _slope),
-    Derived(
-        "sand_depth", "m", "depth of the sand", lambda _model, bed, _wind: bed.sand * bed.lattice.thickness
-    ),
+    Derived("depth", "m", "depth of all layers on the ground", lambda _model, bed, _wind: bed.depth),
 )
 """What can be derived from every bed, whatever its model."""
 
@@ -100,7 +98,11 @@ def as_modelled(frame: "xr.Dataset", scenario: Scenario) -> tuple[Model, Bed, Se
     scenario = scenario_at(frame, scenario)
     model = models()[scenario.model.name](scenario.model, scenario.lattice)
     carried = {str(name): values.values for name, values in frame.data_vars.items()}
-    return model, Bed.from_fields(scenario.lattice, carried, model.fields), _wind(frame, scenario)
+    return (
+        model,
+        Bed.from_fields(scenario.lattice, carried, model.fields, model.layers),
+        _wind(frame, scenario),
+    )
 
 
 def _described(values: "xr.DataArray", **attributes: float | None) -> "xr.DataArray":

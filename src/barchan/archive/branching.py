@@ -85,7 +85,11 @@ def _check(path: Path, simulation: Simulation) -> None:
     """The bed must be that of the run's frame, where there is one."""
     with open_run(path) as dataset:
         known = dataset["step"].values == simulation.steps_done
-        same = not known.any() or np.array_equal(dataset["sand"][known.argmax()].values, simulation.bed.sand)
+        at = known.argmax()
+        bed = simulation.bed
+        same = not known.any() or all(
+            np.array_equal(dataset[layer.name][at].values, bed.arrays[layer.name]) for layer in bed.layers
+        )
     if not same:
         raise ArchiveError(
             f"{path}: done again, step {simulation.steps_done} is not that of its frame; it was made by "

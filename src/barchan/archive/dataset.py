@@ -11,6 +11,7 @@ from barchan.archive.frames import (
     field_attributes,
     run_attributes,
 )
+from barchan.fields import GROUND, depth_of
 from barchan.scenario import Scenario
 from barchan.simulation import Frame, Simulation
 
@@ -42,7 +43,8 @@ def dataset_of(simulation: Simulation, frames: Iterable[Frame]) -> "xr.Dataset":
     }
     dataset = xr.Dataset({**fields, **values}, coordinates, run_attributes(simulation.scenario))
     dataset.attrs["events"] = json.dumps([record.data() for record in simulation.events])
-    dataset["elevation"] = dataset["ground"] + dataset["sand"] * lattice.thickness
+    depth = depth_of(simulation.model.layers, dataset, lattice.thickness)
+    dataset["elevation"] = dataset[GROUND.name] + depth
     dataset["elevation"].attrs.update(ELEVATION)
     return with_time(dataset, simulation.scenario)
 

@@ -1,5 +1,6 @@
-"""The elevation of archived frames, computed from ground and sand where it is read."""
+"""The elevation of archived frames, computed from ground and layers where it is read."""
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -7,14 +8,17 @@ from numpy.typing import NDArray
 from xarray.backends import BackendArray
 from xarray.core import indexing
 
+from barchan.fields import GROUND, LayerInfo, counted, depth_of
+
 
 class LazyElevation(BackendArray):
-    """Elevation (m) over (step, y, x): ground plus slabs, computed for the part that is asked for."""
+    """Elevation (m) over (step, y, x): ground plus layers, computed for the part that is asked for."""
 
-    def __init__(self, ground: Any, sand: Any, thickness: float) -> None:
-        """Compute from variables of ground (m) and sand (slabs of ``thickness`` m)."""
-        self.ground, self.sand, self.thickness = ground, sand, thickness
-        self.shape = sand.shape
+    def __init__(self, frames: Any, layers: Sequence[LayerInfo], slab_height: float) -> None:
+        """Compute from the ground and the layers of a dataset of ``frames``; ``slab_height`` is in m."""
+        self.layers, self.slab_height = tuple(layers), slab_height
+        self.variables = {name: frames[name].variable for name in (GROUND.name, *counted(layers))}
+        self.shape = self.variables[GROUND.name].shape
         self.dtype = np.dtype("float64")
 
     def __getitem__(self, key: Any) -> Any:
@@ -22,4 +26,5 @@ class LazyElevation(BackendArray):
         return indexing.explicit_indexing_adapter(key, self.shape, support, self._part)
 
     def _part(self, key: tuple[Any, ...]) -> NDArray[np.float64]:
-        return np.asarray(self.ground[key].values + self.sand[key].values * self.thickness)
+        parts = {name: variable[key].values for name, variable in self.variables.items()}
+        return np.asarray(parts[GROUND.name] + depth_of(self.layers, parts, self.slab_height))

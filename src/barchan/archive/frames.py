@@ -12,7 +12,7 @@ import zarr
 from numpy.typing import NDArray
 from zarr.core.sync import sync
 
-from barchan.bed import FieldInfo
+from barchan.fields import FieldInfo
 from barchan.scenario import Scenario
 from barchan.simulation import Frame
 

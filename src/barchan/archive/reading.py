@@ -38,7 +38,7 @@ def open_run(path: str | Path) -> "xr.Dataset":
     dataset = xr.open_zarr(path / FRAMES, chunks=None)
     if dataset.sizes["step"] == 0:
         raise ArchiveError(f"{path}: no frames were saved")
-    lazy = LazyElevation(dataset["ground"].variable, dataset["sand"].variable, scenario.lattice.thickness)
+    lazy = LazyElevation(dataset, scenario.layers, scenario.lattice.thickness)
     dataset.attrs["events"] = json.dumps(events_of(path))
     dataset.attrs["stopped"] = _stopped(path) or "not finished"
     dataset["elevation"] = (("step", "y", "x"), LazilyIndexedArray(lazy), ELEVATION)

@@ -13,14 +13,13 @@ def check(scenario: str, /, *values: Tokens) -> None:
     """
     from barchan.archive import source_at
     from barchan.cli.terminal import console, print_note
-    from barchan.ground.start import first_bed
     from barchan.scenario.files import load_scenario
 
     sound = load_scenario(source_at(scenario), pairs(values, check)).seeded()
     model = sound.new_model()
     with sound.places.told():
         sound.forcing().wind_of(0)
-        model.prepare(first_bed(sound.lattice, sound.ground, sound.sand, sound.seed), sound.seed)
+        model.prepare(sound.first_bed(), sound.seed)
     console.print(f"{scenario}: sound")
     for name, fact in {**sound.time_facts(), **model.facts()}.items():
         console.print(f"{name}: {fact}")

@@ -9,6 +9,7 @@ from scipy import ndimage
 from barchan.analysis.fields import field_of
 from barchan.directions import downwind
 from barchan.errors import BarchanError
+from barchan.fields import depth_of
 from barchan.measures.filters import Field, Periodic, gradient, smoothed
 from barchan.scenario import Scenario
 
@@ -54,7 +55,7 @@ def laid_over(
     )
     ripples = _repeated(np.asarray(relief, float) - np.mean(relief), fine.shape)
     height = float(np.ptp(ripples))
-    coarse = smoothed(frame["sand"].values * lattice.thickness, smoothing, lattice.periodic)
+    coarse = smoothed(depth_of(scenario.layers, frame, lattice.thickness).values, smoothing, lattice.periodic)
     ground = finer(frame["ground"].values, factor, lattice.periodic, 1)
     depth = finer(coarse, factor, lattice.periodic)
     depth[depth < 0.5 * lattice.thickness] = 0.0
@@ -97,8 +98,11 @@ def _frame(frame: "xr.Dataset", scenario: Scenario, ground: Field, sand: NDArray
     """A frame with another surface; what else it tells stays as it is."""
     lattice = scenario.lattice
     plain = frame.drop_vars([name for name, values in frame.variables.items() if values.dims != ()])
+    fields = {
+        "ground": ground,
+        scenario.layers[-1].name: sand,
+        "elevation": ground + sand * lattice.thickness,
+    }
     return plain.assign_coords(y=("y", lattice.y), x=("x", lattice.x)).assign(
-        ground=(("y", "x"), ground, frame["ground"].attrs),
-        sand=(("y", "x"), sand, frame["sand"].attrs),
-        elevation=(("y", "x"), ground + sand * lattice.thickness, frame["elevation"].attrs),
+        {name: (("y", "x"), values, frame[name].attrs) for name, values in fields.items()}
     )

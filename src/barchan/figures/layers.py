@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from barchan.analysis.fields import field_of
-from barchan.models import Layer
+from barchan.models import Overlay
 from barchan.scenario import Scenario
 
 if TYPE_CHECKING:
@@ -24,9 +24,9 @@ BAR = 0.9
 OPACITY = 0.75
 
 
-def layers_of(scenario: Scenario) -> tuple[Layer, ...]:
+def layers_of(scenario: Scenario) -> tuple[Overlay, ...]:
     """The layers that the scenario's model declares."""
-    return scenario.new_model().layers
+    return scenario.new_model().overlays
 
 
 def overlaid(base: NDArray[np.float64], frame: "xr.Dataset", scenario: Scenario) -> NDArray[np.float64]:
@@ -47,7 +47,7 @@ def layer_bars(figure: "Figure", axes: "Axes", scenario: Scenario) -> None:
         figure.colorbar(scale, ax=axes, label=layer.title, shrink=0.85, aspect=30)
 
 
-def layer_map(layer: Layer) -> "Colormap":
+def layer_map(layer: Overlay) -> "Colormap":
     """A layer's colours, without the palest: they would pass for nothing."""
     import matplotlib as mpl
     from matplotlib.colors import ListedColormap

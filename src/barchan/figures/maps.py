@@ -77,7 +77,7 @@ def shaded(
     shown = smooth(frame["elevation"].values, smoothing, scenario)
     base = np.asarray(colour_map(colours)(norm(shown)))[..., :3]  # type: ignore[operator]
     if show_bare:
-        base = np.where((frame["sand"].values == 0)[..., None], BARE, base)
+        base = np.where((frame["elevation"] == frame["ground"]).values[..., None], BARE, base)
     if layers:
         base = overlaid(base, frame, scenario)
     return lit(base, frame, scenario, smoothing)

@@ -20,7 +20,7 @@ def thresholds(sand: Saltation) -> "Figure":
     """Threshold friction velocity against grain diameter, and the divide between saltation and suspension.
 
     Grains fly in suspension where the friction velocity exceeds the speed at which they settle: then eddies
-    carry them up as fast as they fall (Bagnold 1941). The counterpart of Fig. 2.4 of seed 000.
+    carry them up as fast as they fall (Bagnold 1941). The counterpart of Fig. 2.4 of the Prague thesis.
     """
     diameters = np.geomspace(*DIAMETERS, 400)
     grains = (diameters, sand.grain_density, sand.air_density)

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from barchan.analysis.fields import scenario_at
 from barchan.directions import downwind
+from barchan.fields import depth_of
 from barchan.figures.style import (
     CURVE,
     GROUND,
@@ -235,8 +236,8 @@ def space_time(
 
 def _through_highest(frame: "xr.Dataset", scenario: Scenario) -> float:
     """Where the section lies that crosses the highest stack."""
-    sand = frame["sand"].values
-    row, col = np.unravel_index(int(np.argmax(sand)), sand.shape)
+    depth = depth_of(scenario.layers, frame, scenario.lattice.thickness).values
+    row, col = np.unravel_index(int(np.argmax(depth)), depth.shape)
     rows, cols = scenario.lattice.shape
     x, y = downwind(float(frame["wind_direction"]))
     across = x * (row - (rows - 1) / 2) - y * (col - (cols - 1) / 2)

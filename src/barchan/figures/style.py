@@ -28,7 +28,7 @@ BARE = (0.80, 0.79, 0.77)
 
 
 def colour_map(colours: Colours) -> "Colormap":
-    """A colour map by what it is for; red-green has red the highest, as in seed 000."""
+    """A colour map by what it is for; red-green has red the highest, as in the Prague thesis."""
     import matplotlib as mpl
     from cmcrameri import cm
     from matplotlib.colors import LinearSegmentedColormap

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from barchan.aeolian.flow_over_relief import WindOverWaves
 from barchan.aeolian.flux import KARMAN
-from barchan.bed import Bed, Lattice
+from barchan.bed import Bed
 from barchan.grains.canopy import Hold
 from barchan.grains.parameters import GrainFlight
 from barchan.grains.sizes import shuffle_anew
@@ -32,6 +32,7 @@ from barchan.kernels.grains.state import (
     Scale,
     Scene,
 )
+from barchan.lattice import Lattice
 from barchan.model import Tally
 from barchan.streams import derive
 from barchan.wind.frame import WindFrame

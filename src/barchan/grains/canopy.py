@@ -7,9 +7,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from barchan.aeolian.mesh import over_mesh
-from barchan.bed import Bed, FieldInfo, Lattice
+from barchan.bed import Bed
+from barchan.fields import FieldInfo
 from barchan.ground.area import Area
-from barchan.model import Derived, Layer
+from barchan.lattice import Lattice
+from barchan.model import Derived, Overlay
 from barchan.parameters import parameter
 
 if TYPE_CHECKING:
@@ -44,7 +46,7 @@ def _share(_model: Any, bed: Bed, _wind: Any) -> NDArray[np.float64]:
 
 PLANT_SHARE = Derived("plant_share", "1", "height of plants over that of the tallest", _share)
 
-PLANTS = Layer(PLANT_SHARE.name, "plants, over the tallest", "Greens")
+PLANTS = Overlay(PLANT_SHARE.name, "plants, over the tallest", "Greens")
 
 
 def planted(stands: Sequence[Stand], lattice: Lattice) -> NDArray[np.float64]:

@@ -5,10 +5,11 @@ import math
 import numpy as np
 
 from barchan.aeolian.wall import log_wind
-from barchan.bed import Bed, Lattice
+from barchan.bed import Bed
 from barchan.errors import Problem
 from barchan.grains.canopy import planted
 from barchan.grains.parameters import GrainFlight
+from barchan.lattice import Lattice
 
 MOST_DRAG = 0.5
 """Share of a velocity difference that drag may take away in a time step."""
@@ -31,7 +32,7 @@ def problems(rules: GrainFlight, bed: Bed, fastest: float) -> list[Problem]:
                 f"{bed.lattice.shape[1]}; allowed there: 'stack'",
             )
         )
-    if bed.slabs == 0:
+    if bed.units == 0:
         found.append(Problem("sand", "lies nowhere: no grain can be lifted; allowed: at least one parcel"))
     speed = _greatest_speed(rules, fastest)
     rate = float(rules.by_size[0].drag_rate(np.array(speed)))

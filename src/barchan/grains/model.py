@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from barchan.aeolian.wall import unstable_wind
-from barchan.bed import Bed, Lattice
+from barchan.bed import Bed
 from barchan.directions import downwind
 from barchan.errors import ScenarioError
 from barchan.grains import checks as grain_checks
@@ -21,6 +21,7 @@ from barchan.grains.parameters import GrainFlight
 from barchan.grains.pool import close_gaps, free_slots, grains_in
 from barchan.grains.sizes import SortedSand
 from barchan.kernels.grains.state import Air
+from barchan.lattice import Lattice
 from barchan.model import Model, Tally
 from barchan.streams import Stream, derive
 from barchan.wind.segment import Segment
@@ -49,7 +50,7 @@ class GrainModel(Model):
         if parameters.plants:
             self.fields = (*self.fields, PLANT_HEIGHT)
             self.derived = (*self.derived, PLANT_SHARE)
-            self.layers = (*self.layers, PLANTS)
+            self.overlays = (*self.overlays, PLANTS)
         self.iteration = 0
         self.slots_in_use = self.slots
 

@@ -8,7 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic_core import InitErrorDetails, PydanticCustomError
 
-from barchan.bed import Bed, FieldInfo
+from barchan.bed import Bed
+from barchan.fields import FieldInfo
 from barchan.kernels.bed.state import Mixture
 from barchan.parameters import Parameters, parameter
 from barchan.streams import Stream
@@ -121,7 +122,7 @@ class SortedSand:
             rest = bed.sand.reshape(-1) - layer.sum(axis=0, dtype=np.int32)
             below = np.stack(mixed(rest, self.shares, np.full(rest.size, 0.5))).astype(np.int32)
         found = Mixture(layer, below, self.full, np.zeros(1, np.uint64))
-        shuffle_anew(found, bed.slabs)
+        shuffle_anew(found, bed.units)
         entered = np.zeros(len(self.sizes), np.int64)
         follow(found, bed.sand.reshape(-1), self.shares, entered)
         self.left -= entered

@@ -6,10 +6,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from barchan.bed import Lattice
 from barchan.directions import downwind
 from barchan.grains.ripple_parameters import RipplesParameters
 from barchan.kernels.grains.state import Creep, Sorting
+from barchan.lattice import Lattice
 
 
 def sorting(rules: RipplesParameters, creeps: NDArray[np.bool_]) -> Any:

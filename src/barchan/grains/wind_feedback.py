@@ -6,8 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from barchan.aeolian.flow_over_relief import Spectrum
-from barchan.bed import Lattice
 from barchan.grains.ripple_parameters import RipplesParameters
+from barchan.lattice import Lattice
 
 RESPONSE = 0.05
 """Time (s) over which the wind near the bed adjusts to the grains: about a hop."""

@@ -7,17 +7,17 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import model_validator
 
-from barchan.bed import Lattice
+from barchan.lattice import Lattice
 from barchan.parameters import Parameters, parameter
 
 
 class Area(Parameters):
     """A rectangle of the field, its edges given as fractions of the field."""
 
-    west: float = parameter(0.0, unit="-", ge=0, le=1, meaning="West edge.", source="our choice")
-    east: float = parameter(1.0, unit="-", ge=0, le=1, meaning="East edge.", source="our choice")
-    south: float = parameter(0.0, unit="-", ge=0, le=1, meaning="South edge.", source="our choice")
-    north: float = parameter(1.0, unit="-", ge=0, le=1, meaning="North edge.", source="our choice")
+    west: float = parameter(0.0, unit="-", ge=0, le=1, meaning="West edge.", source="ours")
+    east: float = parameter(1.0, unit="-", ge=0, le=1, meaning="East edge.", source="ours")
+    south: float = parameter(0.0, unit="-", ge=0, le=1, meaning="South edge.", source="ours")
+    north: float = parameter(1.0, unit="-", ge=0, le=1, meaning="North edge.", source="ours")
 
     @model_validator(mode="after")
     def _has_area(self) -> Self:

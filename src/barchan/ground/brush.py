@@ -1,12 +1,13 @@
-"""Brushes: sand, ground and fields of a bed changed on a round patch."""
+"""Brushes: layers, ground and fields of a bed changed on a round patch."""
 
 from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
-from barchan.bed import Bed, Lattice
+from barchan.bed import Bed
 from barchan.ground.places import distances, extent
+from barchan.lattice import Lattice
 
 Falloff = Literal["none", "linear", "smooth"]
 
@@ -27,9 +28,9 @@ def brush(lattice: Lattice, x: float, y: float, radius: float, falloff: Falloff)
 
 
 def brushed(bed: Bed, strength: NDArray[np.float64], amount: int) -> NDArray[np.int64]:
-    """Slabs that a brush changes on each cell, ``amount`` at its centre; no cell gives more than it holds."""
+    """Units that a brush changes on each cell, ``amount`` at its centre; no cell gives more than it holds."""
     change = np.rint(amount * strength).astype(np.int64)
-    return np.maximum(change, -bed.sand.astype(np.int64))
+    return np.maximum(change, -bed.stack.astype(np.int64))
 
 
 def raised(bed: Bed, strength: NDArray[np.float64], amount: int) -> NDArray[np.float64]:

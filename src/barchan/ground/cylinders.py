@@ -5,9 +5,9 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from barchan.bed import Lattice
 from barchan.ground.places import LONGEST, SHORTEST, distances
 from barchan.ground.terrain import TALLEST, Terrain
+from barchan.lattice import Lattice
 from barchan.parameters import Parameters, parameter
 from barchan.streams import Stream
 
@@ -47,7 +47,7 @@ class Cylinders(Terrain):
         unit="-",
         max_length=100,
         meaning="Where they stand, and their sizes.",
-        source="seed 000, §3.5 and Fig. 3.8: plants as cylinders; our places and sizes, the text has none",
+        source="Prague thesis, §3.5 and Fig. 3.8: plants as cylinders; places and sizes are ours",
     )
 
     def elevation(self, lattice: Lattice, _stream: Stream) -> NDArray[np.float64]:

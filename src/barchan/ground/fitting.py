@@ -7,9 +7,9 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from barchan.bed import Lattice
 from barchan.errors import Problem, ScenarioError
 from barchan.ground.raster import Raster, UnreadableError, read
+from barchan.lattice import Lattice
 from barchan.parameters import Parameters, parameter
 
 

@@ -5,9 +5,9 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from barchan.bed import Lattice
 from barchan.ground.layer import Layer, mean_of
 from barchan.ground.places import LONGEST, SHORTEST, distances, offsets
+from barchan.lattice import Lattice
 from barchan.parameters import parameter
 from barchan.streams import Stream
 

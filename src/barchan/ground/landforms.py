@@ -5,17 +5,17 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from barchan.bed import Lattice
 from barchan.ground.places import LONGEST, SHORTEST, distances, extent, offsets
 from barchan.ground.terrain import HIGHEST, TALLEST, Terrain
+from barchan.lattice import Lattice
 from barchan.parameters import parameter
 from barchan.streams import Stream
 
 Side = Literal["west", "east", "south", "north"]
 
-HUMP = "seed 003, Fig. 5.4 b: a two-dimensional Gaussian; its sizes are not published"
-DUNE_FORM = "seed 003, Fig. 5.4 c: another Gaussian, a gentle dune; its sizes are not published"
-VALLEY = "seed 003, Fig. 5.4 d: a stretched sine; its sizes are not published"
+HUMP = "Szabó 2019, Fig. 5.4 b: a two-dimensional Gaussian; its sizes are not published"
+DUNE_FORM = "Szabó 2019, Fig. 5.4 c: another Gaussian, a gentle dune; its sizes are not published"
+VALLEY = "Szabó 2019, Fig. 5.4 d: a stretched sine; its sizes are not published"
 
 
 class FlatGround(Terrain):

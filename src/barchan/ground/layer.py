@@ -6,8 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import AfterValidator
 
-from barchan.bed import Lattice
 from barchan.ground.area import Area
+from barchan.lattice import Lattice
 from barchan.parameters import Parameters, parameter
 from barchan.streams import Stream
 
@@ -39,7 +39,7 @@ def parts_of() -> Any:
         unit="-",
         max_length=100,
         meaning="Rectangles with another mean; later ones lie over earlier ones.",
-        source="seed 004, moderate sand in one part and low elsewhere",
+        source="Elder 2009, moderate sand in one part and low elsewhere",
     )
 
 

@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from barchan.bed import Lattice
+from barchan.lattice import Lattice
 from barchan.streams import Stream
 
 

@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from barchan.bed import Lattice
+from barchan.lattice import Lattice
 
 SHORTEST, LONGEST = 1e-4, 1e7
 """Lengths (m) that shapes may have along the ground."""

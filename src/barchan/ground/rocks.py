@@ -5,11 +5,11 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from barchan.bed import Lattice
 from barchan.ground.area import Area, covered
 from barchan.ground.noise import hills
 from barchan.ground.places import LONGEST, SHORTEST
 from barchan.ground.terrain import TALLEST, Terrain
+from barchan.lattice import Lattice
 from barchan.parameters import parameter
 from barchan.streams import Stream
 
@@ -19,7 +19,7 @@ class Rock(Area):
 
 
 def _three() -> list[Rock]:
-    """Our places: seed 000 shows them only in pictures."""
+    """Three rocks; the places are ours, the Prague thesis shows them only in pictures."""
     return [
         Rock(west=0.25, east=0.33, south=0.62, north=0.80),
         Rock(west=0.45, east=0.53, south=0.30, north=0.48),
@@ -34,14 +34,19 @@ class ThreeRocks(Terrain):
         "three_rocks", unit="-", meaning="Rectangular rocks on level ground, without sand at the start."
     )
     height: float = parameter(
-        10.0, unit="m", ge=0, le=TALLEST, meaning="Height of the rocks.", source="seed 000, §5.10; our number"
+        10.0,
+        unit="m",
+        ge=0,
+        le=TALLEST,
+        meaning="Height of the rocks.",
+        source="Prague thesis, §5.10; the number is ours",
     )
     rocks: list[Rock] = parameter(
         _three,
         unit="-",
         max_length=100,
         meaning="Where the rocks stand.",
-        source="seed 000, §5.10; our places, the text has none",
+        source="Prague thesis, §5.10; the places are ours, the text has none",
     )
 
     def elevation(self, lattice: Lattice, _stream: Stream) -> NDArray[np.float64]:
@@ -63,7 +68,7 @@ class UnevenGround(Terrain):
         ge=0,
         le=TALLEST,
         meaning="From the lowest hollow to the highest top.",
-        source="seed 000, §5.10; our number",
+        source="Prague thesis, §5.10; the number is ours",
     )
     size: float = parameter(
         15.0,
@@ -72,7 +77,7 @@ class UnevenGround(Terrain):
         le=LONGEST,
         scale="log",
         meaning="Standard deviation of the Gaussian that smooths the hills; tops lie about six of it apart.",
-        source="seed 000, §5.10; our number",
+        source="Prague thesis, §5.10; the number is ours",
     )
 
     def elevation(self, lattice: Lattice, stream: Stream) -> NDArray[np.float64]:

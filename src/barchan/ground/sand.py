@@ -6,7 +6,6 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field
 
-from barchan.bed import Lattice
 from barchan.ground.fitting import FromFile
 from barchan.ground.heaps import Block, Cone, Mound, Patch
 from barchan.ground.layer import MOST_SLABS, Layer, Part, WholeParts, mean_of, parts_of, whole
@@ -14,6 +13,7 @@ from barchan.ground.noise import hills
 from barchan.ground.places import LONGEST, SHORTEST
 from barchan.ground.terrain import HIGHEST
 from barchan.ground.waves import RippledSand, TransverseSand
+from barchan.lattice import Lattice
 from barchan.parameters import Parameters, parameter
 from barchan.streams import Stream, below, high, low
 
@@ -24,7 +24,7 @@ class FlatSand(Layer):
     """The same number of slabs on every cell."""
 
     kind: Literal["flat"] = parameter("flat", unit="-", meaning="The same number of slabs on every cell.")
-    mean: int = mean_of(3, "Slabs on a cell.", "seed 000, Table 6.1")
+    mean: int = mean_of(3, "Slabs on a cell.", "Prague thesis, Table 6.1")
     parts: WholeParts = parts_of()
 
 
@@ -32,7 +32,9 @@ class RandomSand(Layer):
     """The same number of slabs on every cell, give or take one."""
 
     kind: Literal["random"] = parameter("random", unit="-", meaning="A number of slabs, give or take one.")
-    mean: int = mean_of(3, "Slabs on a cell before one is added, taken away or neither.", "seed 000, §6.5.2")
+    mean: int = mean_of(
+        3, "Slabs on a cell before one is added, taken away or neither.", "Prague thesis, §6.5.2"
+    )
     parts: WholeParts = parts_of()
 
     def slabs(self, lattice: Lattice, _ground: NDArray[np.float64], stream: Stream) -> NDArray[np.int64]:
@@ -45,7 +47,7 @@ class DroppedSand(Layer):
     """Slabs dropped on cells drawn at random."""
 
     kind: Literal["dropped"] = parameter("dropped", unit="-", meaning="Slabs dropped on random cells.")
-    mean: float = mean_of(3.0, "Mean number of slabs on a cell.", "seed 004")
+    mean: float = mean_of(3.0, "Mean number of slabs on a cell.", "Elder 2009")
 
     def slabs(self, lattice: Lattice, _ground: NDArray[np.float64], stream: Stream) -> NDArray[np.int64]:
         """Slabs on each cell; their total is the mean times the cells, rounded, in each part."""

@@ -7,13 +7,13 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field
 
-from barchan.bed import Lattice
 from barchan.ground.cylinders import Cylinders
 from barchan.ground.fitting import FromFile
 from barchan.ground.landforms import Bump, Cliff, DuneForm, Escarpment, FlatGround, Hump, Ramp, Valley
 from barchan.ground.raster import georeference
 from barchan.ground.rocks import ThreeRocks, UnevenGround
 from barchan.ground.terrain import HIGHEST, Terrain
+from barchan.lattice import Lattice
 from barchan.parameters import parameter
 from barchan.streams import Stream
 

@@ -5,7 +5,7 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
-from barchan.bed import Lattice
+from barchan.lattice import Lattice
 from barchan.parameters import Parameters
 from barchan.streams import Stream
 

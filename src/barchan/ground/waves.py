@@ -5,14 +5,14 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from barchan.bed import Lattice
 from barchan.errors import Problem, ScenarioError
 from barchan.ground.layer import Layer, mean_of
 from barchan.ground.places import LONGEST, SHORTEST, extent
+from barchan.lattice import Lattice
 from barchan.parameters import parameter
 from barchan.streams import Stream
 
-SOURCE = "seed 000, §6.5.2; our number"
+SOURCE = "Prague thesis, §6.5.2; the number is ours"
 
 
 class Waves(Layer):

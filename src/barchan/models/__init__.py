@@ -11,7 +11,7 @@ from importlib.metadata import entry_points
 from typing import Any
 
 from barchan.errors import BarchanError
-from barchan.model import Curve, Derived, Layer, Model, OwnMeasure, Tally
+from barchan.model import Curve, Derived, Model, Overlay, OwnMeasure, Tally
 
 _ENGINES = {
     "GrainModel": "barchan.grains.model",
@@ -28,8 +28,8 @@ __all__ = [
     "Derived",
     "GrainFlight",
     "GrainModel",
-    "Layer",
     "Model",
+    "Overlay",
     "OwnMeasure",
     "SlabModel",
     "SlabTransport",

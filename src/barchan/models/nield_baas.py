@@ -7,8 +7,9 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field
 
-from barchan.bed import Bed, FieldInfo
-from barchan.model import Curve, Derived, Layer, OwnMeasure
+from barchan.bed import Bed
+from barchan.fields import FieldInfo
+from barchan.model import Curve, Derived, Overlay, OwnMeasure
 from barchan.parameters import parameter, redeclared
 from barchan.plants.layouts import UniformPlants, Vegetation
 from barchan.plants.species import SPECIES, Grass, Mesquite, Shrub, Species
@@ -141,7 +142,7 @@ class NieldBaas(SlabModel):
         ),
     )
     measures = tuple(map(_mean_of, SPECIES))
-    layers = (Layer("effectiveness", "plants", "Greens", SPECIES),)
+    overlays = (Overlay("effectiveness", "plants", "Greens", SPECIES),)
 
     def prepare(self, bed: Bed, seed: int) -> None:
         """Plant what stands there at first."""

@@ -8,8 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from barchan.aeolian.flow_over_relief import stress_coefficients
-from barchan.bed import Bed, Lattice
+from barchan.bed import Bed
 from barchan.directions import downwind
+from barchan.lattice import Lattice
 from barchan.model import Derived, OwnMeasure
 from barchan.parameters import parameter
 from barchan.slabs.model import SlabModel

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from barchan.aeolian.flow_over_relief import wind_over_waves
 from barchan.aeolian.wall import focused_wind
-from barchan.bed import Bed, Lattice
+from barchan.bed import Bed
 from barchan.directions import downwind
 from barchan.grains.air import tables_about_focus
 from barchan.grains.bed import GrainGround
@@ -18,6 +18,7 @@ from barchan.grains.sizes import SortedSand
 from barchan.grains.splash import creep, sorting
 from barchan.grains.wind_feedback import SlowedWind
 from barchan.kernels.grains.state import Bounce, LiftOff, Splash
+from barchan.lattice import Lattice
 from barchan.model import Derived, OwnMeasure
 from barchan.wind.segment import Segment
 

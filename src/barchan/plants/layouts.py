@@ -7,10 +7,10 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field
 
-from barchan.bed import Lattice
 from barchan.errors import Problem, ScenarioError
 from barchan.ground.area import Area, covered
 from barchan.ground.raster import UnreadableError, read
+from barchan.lattice import Lattice
 from barchan.parameters import Parameters, parameter
 from barchan.plants.species import LEAST, MOST, SPECIES
 from barchan.streams import Stream, high

@@ -2,6 +2,7 @@
 
 from typing import TYPE_CHECKING
 
+from barchan.directions import downwind
 from barchan.models import Model
 from barchan.scenario.source_map import Path
 from barchan.wind import Recorded
@@ -15,7 +16,7 @@ Found = tuple[Path, str]
 
 def inconsistencies(scenario: "Scenario", model: Model) -> list[Found]:
     """All that does not go together in a scenario whose parts are right by themselves."""
-    found = list(_clock_problems(scenario, model))
+    found = [*_clock_problems(scenario, model), *_influx_problems(scenario, model)]
     if not found:
         found += [(("model", key), text) for key, text in model.problems(scenario.step_seconds)]
     known = scenario.clock is not None or model.step_seconds is not None
@@ -38,6 +39,50 @@ def _clock_problems(scenario: "Scenario", model: Model) -> list[Found]:
     except ValueError as error:
         return [(("clock", "reference_speed"), str(error))]
     return []
+
+
+def _influx_problems(scenario: "Scenario", model: Model) -> list[Found]:
+    if scenario.influx is None:
+        return []
+    if not model.takes_influx:
+        return [(("influx",), f"is given, but {model.title} lets nothing enter; leave it out")]
+    if not open_edges(scenario):
+        text = (
+            "is given, but no wind blows in across an open edge; open boundary_x or boundary_y of the lattice"
+        )
+        return [(("influx",), text)]
+    return []
+
+
+_INTO = 1e-9
+"""Components of the wind's direction below this do not cross an edge."""
+
+
+def open_edges(scenario: "Scenario") -> list[str]:
+    """The open edges across which the scenario's winds blow into the field, by their sides."""
+    if isinstance(scenario.wind, Recorded):
+        blown = {"west", "east", "south", "north"}
+    else:
+        blown = set()
+        for _, part in scenario.wind.placed_parts():
+            x, y = downwind(part.direction)
+            blown |= {"west" if x > 0 else "east"} if abs(x) > _INTO else set()
+            blown |= {"south" if y > 0 else "north"} if abs(y) > _INTO else set()
+    periodic_y, periodic_x = scenario.lattice.periodic
+    closed = {"west", "east"} if periodic_x else set()
+    closed |= {"south", "north"} if periodic_y else set()
+    return sorted(blown - closed)
+
+
+def starved_edges(scenario: "Scenario") -> list[str]:
+    """A remark where wind blows in across open edges and brings nothing."""
+    edges = open_edges(scenario)
+    if not edges or scenario.influx is not None:
+        return []
+    sides = " and ".join(edges)
+    plural = "edges are" if len(edges) > 1 else "edge is"
+    text = f"the {sides} {plural} open and nothing enters there: the wind will empty the field"
+    return [f'{text}; state what enters with "influx", for instance {{"kind": "saturation", "share": 0.2}}']
 
 
 def _timeless(scenario: "Scenario") -> list[Found]:

@@ -6,17 +6,21 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal, Self, Union
 from pydantic import Field, PrivateAttr, model_validator
 from pydantic_core import PydanticCustomError
 
-from barchan.bed import Lattice
+from barchan.bed import Bed
+from barchan.fields import LayerInfo
 from barchan.ground.landforms import FlatGround
 from barchan.ground.sand import FlatSand, Sand
+from barchan.ground.start import first_bed
 from barchan.ground.surface import Ground
+from barchan.lattice import Lattice
 from barchan.models import Model, models
 from barchan.parameters import Parameters, parameter
-from barchan.scenario.consistency import inconsistencies
+from barchan.scenario.consistency import inconsistencies, starved_edges
 from barchan.scenario.source_map import Places
 from barchan.scenario.summary import html_table, in_a_line, summary
 from barchan.wind import Clock, Forcing, Pace, Steady, Wind
 from barchan.wind.clock import spoken
+from barchan.wind.influx import AnyInflux
 
 FORMAT = 2
 """Version of the configuration format that this program writes."""
@@ -71,7 +75,7 @@ class Run(Parameters):
         le=10**12,
         scale="log",
         meaning="Length of the run; a step polls as many cells as the field has.",
-        source="seed 000, Table 6.1",
+        source="Prague thesis, Table 6.1",
     )
     seed: int | None = parameter(
         None,
@@ -101,6 +105,9 @@ class Scenario(Parameters):
     ground: Ground = Field(default_factory=FlatGround, description="Ground under the sand.")
     sand: Sand = Field(default_factory=FlatSand, description="Sand at the start.")
     wind: Wind = Field(default_factory=Steady, description="Wind.")
+    influx: AnyInflux | None = Field(
+        default=None, description="Sand that enters across open edges from upwind; none where not given."
+    )
     clock: Clock | None = Field(
         default=None,
         description="What gives steps a duration, and speeds in m/s their polls; without it time is counted "
@@ -129,6 +136,15 @@ class Scenario(Parameters):
             raise PydanticCustomError(TOGETHER, "{text}", {"found": found, "text": found[0][1]})
         return self
 
+    @property
+    def layers(self) -> tuple[LayerInfo, ...]:
+        """The layers on the ground that the model's wind can move, the lowest first."""
+        return self.new_model().layers
+
+    def first_bed(self) -> Bed:
+        """The bed that a run starts with; raises ScenarioError with every problem found."""
+        return first_bed(self.lattice, self.ground, self.sand, self.seed, self.layers)
+
     def new_model(self) -> Model:
         """The model, set up for the lattice."""
         return models()[self.model.name](self.model, self.lattice)
@@ -155,10 +171,11 @@ class Scenario(Parameters):
         """The wind at this scenario's pace; it must have a seed."""
         clock, model = self.clock, self.new_model()
         if clock is None:
-            return Forcing(self.wind, Pace(self.seed, model.step_seconds), self.lattice.cells)
+            pace = Pace(self.seed, model.step_seconds)
+            return Forcing(self.wind, pace, self.lattice.cells, self.influx)
         volume = model.step_volume()
         pace = Pace(self.seed, clock.duration(volume), lambda speeds: clock.strength(speeds, volume))
-        return Forcing(self.wind, pace, self.lattice.cells)
+        return Forcing(self.wind, pace, self.lattice.cells, self.influx)
 
     def seeded(self) -> Self:
         """The same scenario with a seed: its own, or one drawn now."""
@@ -197,6 +214,7 @@ class Scenario(Parameters):
         """What a user should know before running this."""
         model = self.new_model()
         remarks = [model.remarks(part.longest_hop, part.direction) for _, part in self.wind.placed_parts()]
+        remarks.append(starved_edges(self))
         return list(dict.fromkeys(remark for found in remarks for remark in found))
 
 

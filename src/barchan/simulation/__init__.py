@@ -1,6 +1,6 @@
 """The simulation: owns the bed, advances a model through the wind, takes events, emits frames."""
 
-from barchan.simulation.core import Frame, Simulation
+from barchan.simulation.core import Simulation
 from barchan.simulation.events import (
     AnyEvent,
     Event,
@@ -10,6 +10,7 @@ from barchan.simulation.events import (
     event_from,
     in_force,
 )
+from barchan.simulation.frame import Frame
 from barchan.simulation.ledger import Ledger
 from barchan.simulation.state import State
 from barchan.simulation.step_pacer import StepPacer

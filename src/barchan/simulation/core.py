@@ -1,43 +1,26 @@
 """The simulation itself."""
 
 from collections.abc import Iterator
-from dataclasses import asdict, dataclass, replace
+from dataclasses import asdict, replace
 from typing import Any, Self
 
 import numpy as np
 from numpy.typing import NDArray
 
-from barchan.bed import Bed, Lattice
+from barchan.bed import Bed
 from barchan.errors import BarchanError
-from barchan.ground.start import first_bed
+from barchan.fields import GROUND
+from barchan.lattice import Lattice
 from barchan.models import Model, Tally
 from barchan.scenario import Scenario, validate
 from barchan.scenario.summary import html_table, summary
 from barchan.simulation.events import AnyEvent, Record
+from barchan.simulation.frame import Frame
 from barchan.simulation.ledger import Ledger
 from barchan.simulation.state import State
 from barchan.simulation.stop import stop_conditions
 from barchan.streams import Stream
 from barchan.wind import Segment, Wind
-
-
-@dataclass(frozen=True)
-class Frame:
-    """The bed at one moment, with what had happened until then."""
-
-    step: int
-    direction: float
-    """Where the wind comes from (degrees)."""
-    fields: dict[str, NDArray]
-    ledger: Ledger
-    tally: Tally
-
-    def __repr__(self) -> str:
-        rows, columns = next(iter(self.fields.values())).shape
-        return (
-            f"<Frame at step {self.step}: {', '.join(self.fields)} on {rows} × {columns} cells, "
-            f"wind from {self.direction:g}°>"
-        )
 
 
 class Simulation:
@@ -57,9 +40,9 @@ class Simulation:
         scene = self.scenario
         with scene.places.told():
             self.forcing.wind_of(0)
-            self.bed = first_bed(scene.lattice, scene.ground, scene.sand, scene.seed)
+            self.bed = scene.first_bed()
             self.model.prepare(self.bed, scene.seed)
-        self.ledger = Ledger(self.bed.slabs)
+        self.ledger = Ledger(self.bed.units)
         self.model.settle(self.bed)
         self.model.begin(self.bed)
 
@@ -86,12 +69,16 @@ class Simulation:
 
     def _progress(self) -> dict[str, str]:
         """The model, how far the run is, and the bed, in few words."""
+        bed = self.bed
+        amounts = ", ".join(
+            f"{bed.arrays[layer.name].sum()} {layer.unit} of {layer.name}" for layer in bed.layers
+        )
         relief = f"elevation {self.elevation.min():.3g} to {self.elevation.max():.3g} m"
         ended = "" if self.finished is None else f" ({self.finished})"
         return {
             "model": self.model.name,
             "step": f"step {self.steps_done} of {self.scenario.run.steps}{ended}",
-            "bed": f"{self.bed.slabs} slabs, {relief}",
+            "bed": f"{amounts}, {relief}",
         }
 
     @property
@@ -167,7 +154,7 @@ class Simulation:
         self.ledger.entered += tally.entered
         self.ledger.left += tally.left
         self.ledger.airborne = tally.airborne
-        self.ledger.check(self.bed.slabs)
+        self.ledger.check(self.bed)
 
     @property
     def done(self) -> bool:
@@ -265,10 +252,11 @@ class Simulation:
         now = validate({**data["scenario"], "model": data["model"], "wind": data["wind"]}, "state")
         simulation.model.change(now.model)
         simulation.wind = now.wind
-        bed = Bed(simulation.lattice, state.arrays["bed/ground"], state.arrays["bed/sand"])
-        simulation.bed = bed
+        layers, fields = simulation.model.layers, state.group("bed/")
+        counts = [fields[layer.name] for layer in layers]
+        bed = simulation.bed = Bed(simulation.lattice, fields[GROUND.name], *counts, layers=layers)
         for field in simulation.model.fields:
-            bed.add(field, state.arrays[f"bed/{field.name}"])
+            bed.add(field, fields[field.name])
         simulation.model.restore(state.group("model/"))
         simulation.steps_done = data["step"]
         simulation._framed = data["framed"]
@@ -278,5 +266,5 @@ class Simulation:
         simulation.events = [Record.from_data(record) for record in data["events"]]
         for name, condition in simulation.stop_conditions.items():
             condition.restore({**data["stop_conditions"][name], **state.group(f"stop/{name}/")})
-        simulation.ledger.check(bed.slabs)
+        simulation.ledger.check(bed)
         return simulation

@@ -5,10 +5,12 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from barchan.bed import GROUND, Bed, Lattice
+from barchan.bed import Bed
 from barchan.errors import BarchanError, Problem, ScenarioError
+from barchan.fields import GROUND
 from barchan.ground.brush import Falloff, brush, brushed, grown, raised
 from barchan.ground.sand import MOST_SLABS
+from barchan.lattice import Lattice
 from barchan.models import Model
 from barchan.parameters import parameter
 from barchan.scenario import nearest
@@ -50,7 +52,7 @@ class BrushStroke(Change):
         change = self.change(bed, simulation.model)
         self._lay(change, simulation)
         simulation.model.settle(bed, change != 0)
-        simulation.ledger.check(bed.slabs)
+        simulation.ledger.check(bed)
 
     def _lay(self, change: NDArray, simulation: "Simulation") -> None:
         """Write the change into the bed."""
@@ -58,9 +60,9 @@ class BrushStroke(Change):
 
 
 class Stroke(BrushStroke):
-    """Sand added to, or taken from, a round patch."""
+    """Units added to the uppermost layer, or taken from the layers, on a round patch."""
 
-    kind: Literal["stroke"] = parameter("stroke", unit="-", meaning="Sand added or taken away.")
+    kind: Literal["stroke"] = parameter("stroke", unit="-", meaning="Sand (or snow) added or taken away.")
     amount: int = parameter(
         unit="slabs",
         ge=-MOST_SLABS,
@@ -69,7 +71,7 @@ class Stroke(BrushStroke):
     )
 
     def change(self, bed: Bed, model: Model) -> NDArray:  # noqa: ARG002
-        """Slabs added to each cell; no more are taken than lie there."""
+        """Units added to each cell; no more are taken than lie there."""
         return brushed(bed, self.strength(bed.lattice), self.amount)
 
     def requested(self, lattice: Lattice) -> NDArray[np.float64]:
@@ -78,10 +80,12 @@ class Stroke(BrushStroke):
 
     def _lay(self, change: NDArray, simulation: "Simulation") -> None:
         bed, ledger = simulation.bed, simulation.ledger
-        painted = bed.sand + change
-        if painted.max() > np.iinfo(bed.sand.dtype).max:
-            raise BarchanError(f"a stroke of {self.amount} slabs is more than a cell can hold on what it has")
-        bed.sand[...] = painted
+        try:
+            bed.lay(change)
+        except OverflowError:
+            unit = bed.layers[-1].unit
+            message = f"a stroke of {self.amount} {unit} is more than a cell can hold on what it has"
+            raise BarchanError(message) from None
         ledger.entered += int(change[change > 0].sum())
         ledger.left -= int(change[change < 0].sum())
 

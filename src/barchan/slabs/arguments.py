@@ -7,7 +7,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from barchan.bed import Lattice
 from barchan.heights import FRACTION_BITS
 from barchan.kernels.bed.state import (
     CLOSED,
@@ -21,6 +20,7 @@ from barchan.kernels.bed.state import (
 )
 from barchan.kernels.core.state import LANES
 from barchan.kernels.slabs.state import CELL, MOBILE, AxisShadow, Path, RayShadow, Speedup, Wind
+from barchan.lattice import Lattice
 from barchan.slabs.parameters import SlabTransport
 from barchan.slabs.rules import Giving, HopRule, Rules
 from barchan.wind.frame import WindFrame

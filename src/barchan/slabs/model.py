@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from barchan.bed import Bed, Lattice
+from barchan.bed import Bed
 from barchan.heights import FRACTION_BITS, above_lowest, check_heights
 from barchan.kernels.bed.state import settling_sequences
 from barchan.kernels.core.state import LANES, TRAVEL_UNIT
@@ -23,6 +23,7 @@ from barchan.kernels.slabs.state import (
     Schedule,
     work_space,
 )
+from barchan.lattice import Lattice
 from barchan.model import Derived, Model, Tally
 from barchan.slabs.arguments import SlabTables, build
 from barchan.slabs.obstacles import Ways

@@ -5,7 +5,7 @@ from typing import Annotated, Literal, Self
 
 from pydantic import Field, model_validator
 
-from barchan.bed import Lattice
+from barchan.lattice import Lattice
 from barchan.parameters import Parameters, parameter
 
 _ROUNDING = 1e-9

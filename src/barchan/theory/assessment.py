@@ -4,7 +4,6 @@ import math
 from dataclasses import dataclass, replace
 
 from barchan.aeolian.saltation import Saltation
-from barchan.ground.start import first_bed
 from barchan.scenario import Scenario
 from barchan.theory.crests import Crest, bed_instability, elongation, gross_transport
 from barchan.theory.drift import Drift, drift_of, drift_potential, sand_flux
@@ -69,8 +68,8 @@ def assess_record(record: WindRecord, sand: Saltation, supply: float | None = No
 def scenario_supply(scenario: Scenario) -> float:
     """The sand of a scenario's first bed, spread evenly over the ground (m)."""
     scenario = scenario.seeded()
-    bed = first_bed(scenario.lattice, scenario.ground, scenario.sand, scenario.seed)
-    return float(bed.sand.mean()) * scenario.lattice.thickness
+    bed = scenario.first_bed()
+    return float(bed.depth.mean())
 
 
 def scenario_drift(scenario: Scenario) -> Drift:

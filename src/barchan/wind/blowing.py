@@ -5,15 +5,16 @@ from typing import Any, Literal, Self
 import numpy as np
 from pydantic import Field, model_validator
 
-from barchan.parameters import Parameters, parameter
+from barchan.parameters import parameter
 from barchan.wind.gusts import Gusts, normal
 from barchan.wind.interval import Pace, Stretch
+from barchan.wind.weather import WithWeather
 
 SPEED: dict[str, Any] = {"unit": "cells or m/s", "ge": 0, "le": 100_000}
 """What all speeds have in common."""
 
 
-class Blowing(Parameters):
+class Blowing(WithWeather):
     """A wind with a direction and a speed, which may vary from step to step."""
 
     direction: float = parameter(
@@ -23,13 +24,13 @@ class Blowing(Parameters):
         lt=360,
         live=True,
         meaning="Where the wind comes from, clockwise from north (270: from the west).",
-        source="seed 000, Table 6.1",
+        source="Prague thesis, Table 6.1",
     )
     speed: float | None = parameter(
         None,
         live=True,
         meaning="Wind speed: as a hop length instead of the model's own, or in m/s; 0 is a calm.",
-        source="seed 000, §5.3",
+        source="Prague thesis, §5.3",
         **SPEED,
     )
     unit: Literal["cells", "m/s"] = parameter(
@@ -45,7 +46,7 @@ class Blowing(Parameters):
         le=180,
         live=True,
         meaning="Standard deviation of the direction, drawn anew for each step.",
-        source="seed 000, §2.1.3: barchans stand up to 15 degrees",
+        source="Prague thesis, §2.1.3: barchans stand up to 15 degrees",
     )
     gusts: Gusts | None = Field(default=None, description="Gusts of a speed in m/s; none where not given.")
 
@@ -78,9 +79,10 @@ class Blowing(Parameters):
         if self.spread > 0.0 and pace.deviates:
             direction = (direction + self.spread * normal(pace.directions, step)) % 360.0
         if speed is None or self.unit == "cells":
-            return Stretch(share, direction, speed or None, strength=0.0 if speed == 0.0 else 1.0)
+            strength = 0.0 if speed == 0.0 else 1.0
+            return Stretch(share, direction, speed or None, strength=strength, weather=self.weather)
         speeds = np.array([speed])
         if self.gusts is not None:
             seconds = pace.seconds()
             speeds = speed * self.gusts.factors((step + start) * seconds, share * seconds, pace.gusts)
-        return Stretch(share, direction, None, float(speeds.mean()), pace.worth(speeds))
+        return Stretch(share, direction, None, float(speeds.mean()), pace.worth(speeds), self.weather)

@@ -27,7 +27,7 @@ class Clock(Saltation):
         gt=0,
         le=100,
         meaning="The wind under which a step polls as many cells as the field has.",
-        source="our default",
+        source="ours",
     )
     step_seconds: float | None = parameter(
         None,

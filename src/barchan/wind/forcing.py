@@ -7,8 +7,10 @@ from typing import Protocol
 
 from barchan.directions import bearing, downwind
 from barchan.streams import GOLDEN, MASK
+from barchan.wind.influx import Influx
 from barchan.wind.interval import Pace, Stretch
 from barchan.wind.segment import Segment
+from barchan.wind.weather import Weather
 
 _NOWHERE = 1e-9
 """Mean transport below this, over what all winds move, points nowhere."""
@@ -33,6 +35,8 @@ class Forcing:
     wind: Blows
     pace: Pace
     cells: int
+    influx: Influx | None = None
+    """What enters across open edges from upwind."""
 
     def turns(self, step: int, steps: int) -> Iterator[list[Segment]]:
         """What happens in ``steps`` steps from ``step`` on, in order.
@@ -96,6 +100,8 @@ class Forcing:
             stretch.share,
             seconds,
             ends,
+            self.influx,
+            stretch.weather,
         )
 
     def wind_of(self, step: int) -> Segment:
@@ -124,6 +130,7 @@ class Forcing:
             _mean([(s.share, s.speed) for s in stretches]),
             1.0,
             self.pace.step_seconds,
+            weather=strongest.weather if only else _mean_weather(stretches),
         )
 
 
@@ -132,6 +139,14 @@ def _mean(values: list[tuple[float, float | None]]) -> float | None:
     if any(value is None for _, value in values):
         return None
     return math.fsum(share * value for share, value in values if value is not None)
+
+
+def _mean_weather(stretches: list[Stretch]) -> Weather:
+    """Mean air temperature and snowfall over a step, where all its winds state them."""
+    return Weather(
+        _mean([(s.share, s.weather.temperature) for s in stretches]),
+        _mean([(s.share, s.weather.snowfall) for s in stretches]),
+    )
 
 
 def _dither(step: int) -> float:

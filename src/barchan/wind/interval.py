@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from barchan.streams import Stream
+from barchan.wind.weather import UNKNOWN, Weather
 
 Strength = Callable[[NDArray[np.float64]], NDArray[np.float64]]
 """From speeds (m/s) to the polls that they are worth, over the polls of a step."""
@@ -26,6 +27,8 @@ class Stretch:
     """Its speed (m/s), where it is stated so."""
     strength: float = 1.0
     """Polls in its time over those that a step has in as much time."""
+    weather: Weather = UNKNOWN
+    """Air temperature and snowfall, where they are stated."""
 
 
 @dataclass(frozen=True)

@@ -31,7 +31,7 @@ class Regime(Blowing):
         ge=0,
         lt=360,
         meaning="Where the wind comes from, clockwise from north.",
-        source="seed 000, §5.3",
+        source="Prague thesis, §5.3",
     )
     steps: int | None = parameter(
         None,
@@ -40,7 +40,7 @@ class Regime(Blowing):
         le=10**9,
         scale="log",
         meaning="How long it blows; give this or seconds.",
-        source="seed 000, §5.3",
+        source="Prague thesis, §5.3",
     )
     seconds: float | None = parameter(
         None,
@@ -53,7 +53,7 @@ class Regime(Blowing):
     final_speed: float | None = parameter(
         None,
         meaning="Speed at its end; the first speed where it is not given.",
-        source="seed 000, §5.3",
+        source="Prague thesis, §5.3",
         **SPEED,
     )
     course: AnyCourse = Field(
@@ -120,10 +120,10 @@ class Regimes(Parameters):
 
     kind: Literal["regimes"] = parameter("regimes", unit="-", meaning="Winds one after the other.")
     regimes: list[Regime] = parameter(
-        unit="-", min_length=1, max_length=1000, meaning="The winds, in order.", source="seed 000, §5.3"
+        unit="-", min_length=1, max_length=1000, meaning="The winds, in order.", source="Prague thesis, §5.3"
     )
     repeat: bool = parameter(
-        True, unit="-", meaning="Whether they start over when all are done.", source="seed 000, §5.3"
+        True, unit="-", meaning="Whether they start over when all are done.", source="Prague thesis, §5.3"
     )
 
     def cycle(self, pace: Pace) -> float:

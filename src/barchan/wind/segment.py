@@ -2,6 +2,9 @@
 
 from dataclasses import dataclass, replace
 
+from barchan.wind.influx import Influx
+from barchan.wind.weather import UNKNOWN, Weather
+
 
 @dataclass(frozen=True)
 class Segment:
@@ -23,6 +26,10 @@ class Segment:
     """Duration of a whole step, where it is known."""
     ends: bool = True
     """Whether the steps are over when the segment is."""
+    influx: Influx | None = None
+    """What enters across open edges from upwind, where anything does."""
+    weather: Weather = UNKNOWN
+    """Air temperature and snowfall, where the forcing states them."""
 
     @property
     def seconds(self) -> float | None:

@@ -27,7 +27,9 @@ class Course(Parameters):
 class Linear(Course):
     """A straight line."""
 
-    kind: Literal["linear"] = parameter("linear", unit="-", meaning="At one rate.", source="seed 000, §5.3")
+    kind: Literal["linear"] = parameter(
+        "linear", unit="-", meaning="At one rate.", source="Prague thesis, §5.3"
+    )
 
     def share(self, time: float) -> float:
         """The time itself."""
@@ -38,7 +40,10 @@ class Bezier(Course):
     """A cubic Bézier curve with two control points."""
 
     kind: Literal["bezier"] = parameter(
-        "bezier", unit="-", meaning="A cubic Bézier curve with two control points.", source="seed 000, §5.3"
+        "bezier",
+        unit="-",
+        meaning="A cubic Bézier curve with two control points.",
+        source="Prague thesis, §5.3",
     )
     time_1: float = parameter(0.33, unit="-", ge=0, le=1, meaning="Time of the first control point.")
     value_1: float = parameter(0.0, unit="-", ge=-10, le=10, meaning="Value of the first control point.")

@@ -5,10 +5,11 @@ import pytest
 from hypothesis import Phase, given, settings
 from hypothesis import strategies as st
 
-from barchan.bed import Bed, Lattice
+from barchan.bed import Bed
 from barchan.grains.bed import GrainGround
 from barchan.kernels.grains.filter import smooth_slopes
 from barchan.kernels.grains.surface import renew_mesh
+from barchan.lattice import Lattice
 from barchan.models import model
 from tests.kernels.grains.grain_reference import smooth
 

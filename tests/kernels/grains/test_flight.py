@@ -6,9 +6,10 @@ from hypothesis import Phase, given, settings
 from hypothesis import strategies as st
 
 from barchan.aeolian.flow_over_relief import WindOverWaves
-from barchan.bed import Bed, Lattice
+from barchan.bed import Bed
 from barchan.kernels.core import threads as thread_pool
 from barchan.kernels.grains import iterations as grain_spell
+from barchan.lattice import Lattice
 from barchan.models import model
 from barchan.streams import Stream, derive
 from barchan.wind.segment import Segment

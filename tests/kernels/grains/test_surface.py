@@ -3,9 +3,10 @@
 import numpy as np
 import pytest
 
-from barchan.bed import Bed, Lattice
+from barchan.bed import Bed
 from barchan.grains.bed import GrainGround
 from barchan.kernels.grains.surface import beyond, note_stale, renew_mesh, renew_stale
+from barchan.lattice import Lattice
 from barchan.models import model
 
 

@@ -7,10 +7,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from barchan.bed import Bed, Lattice
+from barchan.bed import Bed
 from barchan.kernels.bed.state import Grid
 from barchan.kernels.slabs.obstacles import FARTHEST, clear_way, fly, way_is_clear
 from barchan.kernels.slabs.state import CELL
+from barchan.lattice import Lattice
 from barchan.models.momiji import Momiji
 from barchan.slabs.arguments import build
 from barchan.slabs.parameters import SlabTransport

@@ -7,7 +7,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from barchan.bed import Bed, Lattice
+from barchan.bed import Bed
+from barchan.lattice import Lattice
 from barchan.slabs.parameters import SlabTransport
 from tests.kernels.slabs.test_step import PlainSlabs, rough_bed
 

@@ -8,7 +8,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from barchan.bed import Bed, Lattice
+from barchan.bed import Bed
+from barchan.lattice import Lattice
 from barchan.models.werner import Werner
 from barchan.slabs.model import SlabModel
 from barchan.slabs.parameters import SlabTransport
@@ -333,7 +334,7 @@ def test_a_slab_that_never_settles_is_put_down_and_counted():
     bed = Bed(lattice, np.zeros(lattice.shape), np.full(lattice.shape, 1))
     tally = PlainSlabs(parameters, lattice).advance(bed, Segment(0, 1, 0, 128, 270.0), Stream(1, "x"))
     assert tally.capped == tally.moved > 0
-    assert bed.slabs == 128
+    assert bed.units == 128
 
 
 def test_forced_erosion_moves_one_slab_a_poll_and_ends_where_none_can():

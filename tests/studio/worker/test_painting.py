@@ -36,28 +36,28 @@ def test_redoing_gives_the_painted_bed_again(scenario):
 
 def test_undoing_after_steps_is_an_event_and_takes_back_what_was_given(scenario):
     simulation, painting = Simulation(scenario), Painting()
-    slabs = simulation.bed.slabs
+    slabs = simulation.bed.units
     gesture(painting, simulation, 4)
-    given = simulation.bed.slabs - slabs
+    given = simulation.bed.units - slabs
     simulation.advance(1)
     painting.stepped()
     same = painting.undo(simulation)
     assert same is simulation
     assert len(same.events) == 2
-    assert slabs <= same.bed.slabs < slabs + given
-    same.ledger.check(same.bed.slabs)
+    assert slabs <= same.bed.units < slabs + given
+    same.ledger.check(same.bed)
 
 
 def test_undoing_an_eraser_after_steps_lays_back_about_what_was_there_to_take(scenario):
     simulation, painting = Simulation(scenario), Painting()
-    slabs = simulation.bed.slabs
+    slabs = simulation.bed.units
     gesture(painting, simulation, -50)
-    taken = slabs - simulation.bed.slabs
+    taken = slabs - simulation.bed.units
     assert taken > 0
     simulation.advance(1)
     painting.stepped()
     painting.undo(simulation)
-    assert abs(simulation.bed.slabs - slabs) < taken / 2
+    assert abs(simulation.bed.units - slabs) < taken / 2
 
 
 def test_a_new_gesture_forgets_what_was_undone(scenario):
@@ -65,8 +65,8 @@ def test_a_new_gesture_forgets_what_was_undone(scenario):
     gesture(painting, simulation, 3)
     simulation = painting.undo(simulation)
     gesture(painting, simulation, 2)
-    slabs = simulation.bed.slabs
-    assert painting.redo(simulation).bed.slabs == slabs
+    slabs = simulation.bed.units
+    assert painting.redo(simulation).bed.units == slabs
 
 
 PLACE = {"x": 20.0, "y": 12.0, "radius": 6.0}

@@ -61,7 +61,7 @@ def colours() -> dict[str, list[list[int]]]:
         "red-green": colour_map("red-green"),
         "centred": centred_map(),
         "choice": choice_map(),
-        **{layer.colours: layer_map(layer) for model in models().values() for layer in model.layers},
+        **{layer.colours: layer_map(layer) for model in models().values() for layer in model.overlays},
     }
     places = np.linspace(0.0, 1.0, COLOURS)
     return {

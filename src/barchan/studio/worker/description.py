@@ -32,7 +32,7 @@ def description(simulation: Simulation) -> dict[str, Any]:
         "fields": fields_of(simulation),
         "layers": [
             {"field": name, "title": layer.title if name == layer.field else name, "colours": layer.colours}
-            for layer in model.layers
+            for layer in model.overlays
             for name in (layer.field, *layer.parts)
         ],
         "brushes": brushes(simulation),

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from barchan.analysis.fields import PLAIN, centre_of
-from barchan.bed import GROUND, SAND
+from barchan.fields import GROUND, SAND
 from barchan.models import Derived
 from barchan.simulation import Simulation
 from barchan.studio.protocol import EncodedField

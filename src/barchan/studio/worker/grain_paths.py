@@ -4,7 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from barchan.analysis.grain_paths import broken_at_edges, follows_grains, paths_over
-from barchan.bed import Lattice
+from barchan.lattice import Lattice
 from barchan.simulation import Simulation
 from barchan.studio.worker.time_budget import TimeBudget
 

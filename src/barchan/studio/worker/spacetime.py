@@ -6,8 +6,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from barchan.bed import Lattice
 from barchan.errors import BarchanError
+from barchan.lattice import Lattice
 from barchan.simulation import State
 from barchan.studio.worker.run import StudioRun
 

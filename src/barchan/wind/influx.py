@@ -1,0 +1,81 @@
+"""Influx: what the wind brings in across open edges, where it blows into the field."""
+
+from typing import Annotated, ClassVar, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+from pydantic import Field
+
+from barchan.parameters import Parameters, parameter
+
+
+class Influx(Parameters):
+    """Sand that enters across open edges from upwind, even along them or by a profile."""
+
+    kind_key: ClassVar[str] = "kind"
+
+    kind: str
+    profile: list[float] | None = parameter(
+        None,
+        unit="-",
+        min_length=1,
+        max_length=65536,
+        meaning="Factors on the influx at equal distances along each edge, from its south or west end, with "
+        "straight lines between; 1 everywhere where not given.",
+        source="ours",
+    )
+
+    def slabs_per_row(self, _saturated: float) -> float:
+        """Slabs that enter in a step across each cell of an edge that lies square to the wind.
+
+        ``saturated`` is the number that cross it on a wide flat bed of sand.
+        """
+        raise NotImplementedError
+
+    def along_edge(self, cells: int) -> NDArray[np.float64]:
+        """The factor on the influx at each cell of an edge, from its south or west end."""
+        factors = [1.0] if self.profile is None else self.profile
+        places = np.linspace(0.0, 1.0, len(factors)) if len(factors) > 1 else np.zeros(1)
+        return np.interp((np.arange(cells) + 0.5) / cells, places, factors)
+
+
+class SaturatedInflux(Influx):
+    """A share of the flux that a wide flat bed of sand upwind would send."""
+
+    kind: Literal["saturation"] = parameter(
+        "saturation", unit="-", meaning="A share of the flux over a wide flat bed of sand.", source="ours"
+    )
+    share: float = parameter(
+        1.0,
+        unit="-",
+        ge=0,
+        le=10,
+        live=True,
+        meaning="Influx over the saturated flux of the wind that blows.",
+        source="ours: AeoLiS states the flux at its upwind edge in the same way",
+    )
+
+    def slabs_per_row(self, saturated: float) -> float:
+        """Slabs that enter in a step across each cell of an edge that lies square to the wind."""
+        return self.share * saturated
+
+
+class CountedInflux(Influx):
+    """A stated number of slabs."""
+
+    kind: Literal["slabs"] = parameter("slabs", unit="-", meaning="A stated number of slabs.", source="ours")
+    slabs_per_step: float = parameter(
+        unit="slabs",
+        ge=0,
+        le=1000,
+        scale="log",
+        meaning="Slabs that enter in a step across each cell of an edge that lies square to the wind.",
+        source="ours",
+    )
+
+    def slabs_per_row(self, _saturated: float) -> float:
+        """The number that is stated."""
+        return self.slabs_per_step
+
+
+AnyInflux = Annotated[SaturatedInflux | CountedInflux, Field(discriminator="kind")]

@@ -1,0 +1,34 @@
+"""What enters across open edges, and where a scenario may ask for it."""
+
+import numpy as np
+import pytest
+
+from barchan.errors import ScenarioError
+from barchan.wind.influx import CountedInflux, SaturatedInflux
+from tests.tiny import tiny
+
+
+def test_a_profile_is_a_straight_line_between_its_factors_from_the_south_end_on():
+    influx = SaturatedInflux(share=0.5, profile=[0.0, 1.0])
+    np.testing.assert_allclose(influx.along_edge(4), [0.125, 0.375, 0.625, 0.875])
+    np.testing.assert_allclose(SaturatedInflux().along_edge(3), 1.0)
+    np.testing.assert_allclose(SaturatedInflux(profile=[2.5]).along_edge(3), 2.5)
+
+
+def test_saturated_influx_is_a_share_of_the_flux_and_counted_influx_is_not():
+    assert SaturatedInflux(share=0.25).slabs_per_row(8.0) == 2.0
+    assert CountedInflux(slabs_per_step=0.5).slabs_per_row(8.0) == 0.5
+
+
+def test_influx_needs_an_open_edge_across_which_a_wind_blows_in():
+    with pytest.raises(ScenarioError, match="no wind blows in across an open edge"):
+        tiny(influx={"kind": "saturation"}, lattice__boundary_y="open")
+
+
+def test_an_open_edge_from_upwind_without_influx_is_remarked():
+    remarks = tiny(lattice__boundary_x="open").remarks()
+    assert any("the west edge is open and nothing enters there" in remark for remark in remarks)
+    both = tiny(lattice__boundary_x="open", lattice__boundary_y="open", wind__direction=45.0).remarks()
+    assert any("the east and north edges are open" in remark for remark in both)
+    fed = tiny(lattice__boundary_x="open", influx={"kind": "saturation", "share": 0.5}).remarks()
+    assert not any("nothing enters" in remark for remark in [*fed, *tiny().remarks()])
