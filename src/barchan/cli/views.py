@@ -85,10 +85,10 @@ def _space_time(source: Source, **options: Any) -> "Figure":
 
 
 def _series(source: Source) -> "Figure":
-    from barchan.analysis.time_series import course
+    from barchan.analysis.time_series import measure_series
     from barchan.figures.series import time_series
 
-    return time_series(course(source.run, source.scenario), source.scenario)
+    return time_series(measure_series(source.run, source.scenario), source.scenario)
 
 
 def _paths(source: Source, *, grains: int = PATHS) -> "Figure":
