@@ -64,6 +64,11 @@ class Studio:
             assert time.monotonic() < end, f"never: {expression}; {self.log()}"
             time.sleep(0.05)
 
+    def catch_up(self) -> None:
+        """Wait until the worker has carried out everything that was sent, and a frame has shown it."""
+        asked = "window.barchan.app.ask({ command: 'rose', run: 'a' })"
+        self.ask(f"{asked}.then(() => new Promise((done) => window.barchan.app.framed.watch(() => done(1))))")
+
     def log(self) -> str:
         return self.ask("JSON.stringify(window.barchan?.app.log.map((entry) => entry.text))")
 
@@ -240,6 +245,7 @@ def test_painting_and_undoing(studio):
     studio.drag((0.45, 0.55), (0.5, 0.55), (0.55, 0.6))
     studio.until(f"window.barchan.app.runs[0].status.volume > {before}")
     studio.until("window.barchan.app.runs[0].status.undo === 1")
+    studio.catch_up()
     after = studio.status()["volume"]
     studio.page.keyboard.press("Control+z")
     studio.until(f"window.barchan.app.runs[0].status.volume === {before}")
