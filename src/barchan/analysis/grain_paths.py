@@ -1,4 +1,4 @@
-"""Paths of grains over a frame's bed: flown anew when someone looks, and the hops that they consist of."""
+"""Paths of grains over a frame's bed: computed when someone looks, and their hops."""
 
 from typing import TYPE_CHECKING
 

@@ -14,7 +14,7 @@ from barchan.simulation import State
 _DATA = "data"
 
 _DIGEST = hashlib.sha256().digest_size
-"""Bytes at the end of the file that tell whether the bytes before them are as they were written."""
+"""Bytes of the checksum at the end of the file."""
 
 
 def write_checkpoint(path: Path, state: State) -> None:

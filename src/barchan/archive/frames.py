@@ -19,7 +19,7 @@ from barchan.simulation import Frame
 
 @dataclass(frozen=True)
 class Counter:
-    """A number that frames tell beside the fields."""
+    """A number that frames carry beside the fields."""
 
     name: str
     unit: str
@@ -62,7 +62,7 @@ COUNTERS = (
         "float64",
     ),
 )
-"""What frames tell beside the fields."""
+"""The numbers that frames carry beside the fields."""
 
 _CHUNK = 1024
 

@@ -115,7 +115,7 @@ class Simulation:
         return self.bed.elevation
 
     def advance(self, steps: int = 1) -> Tally:
-        """Do ``steps`` steps, fewer where a condition of ``run.until`` ends the run; tell what happened."""
+        """Do ``steps`` steps, fewer where a condition of ``run.until`` ends the run; returns their tally."""
         total = Tally()
         end = self.steps_done + steps
         while self.steps_done < end and self.finished is None:
