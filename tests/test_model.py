@@ -24,7 +24,7 @@ def ridge():
 def derived(name, field, bed, **parameters):
     kind = models()[name]
     (found,) = (known for known in kind.derived if known.name == field)
-    return found.of(kind(kind.Parameters(**parameters), LATTICE), bed, WESTERLY)
+    return found.compute(kind(kind.Parameters(**parameters), LATTICE), bed, WESTERLY)
 
 
 @pytest.mark.parametrize(

@@ -15,6 +15,10 @@ def test_every_public_name_is_there(name):
     assert getattr(barchan, name) is not None
 
 
+def test_the_public_names_are_listed():
+    assert dir(barchan) == sorted(barchan.__all__)
+
+
 def test_a_name_that_is_not_there_is_an_attribute_error():
     with pytest.raises(AttributeError, match="module 'barchan' has no attribute 'simluate'"):
         _ = barchan.simluate

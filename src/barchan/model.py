@@ -64,7 +64,7 @@ class Derived:
     name: str
     unit: str
     meaning: str
-    of: Callable[[Any, Bed, Segment], NDArray]
+    compute: Callable[[Any, Bed, Segment], NDArray]
     """Computes it from the model, a bed and the wind over it."""
     centred: bool = False
     """Whether pictures show it evenly about its value on a flat bed."""
@@ -75,13 +75,13 @@ class Derived:
 
 
 @dataclass(frozen=True)
-class OwnMeasure:
+class ModelMeasure:
     """A measure of a bed that only this model can give; tables show it beside those of every bed."""
 
     name: str
     title: str
     unit: str
-    of: Callable[[Any, Bed, Segment], float]
+    compute: Callable[[Any, Bed, Segment], float]
     """Computes it from the model, a bed and the wind over it."""
 
 
@@ -128,7 +128,7 @@ class Model(ABC):
     """Fields the model keeps on the bed beside ground and layers; parameters may ask for more of them."""
     derived: tuple[Derived, ...] = ()
     """Fields that show how the model sees a bed; parameters may ask for more of them."""
-    measures: ClassVar[tuple[OwnMeasure, ...]] = ()
+    measures: ClassVar[tuple[ModelMeasure, ...]] = ()
     overlays: tuple[Overlay, ...] = ()
     """Fields that pictures draw over the surface; parameters may ask for more."""
 

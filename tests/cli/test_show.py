@@ -1,7 +1,11 @@
 """``barchan show``: pictures of a run."""
 
+from typing import get_args
+
 import pytest
 from PIL import Image
+
+from barchan.cli import show, views
 
 VIEWS = {
     "map": "map-20.png",
@@ -10,6 +14,10 @@ VIEWS = {
     "space-time": "space-time.png",
     "series": "series.png",
 }
+
+
+def test_every_view_of_the_table_can_be_chosen():
+    assert set(get_args(show.View)) == {view.name for view in views.VIEWS}
 
 
 @pytest.mark.parametrize(("view", "name"), VIEWS.items(), ids=list(VIEWS))
@@ -77,6 +85,10 @@ def test_how_a_picture_is_drawn_can_be_chosen(here, finished, barchan, words):
             "no field 'hop'; this run has elevation, ground, sand, depth, shadow, slope",
         ),
         (["--field", "slope", "--view", "series"], "--field slope"),
+        (["--interval", "2"], "--interval: --view map does not take it; it takes --step, --colours"),
+        (["--view", "profile", "--no-layers"], "--layers: --view profile does not take it"),
+        (["--view", "series", "--step", "3"], "--step: --view series does not take it; it takes only --out"),
+        (["--field", "slope", "--bare"], "--bare: --view map with --field does not take it"),
         (["--out", "picture.txt"], "cannot write picture.txt"),
         (["--out", "nowhere/picture.png"], "cannot write nowhere/picture.png"),
     ],

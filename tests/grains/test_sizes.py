@@ -172,7 +172,7 @@ def test_without_its_momentum_nothing_creeps():
 def test_the_surface_tells_its_grains():
     simulation = sorted_sand()
     (field,) = type(simulation.model).derived
-    diameter = field.of(simulation.model, simulation.bed, simulation.forcing.wind_of(0))
+    diameter = field.compute(simulation.model, simulation.bed, simulation.forcing.wind_of(0))
     assert diameter.mean() == pytest.approx(0.7 * FINE + 0.3 * COARSE, rel=0.02)
     assert simulation.model.coarse_crests(simulation.bed) == pytest.approx(1.0, abs=0.02)
     simulation.bed.arrays["layer_1"][...] = 0

@@ -162,7 +162,7 @@ def test_run_pause_and_step(studio):
     studio.page.keyboard.press(".")
     studio.until(f"window.barchan.app.runs[0].status.step === {step + 1}")
     studio.page.get_by_label("Number of steps").fill("25")
-    studio.page.get_by_role("button", name="Run this number of steps").click()
+    studio.page.get_by_role("button", name="Do these steps").click()
     studio.until(f"window.barchan.app.runs[0].status.step === {step + 26}")
     assert studio.page.locator("[data-status=step]").inner_text().replace("\u202f", "") == str(step + 26)
     studio.page.get_by_role("button", name="Restart").click()

@@ -75,7 +75,9 @@ def _computed(frame: "xr.Dataset", scenario: Scenario, derived: Derived) -> "xr.
     import xarray as xr
 
     model, bed, wind = as_modelled(frame, scenario)
-    values = xr.DataArray(derived.of(model, bed, wind), frame["elevation"].coords, ("y", "x"), derived.name)
+    values = xr.DataArray(
+        derived.compute(model, bed, wind), frame["elevation"].coords, ("y", "x"), derived.name
+    )
     return _described(
         values.assign_attrs(unit=derived.unit, long_name=derived.meaning),
         centre=centre_of(model, derived, wind),
@@ -90,7 +92,7 @@ def centre_of(model: Model, derived: Derived, wind: Segment) -> float | None:
         return None
     ground, nothing = np.zeros(model.lattice.shape), np.zeros(model.lattice.shape, np.int32)
     level = Bed(model.lattice, ground, *[nothing for _ in model.layers], layers=model.layers)
-    return float(derived.of(model, level, wind).flat[0])
+    return float(derived.compute(model, level, wind).flat[0])
 
 
 def bed_in(frame: "xr.Dataset", scenario: Scenario) -> Bed:

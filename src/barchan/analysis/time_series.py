@@ -18,7 +18,7 @@ from barchan.measures.orientation import Orientation, crest_orientation
 from barchan.measures.relief import bedform_height, bedform_index
 from barchan.measures.slopes import Slopes, streamwise_slopes
 from barchan.measures.spacing import dominant_spacing
-from barchan.models import Model, OwnMeasure, models
+from barchan.models import Model, ModelMeasure, models
 from barchan.scenario import Scenario
 from barchan.wind.clock import YEAR
 from barchan.wind.segment import Segment
@@ -47,6 +47,10 @@ class MeasuredFrame:
     steps: int
     """Steps since the frame before."""
 
+    def __repr__(self) -> str:
+        rows, columns = self.sand.shape
+        return f"<MeasuredFrame of {rows} × {columns} cells, {self.steps} steps after the one before>"
+
     @property
     def periodic(self) -> tuple[bool, bool]:
         """Whether the field is periodic south to north and west to east."""
@@ -65,7 +69,10 @@ class Measure:
     name: str
     title: str
     unit: str
-    of: Callable[[MeasuredFrame], float]
+    compute: Callable[[MeasuredFrame], float]
+
+    def __repr__(self) -> str:
+        return f"<Measure {self.name}: {self.title}{f' ({self.unit})' if self.unit != '-' else ''}>"
 
 
 MEASURES = (
@@ -122,14 +129,14 @@ def measures_of(scenario: Scenario) -> tuple[Measure, ...]:
     return (*MEASURES, *timed, *map(_own, models()[scenario.model.name].measures))
 
 
-def _own(own: OwnMeasure) -> Measure:
-    return Measure(own.name, own.title, own.unit, lambda m: float(own.of(*m.modelled())))
+def _own(own: ModelMeasure) -> Measure:
+    return Measure(own.name, own.title, own.unit, lambda m: float(own.compute(*m.modelled())))
 
 
 def _per_year(frame: MeasuredFrame, name: str) -> float:
     """A measure per step as one per year."""
-    of = next(measure.of for measure in MEASURES if measure.name == name)
-    return of(frame) * YEAR / (frame.scenario.step_seconds or float("nan"))
+    compute = next(measure.compute for measure in MEASURES if measure.name == name)
+    return compute(frame) * YEAR / (frame.scenario.step_seconds or float("nan"))
 
 
 LAGS = 3
@@ -199,12 +206,12 @@ def measured_frames(dataset: "xr.Dataset", scenario: Scenario, first: int = 0) -
         )
 
 
-def course(dataset: "xr.Dataset", scenario: Scenario) -> "xr.Dataset":
+def measure_series(dataset: "xr.Dataset", scenario: Scenario) -> "xr.Dataset":
     """Every measure over the steps of a run."""
     import xarray as xr
 
     measures = measures_of(scenario)
-    rows = [[measure.of(frame) for measure in measures] for frame in measured_frames(dataset, scenario)]
+    rows = [[measure.compute(frame) for measure in measures] for frame in measured_frames(dataset, scenario)]
     values = np.array(rows, float).T
     return xr.Dataset(
         {
@@ -218,4 +225,4 @@ def course(dataset: "xr.Dataset", scenario: Scenario) -> "xr.Dataset":
 def last_measures(dataset: "xr.Dataset", scenario: Scenario) -> dict[str, float]:
     """The measures of a run's last frame, by name."""
     last = next(iter(measured_frames(dataset, scenario, dataset.sizes["step"] - 1)))
-    return {measure.name: float(measure.of(last)) for measure in measures_of(scenario)}
+    return {measure.name: float(measure.compute(last)) for measure in measures_of(scenario)}

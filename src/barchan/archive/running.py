@@ -28,6 +28,12 @@ class Outcome:
     """What the model ``counts`` (polls, grain updates) per second of work, without the first steps (which may
     compile) and without saving."""
 
+    def __repr__(self) -> str:
+        rate = (
+            f", {self.work_per_second:.3g} {self.simulation.model.counts}/s" if self.work_per_second else ""
+        )
+        return f"<Outcome in {self.path}: step {self.simulation.steps_done}, {self.reason}{rate}>"
+
 
 Progress = Callable[[Simulation], None]
 

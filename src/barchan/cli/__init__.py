@@ -11,7 +11,7 @@ COMMANDS = {
     "studio": "Open the live laboratory in the browser.",
     "resume": "Go on with a run: after an interruption, beyond its last step, or into a branch.",
     "info": "Tell what a run holds, how far it is, and the measures of its last frame.",
-    "show": "Draw a frame of a run, a section, or its course in time.",
+    "show": "Draw a frame of a run, a section, or its measures over time.",
     "film": "Write an animated picture of a run.",
     "presets": "List the scenarios that ship with Barchan.",
     "parameters": "List every key of a scenario, with unit, default, bounds, meaning and source.",

@@ -22,18 +22,18 @@ def show(
     view: View = "map",
     step: int | None = None,
     out: Path | None = None,
-    colours: Colours = "perceptual",
+    colours: Colours | None = None,
     limits: Annotated[tuple[float, float] | None, Parameter(negative=())] = None,
     interval: Annotated[float | None, Parameter(validator=Number(gt=0))] = None,
-    count: Annotated[int, Parameter(validator=Number(gte=1, lte=1000))] = 10,
+    count: Annotated[int | None, Parameter(validator=Number(gte=1, lte=1000))] = None,
     smoothing: Annotated[float | None, Parameter(validator=Number(gte=0, lte=1000))] = None,
     at: Annotated[float | None, Parameter(validator=Number(gte=0, lte=1))] = None,
-    bare: bool = True,
-    layers: bool = True,
+    bare: bool | None = None,
+    layers: bool | None = None,
     grains: Annotated[int | None, Parameter(validator=Number(gte=1, lte=100_000))] = None,
     field: str | None = None,
 ) -> None:
-    """Draw a frame of a run, a section, or its course in time.
+    """Draw a frame of a run, a section, or its measures over time.
 
     Parameters
     ----------
@@ -41,32 +41,36 @@ def show(
         The run's folder.
     view
         A hill-shaded map, contours, a section along the wind with its shadow zones, that section over time,
-        the measures over time, paths of grains over the surface and from the side, or how long, high and
-        steep their hops are; the last two for models that follow grains.
+        the measures over time, paths of grains over the surface and from the side, or lengths, heights and
+        impact angles of their hops; the last two for models that follow grains.
     step
         The frame nearest to this step; the last one without it.
     out
         The picture's file (PNG, PDF or SVG by its ending); in the run's folder without it.
     colours
-        Colour map: perceptual, grey, or red-green with red the highest.
+        Colour map of maps, contours and space-time: perceptual (without it), grey, or red-green with red the
+        highest.
     limits
-        Lowest and highest elevation (m), or value of the field, of the colour scale; the frame's own without
-        it.
+        Lowest and highest elevation (m), or value of the field, of the colour scale of maps and contours; the
+        frame's own without it.
     interval
         Contour interval (m), instead of a number of contours.
     count
-        Number of contours.
+        Number of contours; 10 without it.
     smoothing
-        Smooth the surface, or the field, over so many cells before drawing; 1 for contours, 0 for the
-        rest; the curve of a field along a section is smoothed over 2 at least.
+        Cells over which the surface, or the field, is smoothed for maps, contours and profiles:
+        1 for contours, 0 for the rest without it; the curve of a field along a section is smoothed over 2
+        cells at least.
     at
-        Where the section lies across the wind, from 0 to 1; through the highest stack without it.
+        Where the section (profile, space-time) lies across the wind, from 0 to 1; through the highest stack
+        without it.
     bare
-        Show bare ground in grey on maps.
+        Show bare ground in grey on maps; yes without it.
     grains
-        How many grains to follow: 20 for paths, 1000 for hops without it.
+        Number of grains to follow for paths and hops: 20 for paths, 1000 for hops without it.
     layers
-        Draw what the model lays over the surface on maps: plants, light to dark green.
+        Draw the model's layers over the surface on maps, such as plants, light to dark green; yes without
+        it.
     field
         Draw this field instead of the elevation (map), or below it (profile): one that frames carry, such as
         sand, or one derived, such as slope, shadow, hop, speedup, stress, effectiveness; an unknown name is
@@ -76,66 +80,34 @@ def show(
     from barchan.archive import open_run
     from barchan.archive.folder import scenario_of
     from barchan.cli.terminal import save_picture
+    from barchan.cli.views import Source, view_of
 
     if limits is not None and not limits[0] < limits[1]:
         raise BarchanError(f"--limits {limits[0]:g} {limits[1]:g}: the lowest must be below the highest")
-    if field is not None and view not in ("map", "profile"):
-        raise BarchanError(f"--field {field}: a field is drawn as --view map or profile, not {view}")
+    chosen = view_of(view, field)
+    options = {
+        "step": step,
+        "colours": colours,
+        "limits": limits,
+        "interval": interval,
+        "count": count,
+        "smoothing": smoothing,
+        "at": at,
+        "bare": bare,
+        "layers": layers,
+        "grains": grains,
+    }
+    given = {name: value for name, value in options.items() if value is not None}
+    chosen.check(given)
+    given.pop("step", None)
     scenario = scenario_of(run)
     with open_run(run) as dataset:
         frame = _frame(dataset, step)
-        width = smoothing if smoothing is not None else float(view == "contours")
-        drawn = None if field is None else field_of(frame, scenario, field)
-        if view == "map" and drawn is not None:
-            from barchan.figures.fields import field_map
-
-            figure = field_map(drawn, frame, scenario, colours=colours, limits=limits, smoothing=width)
-        elif view == "map":
-            from barchan.figures.maps import relief_map
-
-            figure = relief_map(
-                frame,
-                scenario,
-                colours=colours,
-                limits=limits,
-                smoothing=width,
-                show_bare=bare,
-                layers=layers,
-            )
-        elif view == "contours":
-            from barchan.figures.maps import contour_map
-
-            figure = contour_map(
-                frame,
-                scenario,
-                interval=interval,
-                count=count,
-                colours=colours,
-                limits=limits,
-                smoothing=width,
-            )
-        elif view == "profile":
-            from barchan.figures.sections import profile
-
-            figure = profile(frame, scenario, at=at, smoothing=width, field=drawn)
-        elif view == "space-time":
-            from barchan.figures.sections import space_time
-
-            figure = space_time(dataset, scenario, at=at, colours=colours)
-        elif view in ("paths", "hops"):
-            from barchan.analysis.grain_paths import grain_paths
-            from barchan.figures.paths import hop_histograms, path_view
-
-            followed = grain_paths(frame, scenario, grains or (20 if view == "paths" else 1000))
-            figure = (path_view if view == "paths" else hop_histograms)(frame, scenario, followed)
-        else:
-            from barchan.analysis.time_series import course
-            from barchan.figures.series import time_series
-
-            figure = time_series(course(dataset, scenario), scenario)
+        shown = None if field is None else field_of(frame, scenario, field)
+        figure = chosen.draw(Source(scenario, dataset, frame, shown), **given)
     name = view if field is None else f"{view}-{field}"
-    whole = view in ("space-time", "series")
-    save_picture(figure, out or run / (f"{name}.png" if whole else f"{name}-{int(frame['step'])}.png"))
+    file = f"{name}-{int(frame['step'])}.png" if chosen.of_frame else f"{name}.png"
+    save_picture(figure, out or run / file)
 
 
 def _frame(dataset: "xr.Dataset", step: int | None) -> "xr.Dataset":

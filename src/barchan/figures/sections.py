@@ -1,4 +1,4 @@
-"""Sections along the wind: profiles with their shadow zones, and their course in time."""
+"""Sections along the wind: profiles with their shadow zones, and sections over time."""
 
 from dataclasses import dataclass
 from typing import TYPE_CHECKING

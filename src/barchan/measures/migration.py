@@ -21,6 +21,12 @@ class Migration:
     correlation: float
     """How alike the surface and its shifted earlier self are (at most 1), over the longest lag used."""
 
+    def __repr__(self) -> str:
+        return (
+            f"<Migration {self.x:.3g} east, {self.y:.3g} north (cells per step), "
+            f"correlation {self.correlation:.2f}>"
+        )
+
     @property
     def speed(self) -> float:
         """Cells per step."""

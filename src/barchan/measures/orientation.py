@@ -17,6 +17,9 @@ class Orientation:
     coherence: float
     """How straight and parallel the crests are: 0 where every direction is alike, 1 for one direction."""
 
+    def __repr__(self) -> str:
+        return f"<Orientation {self.azimuth:.1f}° from north, coherence {self.coherence:.2f}>"
+
 
 def crest_orientation(
     elevation: NDArray, cell_size: float, periodic: Periodic = (True, True), width: float = 2.0

@@ -16,6 +16,9 @@ class Slopes:
     windward: float
     lee: float
 
+    def __repr__(self) -> str:
+        return f"<Slopes windward {self.windward:.1f}°, lee {self.lee:.1f}°>"
+
 
 def streamwise_slopes(
     elevation: NDArray,

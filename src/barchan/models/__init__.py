@@ -11,7 +11,7 @@ from importlib.metadata import entry_points
 from typing import Any
 
 from barchan.errors import BarchanError
-from barchan.model import Curve, Derived, Model, Overlay, OwnMeasure, Tally
+from barchan.model import Curve, Derived, Model, ModelMeasure, Overlay, Tally
 
 _ENGINES = {
     "GrainModel": "barchan.grains.model",
@@ -29,8 +29,8 @@ __all__ = [
     "GrainFlight",
     "GrainModel",
     "Model",
+    "ModelMeasure",
     "Overlay",
-    "OwnMeasure",
     "SlabModel",
     "SlabTransport",
     "SpeedupModel",

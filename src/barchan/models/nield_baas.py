@@ -9,7 +9,7 @@ from pydantic import Field
 
 from barchan.bed import Bed
 from barchan.fields import FieldInfo
-from barchan.model import Curve, Derived, Overlay, OwnMeasure
+from barchan.model import Curve, Derived, ModelMeasure, Overlay
 from barchan.parameters import parameter, redeclared
 from barchan.plants.layouts import UniformPlants, Vegetation
 from barchan.plants.species import SPECIES, Grass, Mesquite, Shrub, Species
@@ -97,8 +97,8 @@ def _cover_of(name: str) -> FieldInfo:
     return FieldInfo(name, "float64", "1", f"effectiveness of {name}")
 
 
-def _mean_of(name: str) -> OwnMeasure:
-    return OwnMeasure(
+def _mean_of(name: str) -> ModelMeasure:
+    return ModelMeasure(
         f"mean_{name}", f"mean {name}", "-", lambda _model, bed, _wind: float(bed.arrays[name].mean())
     )
 

@@ -11,7 +11,7 @@ from barchan.aeolian.flow_over_relief import stress_coefficients
 from barchan.bed import Bed
 from barchan.directions import downwind
 from barchan.lattice import Lattice
-from barchan.model import Derived, OwnMeasure
+from barchan.model import Derived, ModelMeasure
 from barchan.parameters import parameter
 from barchan.slabs.model import SlabModel
 from barchan.slabs.parameters import SlabTransport
@@ -120,7 +120,7 @@ class Pelletier(SlabModel):
     )
 
     measures = (
-        OwnMeasure(
+        ModelMeasure(
             "highest_stress",
             "highest stress",
             "-",

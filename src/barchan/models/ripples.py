@@ -19,7 +19,7 @@ from barchan.grains.splash import creep, sorting
 from barchan.grains.wind_feedback import SlowedWind
 from barchan.kernels.grains.state import Bounce, LiftOff, Splash
 from barchan.lattice import Lattice
-from barchan.model import Derived, OwnMeasure
+from barchan.model import Derived, ModelMeasure
 from barchan.wind.segment import Segment
 
 
@@ -74,7 +74,7 @@ class Ripples(GrainModel):
         ),
     )
     measures = (
-        OwnMeasure(
+        ModelMeasure(
             "coarse_crests",
             "grain diameter, crests over troughs",
             "-",

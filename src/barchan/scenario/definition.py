@@ -17,6 +17,7 @@ from barchan.models import Model, models
 from barchan.parameters import Parameters, parameter
 from barchan.scenario.consistency import inconsistencies, starved_edges
 from barchan.scenario.source_map import Places
+from barchan.scenario.summary import html_table, in_a_line, summary
 from barchan.wind import Clock, Forcing, Pace, Steady, Wind
 from barchan.wind.clock import spoken
 from barchan.wind.influx import AnyInflux
@@ -200,6 +201,14 @@ class Scenario(Parameters):
         import json
 
         return json.dumps(self.data(), indent=2, ensure_ascii=False) + "\n"
+
+    def __repr__(self) -> str:
+        return f"<Scenario {in_a_line(self)}>"
+
+    __str__ = __repr__
+
+    def _repr_html_(self) -> str:
+        return html_table(self.title or "Scenario", summary(self))
 
     def remarks(self) -> list[str]:
         """What a user should know before running this."""

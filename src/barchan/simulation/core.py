@@ -13,6 +13,7 @@ from barchan.fields import GROUND
 from barchan.lattice import Lattice
 from barchan.models import Model, Tally
 from barchan.scenario import Scenario, validate
+from barchan.scenario.summary import html_table, summary
 from barchan.simulation.events import AnyEvent, Record
 from barchan.simulation.frame import Frame
 from barchan.simulation.ledger import Ledger
@@ -57,6 +58,28 @@ class Simulation:
         self.events: list[Record] = []
         self.stop_conditions = stop_conditions(scenario)
         self._framed = -1
+
+    def __repr__(self) -> str:
+        named = f" of '{self.scenario.title}'" if self.scenario.title else ""
+        return f"<Simulation{named}: {', '.join(self._progress().values())}>"
+
+    def _repr_html_(self) -> str:
+        rows = {**summary(self.scenario), **self._progress()}
+        return html_table(self.scenario.title or "Simulation", rows)
+
+    def _progress(self) -> dict[str, str]:
+        """The model, how far the run is, and the bed, in few words."""
+        bed = self.bed
+        amounts = ", ".join(
+            f"{bed.arrays[layer.name].sum()} {layer.unit} of {layer.name}" for layer in bed.layers
+        )
+        relief = f"elevation {self.elevation.min():.3g} to {self.elevation.max():.3g} m"
+        ended = "" if self.finished is None else f" ({self.finished})"
+        return {
+            "model": self.model.name,
+            "step": f"step {self.steps_done} of {self.scenario.run.steps}{ended}",
+            "bed": f"{amounts}, {relief}",
+        }
 
     @property
     def lattice(self) -> Lattice:

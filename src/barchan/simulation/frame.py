@@ -18,3 +18,10 @@ class Frame:
     fields: dict[str, NDArray]
     ledger: Ledger
     tally: Tally
+
+    def __repr__(self) -> str:
+        rows, columns = next(iter(self.fields.values())).shape
+        return (
+            f"<Frame at step {self.step}: {', '.join(self.fields)} on {rows} × {columns} cells, "
+            f"wind from {self.direction:g}°>"
+        )

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from barchan.bed import Bed
-from barchan.model import Derived, OwnMeasure
+from barchan.model import Derived, ModelMeasure
 from barchan.parameters import parameter
 from barchan.slabs.model import SlabModel
 from barchan.slabs.parameters import SlabTransport
@@ -84,8 +84,8 @@ class SpeedupModel(SlabModel):
         ),
     )
 
-    measures: ClassVar[tuple[OwnMeasure, ...]] = (
-        OwnMeasure(
+    measures: ClassVar[tuple[ModelMeasure, ...]] = (
+        ModelMeasure(
             "reference_height",
             "reference height of hops",
             "m",

@@ -54,7 +54,7 @@ export class Bar {
         this.play,
         button("One step (.)", "▸❘", () => this.step(1)),
         this.count,
-        button("Run this number of steps", "go", () => this.step(Number(this.count.value) || 1)),
+        button("Do these steps", "go", () => this.step(Number(this.count.value) || 1)),
         limit,
         button("Restart with the same seed (R)", "↺", () => this.restart()),
       ),

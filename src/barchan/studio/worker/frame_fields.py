@@ -54,7 +54,7 @@ def _kept(simulation: Simulation) -> Iterator[AvailableField]:
 def _derived(simulation: Simulation) -> Iterator[AvailableField]:
     model, wind = simulation.model, simulation.last_segment
     for derived in model.derived:
-        choice = derived.of(model, simulation.bed, wind).dtype == np.bool_
+        choice = derived.compute(model, simulation.bed, wind).dtype == np.bool_
         centre = centre_of(model, derived, wind)
         yield AvailableField(derived.name, derived.unit, derived.meaning, centre, choice)
 
@@ -104,4 +104,4 @@ def _values(simulation: Simulation, name: str, earlier: NDArray[np.float64] | No
 
 
 def _derive(simulation: Simulation, derived: Derived) -> NDArray:
-    return np.asarray(derived.of(simulation.model, simulation.bed, simulation.last_segment))
+    return np.asarray(derived.compute(simulation.model, simulation.bed, simulation.last_segment))

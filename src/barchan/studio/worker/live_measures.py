@@ -68,7 +68,7 @@ def _row(simulation: Simulation, measurer: FrameMeasurer) -> dict[str, Any]:
         (tally.travel_x, tally.travel_y),
         lambda: (simulation.model, simulation.bed, simulation.last_segment),
     )
-    values = {measure.name: measure.of(frame) for measure in measures_of(simulation.scenario)}
+    values = {measure.name: measure.compute(frame) for measure in measures_of(simulation.scenario)}
     return {
         "step": simulation.steps_done,
         **{name: float(value) if math.isfinite(value) else None for name, value in values.items()},
