@@ -48,7 +48,7 @@ class MeasuredFrame:
     """Steps since the frame before."""
 
     def __repr__(self) -> str:
-        rows, columns = self.sand.shape
+        rows, columns = self.elevation.shape
         return f"<MeasuredFrame of {rows} × {columns} cells, {self.steps} steps after the one before>"
 
     @property
