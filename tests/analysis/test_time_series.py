@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from barchan.analysis.time_series import MEASURES, PER_YEAR, course, last_measures, moments
+from barchan.analysis.time_series import MEASURES, PER_YEAR, last_measures, measure_series, measured_frames
 from barchan.archive import simulate
 from barchan.measures import crest_orientation, dominant_spacing, migration, streamwise_slopes
 from barchan.models import models
@@ -23,7 +23,7 @@ def dataset():
 @pytest.fixture(scope="module")
 def measured(dataset):
     """Their measures."""
-    return course(dataset, SCENARIO)
+    return measure_series(dataset, SCENARIO)
 
 
 def test_every_measure_is_declared_with_a_title_and_a_unit(measured):
@@ -98,7 +98,7 @@ def test_the_measures_of_a_single_frame_have_no_speed_and_no_flux():
 
 @pytest.mark.parametrize("first", range(5))
 def test_measuring_may_begin_at_any_frame(dataset, measured, first):
-    found = [moment.speed for moment in moments(dataset, SCENARIO, first)]
+    found = [moment.speed for moment in measured_frames(dataset, SCENARIO, first)]
     np.testing.assert_allclose(found, measured["speed_cells"][first:])
 
 
@@ -127,7 +127,7 @@ def test_flux_is_positive_downwind_whatever_the_wind(direction):
 )
 def test_small_and_featureless_fields_can_be_measured(changes):
     scenario = tiny(**changes)
-    measured = course(simulate(scenario), scenario)
+    measured = measure_series(simulate(scenario), scenario)
     assert np.isfinite(measured["volume"]).all()
 
 
@@ -136,7 +136,7 @@ def test_measures_of_the_model_stand_beside_those_of_every_run(name):
     scenario = tiny(model={"name": name})
     run = simulate(scenario)
     own = [measure.name for measure in models()[name].measures]
-    measured = course(run, scenario)
+    measured = measure_series(run, scenario)
     timed = PER_YEAR if scenario.step_seconds else ()
     assert list(measured.data_vars) == [*(measure.name for measure in (*MEASURES, *timed)), *own]
     assert len(set(measured.data_vars)) == len(measured.data_vars)
@@ -150,18 +150,18 @@ def test_plants_are_measured_by_their_mean_and_a_reference_by_its_height():
     plants = {"kind": "islands", "grass": 0.5, "mesquite": -0.25}
     scenario = tiny(model={"name": "nield_baas", "vegetation": plants})
     run = simulate(scenario)
-    measured = course(run, scenario)
+    measured = measure_series(run, scenario)
     for name in ("grass", "mesquite", "shrub"):
         np.testing.assert_allclose(measured[f"mean_{name}"], run[name].mean(("y", "x")))
     scenario = tiny(model={"name": "momiji"})
     run = simulate(scenario)
-    reference = course(run, scenario)["reference_height"]
+    reference = measure_series(run, scenario)["reference_height"]
     assert reference.attrs["unit"] == "m"
     np.testing.assert_allclose(reference, run["elevation"].mean(("y", "x")))
 
 
 def test_the_stress_is_highest_on_relief():
     scenario = tiny(model={"name": "pelletier"}, sand={"kind": "flat", "mean": 9})
-    stress = course(simulate(scenario), scenario)["highest_stress"].values
+    stress = measure_series(simulate(scenario), scenario)["highest_stress"].values
     assert stress[0] == pytest.approx(1.0)
     assert (stress[1:] > 1.0).all()

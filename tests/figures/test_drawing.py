@@ -4,7 +4,7 @@ import io
 
 import pytest
 
-from barchan.analysis.time_series import course
+from barchan.analysis.time_series import measure_series
 from barchan.figures.maps import contour_map, relief_map
 from barchan.figures.sections import profile, space_time
 from barchan.figures.series import time_series
@@ -19,7 +19,7 @@ PICTURES = {
     "profile at the side": lambda d, s: profile(d.isel(step=-1), s, at=0.25, smoothing=1.0),
     "space and time": space_time,
     "red space and time": lambda d, s: space_time(d, s, at=0.5, colours="red-green"),
-    "series": lambda dataset, scenario: time_series(course(dataset, scenario), scenario),
+    "series": lambda dataset, scenario: time_series(measure_series(dataset, scenario), scenario),
 }
 
 

@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from barchan.analysis.time_series import MEASURES, course
+from barchan.analysis.time_series import MEASURES, measure_series
 from barchan.archive import simulate
 from barchan.figures.series import SHOWN, about_middle, time_series
 from tests.tiny import tiny
@@ -14,7 +14,7 @@ from tests.tiny import tiny
 @pytest.fixture(scope="module")
 def measured():
     """The measures of a run."""
-    return course(simulate(tiny()), tiny())
+    return measure_series(simulate(tiny()), tiny())
 
 
 def test_every_panel_shows_a_measure_under_its_title(measured):
@@ -61,9 +61,9 @@ def test_the_axis_of_orientations_is_labelled_from_0_to_180(measured):
 
 def test_measures_of_the_model_have_panels_below():
     scenario = tiny(model={"name": "nield_baas"})
-    panels = time_series(course(simulate(scenario), scenario), scenario).axes
+    panels = time_series(measure_series(simulate(scenario), scenario), scenario).axes
     own = ["mean grass", "mean mesquite", "mean shrub"]
     assert [axes.get_title("left") for axes in panels[len(SHOWN) :]] == own
     scenario = tiny(model={"name": "momiji"})
-    (panel,) = time_series(course(simulate(scenario), scenario), scenario).axes[len(SHOWN) :]
+    (panel,) = time_series(measure_series(simulate(scenario), scenario), scenario).axes[len(SHOWN) :]
     assert panel.get_xlabel() == "step"

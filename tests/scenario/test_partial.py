@@ -3,8 +3,7 @@ import json
 import pytest
 
 from barchan.errors import ScenarioError
-from barchan.scenario.partial import path_of, read_text, salvage
-from barchan.scenario.source_map import dotted
+from barchan.scenario.partial import read_text, salvage
 
 GOOD = {"barchan": 2, "model": {"name": "momiji", "p_s": 0.7}, "wind": {"kind": "steady", "direction": 200}}
 
@@ -44,8 +43,3 @@ def test_a_missing_or_unknown_version_is_taken_as_todays():
 def test_what_is_no_scenario_at_all_is_refused(text):
     with pytest.raises(ScenarioError):
         salvage(text, "mine.json")
-
-
-def test_paths_are_read_as_they_are_written():
-    for path in (("sand", "parts", 0, "mean"), ("model",), ("a", 1, 2)):
-        assert path_of(dotted(path)) == path

@@ -1,6 +1,6 @@
 """Any field of a frame by its name: kept in the frame, derived by the run's model, or plain for every bed.
 
-What a model derives follows the parameters and the wind's speed that were in force when the frame was taken.
+Derived fields follow the parameters and the wind's speed in force when the frame was taken.
 """
 
 import json
@@ -33,11 +33,11 @@ PLAIN = (
         "sand_depth", "m", "depth of the sand", lambda _model, bed, _wind: bed.sand * bed.lattice.thickness
     ),
 )
-"""What can be derived from every bed, whatever its model."""
+"""Fields that can be derived from every bed, whatever its model."""
 
 
 def scenario_at(frame: "xr.Dataset", scenario: Scenario) -> Scenario:
-    """The scenario with what events had changed when the frame was taken; see the attribute ``events``."""
+    """The scenario with the changes by events up to the time of the frame; see the attribute ``events``."""
     happened = json.loads(frame.attrs.get("events", "[]"))
     if not happened:
         return scenario

@@ -28,8 +28,8 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True)
-class Moment:
-    """One frame of a run and what it is compared with."""
+class MeasuredFrame:
+    """One frame of a run, with the quantities that measures are computed from."""
 
     modelled: Callable[[], tuple[Model, Bed, Segment]]
     """The model, the bed and the wind as they were then."""
@@ -37,7 +37,7 @@ class Moment:
     elevation: NDArray[np.float64]
     scenario: Scenario
     direction: float
-    """Where the wind comes from (degrees)."""
+    """Direction that the wind comes from (degrees clockwise from north)."""
     orientation: Orientation
     slopes: Slopes
     migration: Migration
@@ -64,7 +64,7 @@ class Measure:
     name: str
     title: str
     unit: str
-    of: Callable[[Moment], float]
+    compute: Callable[[MeasuredFrame], float]
 
 
 MEASURES = (
@@ -125,17 +125,17 @@ def _own(own: OwnMeasure) -> Measure:
     return Measure(own.name, own.title, own.unit, lambda m: float(own.of(*m.modelled())))
 
 
-def _per_year(moment: Moment, name: str) -> float:
+def _per_year(moment: MeasuredFrame, name: str) -> float:
     """A measure per step as one per year."""
-    of = next(measure.of for measure in MEASURES if measure.name == name)
-    return of(moment) * YEAR / (moment.scenario.step_seconds or float("nan"))
+    compute = next(measure.compute for measure in MEASURES if measure.name == name)
+    return compute(moment) * YEAR / (moment.scenario.step_seconds or float("nan"))
 
 
 LAGS = 3
 """Earlier frames that a frame's migration is measured from."""
 
 
-def moments(dataset: "xr.Dataset", scenario: Scenario, first: int = 0) -> Iterator[Moment]:
+def measured_frames(dataset: "xr.Dataset", scenario: Scenario, first: int = 0) -> Iterator[MeasuredFrame]:
     """The frames of a run from number ``first`` on; migration is from up to ``LAGS`` frames before."""
     lattice = scenario.lattice
     joined = lattice.periodic
@@ -147,7 +147,7 @@ def moments(dataset: "xr.Dataset", scenario: Scenario, first: int = 0) -> Iterat
         elevation = dataset["elevation"][at].values
         recent.append(elevation)
         travel = np.dot(downwind(directions[at]), travelled[:, at] - travelled[:, max(at - 1, 0)])
-        yield Moment(
+        yield MeasuredFrame(
             modelled=partial(as_modelled, dataset.isel(step=at), scenario),
             sand=dataset["sand"][at].values,
             elevation=elevation,
@@ -161,12 +161,14 @@ def moments(dataset: "xr.Dataset", scenario: Scenario, first: int = 0) -> Iterat
         )
 
 
-def course(dataset: "xr.Dataset", scenario: Scenario) -> "xr.Dataset":
+def measure_series(dataset: "xr.Dataset", scenario: Scenario) -> "xr.Dataset":
     """Every measure over the steps of a run."""
     import xarray as xr
 
     measures = measures_of(scenario)
-    rows = [[measure.of(moment) for measure in measures] for moment in moments(dataset, scenario)]
+    rows = [
+        [measure.compute(moment) for measure in measures] for moment in measured_frames(dataset, scenario)
+    ]
     values = np.array(rows, float).T
     return xr.Dataset(
         {
@@ -179,5 +181,5 @@ def course(dataset: "xr.Dataset", scenario: Scenario) -> "xr.Dataset":
 
 def last_measures(dataset: "xr.Dataset", scenario: Scenario) -> dict[str, float]:
     """The measures of a run's last frame, by name."""
-    last = next(iter(moments(dataset, scenario, dataset.sizes["step"] - 1)))
-    return {measure.name: float(measure.of(last)) for measure in measures_of(scenario)}
+    last = next(iter(measured_frames(dataset, scenario, dataset.sizes["step"] - 1)))
+    return {measure.name: float(measure.compute(last)) for measure in measures_of(scenario)}

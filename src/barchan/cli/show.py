@@ -33,7 +33,7 @@ def show(
     grains: Annotated[int | None, Parameter(validator=Number(gte=1, lte=100_000))] = None,
     field: str | None = None,
 ) -> None:
-    """Draw a frame of a run, a section, or its course in time.
+    """Draw a frame of a run, a section, or its change in time.
 
     Parameters
     ----------
@@ -57,8 +57,8 @@ def show(
     count
         Number of contours.
     smoothing
-        Smooth the surface, or the field, over so many cells before drawing; 1 for contours, 0 for the
-        rest; the curve of a field along a section is smoothed over 2 at least.
+        Width (cells) over which the surface, or the field, is smoothed before drawing; 1 for contours, 0 for
+        the rest; the curve of a field along a section is smoothed over 2 at least.
     at
         Where the section lies across the wind, from 0 to 1; through the highest stack without it.
     bare
@@ -66,7 +66,7 @@ def show(
     grains
         How many grains to follow: 20 for paths, 1000 for hops without it.
     layers
-        Draw what the model lays over the surface on maps: plants, light to dark green.
+        Draw the model's layers on maps: plants, light to dark green.
     field
         Draw this field instead of the elevation (map), or below it (profile): one that frames carry, such as
         sand, or one derived, such as slope, shadow, hop, speedup, stress, effectiveness; an unknown name is
@@ -85,11 +85,11 @@ def show(
     with open_run(run) as dataset:
         frame = _frame(dataset, step)
         width = smoothing if smoothing is not None else float(view == "contours")
-        drawn = None if field is None else field_of(frame, scenario, field)
-        if view == "map" and drawn is not None:
+        values = None if field is None else field_of(frame, scenario, field)
+        if view == "map" and values is not None:
             from barchan.figures.fields import field_map
 
-            figure = field_map(drawn, frame, scenario, colours=colours, limits=limits, smoothing=width)
+            figure = field_map(values, frame, scenario, colours=colours, limits=limits, smoothing=width)
         elif view == "map":
             from barchan.figures.maps import relief_map
 
@@ -117,7 +117,7 @@ def show(
         elif view == "profile":
             from barchan.figures.sections import profile
 
-            figure = profile(frame, scenario, at=at, smoothing=width, field=drawn)
+            figure = profile(frame, scenario, at=at, smoothing=width, field=values)
         elif view == "space-time":
             from barchan.figures.sections import space_time
 
@@ -129,10 +129,10 @@ def show(
             followed = grain_paths(frame, scenario, grains or (20 if view == "paths" else 1000))
             figure = (path_view if view == "paths" else hop_histograms)(frame, scenario, followed)
         else:
-            from barchan.analysis.time_series import course
+            from barchan.analysis.time_series import measure_series
             from barchan.figures.series import time_series
 
-            figure = time_series(course(dataset, scenario), scenario)
+            figure = time_series(measure_series(dataset, scenario), scenario)
     name = view if field is None else f"{view}-{field}"
     whole = view in ("space-time", "series")
     save_picture(figure, out or run / (f"{name}.png" if whole else f"{name}-{int(frame['step'])}.png"))

@@ -33,20 +33,20 @@ ACROSS = 3
 """Panels side by side."""
 
 
-def time_series(course: "xr.Dataset", scenario: Scenario) -> "Figure":
-    """A panel for each measure of a run's course (see ``analysis.course``), the model's own included."""
+def time_series(measured: "xr.Dataset", scenario: Scenario) -> "Figure":
+    """A panel for each measure of a run (``analysis.time_series.measure_series``) and of its model."""
     names = [*SHOWN, *(own.name for own in models()[scenario.model.name].measures)]
     rows = -(-len(names) // ACROSS)
     figure = new_figure(10.0, 1.0 + 2.0 * rows)
-    times, unit_of_time = course["step"], "step"
-    if "time" in course.coords:
-        unit_of_time, length = suited_unit(float(course["time"][-1]))
-        times = course["time"] / length
+    times, unit_of_time = measured["step"], "step"
+    if "time" in measured.coords:
+        unit_of_time, length = suited_unit(float(measured["time"][-1]))
+        times = measured["time"] / length
     panels = figure.subplots(rows, ACROSS, sharex=True)
     for axes in panels.flat[len(names) :]:
         axes.remove()
     for axes, name in zip(panels.flat, names, strict=False):
-        values = course[name]
+        values = measured[name]
         shown = values.values
         if name == "crest_azimuth":
             shown, middle = about_middle(shown)

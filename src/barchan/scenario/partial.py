@@ -1,14 +1,11 @@
-"""Reading a scenario's text, and what can be used of one that has mistakes."""
+"""Reading a scenario's text, and the usable part of a text that has mistakes."""
 
-import re
 from typing import Any
 
 from barchan.errors import Problem, ScenarioError
 from barchan.scenario.definition import Scenario
 from barchan.scenario.files import validate
-from barchan.scenario.source_map import Path, parse
-
-_STEP = re.compile(r"([^.\[\]]+)|\[(\d+)\]")
+from barchan.scenario.source_map import Path, parse, undotted
 
 
 def read_text(text: str, name: str) -> Scenario:
@@ -20,7 +17,7 @@ def read_text(text: str, name: str) -> Scenario:
 
 
 def salvage(text: str, name: str) -> tuple[Scenario, list[Problem]]:
-    """What is right of a scenario's text, with defaults for the rest, and what was wrong.
+    """The valid part of a scenario's text, with defaults for the rest, and the problems.
 
     Raises ScenarioError where nothing of the text can be used.
     """
@@ -31,7 +28,7 @@ def salvage(text: str, name: str) -> tuple[Scenario, list[Problem]]:
     data, _, _ = parse(text, name)
     left = first
     while isinstance(data, dict):
-        dropped = [_drop(data, path_of(problem.key)) for problem in left.problems]
+        dropped = [_drop(data, undotted(problem.key)) for problem in left.problems]
         if not any(dropped):
             break
         try:
@@ -39,11 +36,6 @@ def salvage(text: str, name: str) -> tuple[Scenario, list[Problem]]:
         except ScenarioError as error:
             left = error
     raise first
-
-
-def path_of(key: str) -> Path:
-    """The path that ``dotted`` wrote: ``sand.parts[0].mean``."""
-    return tuple(int(index) if index else word for word, index in _STEP.findall(key))
 
 
 def _drop(data: dict[str, Any], path: Path) -> bool:

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from barchan.analysis.time_series import LAGS, Moment, measures_of
+from barchan.analysis.time_series import LAGS, MeasuredFrame, measures_of
 from barchan.directions import downwind
 from barchan.measures import crest_orientation, migration, streamwise_slopes
 from barchan.simulation import Simulation
@@ -69,13 +69,13 @@ class Gauges:
 
     def _measured(self, simulation: Simulation) -> dict[str, Any]:
         moment = self._moment(simulation)
-        values = {measure.name: measure.of(moment) for measure in measures_of(simulation.scenario)}
+        values = {measure.name: measure.compute(moment) for measure in measures_of(simulation.scenario)}
         return {
             "step": simulation.steps_done,
             **{name: float(value) if math.isfinite(value) else None for name, value in values.items()},
         }
 
-    def _moment(self, simulation: Simulation) -> Moment:
+    def _moment(self, simulation: Simulation) -> MeasuredFrame:
         lattice, surface = simulation.lattice, simulation.elevation
         joined, direction = lattice.periodic, simulation.wind_direction
         before = self._seen[-1][0] if self._seen else simulation.steps_done
@@ -84,7 +84,7 @@ class Gauges:
         travelled = simulation.tally.travel_x, simulation.tally.travel_y
         travel = np.dot(downwind(direction), np.subtract(travelled, self._travel))
         self._travel = travelled
-        return Moment(
+        return MeasuredFrame(
             modelled=lambda: (simulation.model, simulation.bed, wind_over(simulation)),
             sand=simulation.bed.sand,
             elevation=surface,
