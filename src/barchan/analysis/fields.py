@@ -1,6 +1,6 @@
 """Any field of a frame by its name: kept in the frame, derived by the run's model, or plain for every bed.
 
-What a model derives follows the parameters and the wind's speed that were in force when the frame was taken.
+Derived fields follow the parameters and the wind's speed in force when the frame was taken.
 """
 
 import json
@@ -31,11 +31,11 @@ PLAIN = (
     Derived("slope", "degrees", "slope of the surface", _slope),
     Derived("depth", "m", "depth of all layers on the ground", lambda _model, bed, _wind: bed.depth),
 )
-"""What can be derived from every bed, whatever its model."""
+"""Fields that can be derived from every bed, whatever its model."""
 
 
 def scenario_at(frame: "xr.Dataset", scenario: Scenario) -> Scenario:
-    """The scenario with what events had changed when the frame was taken; see the attribute ``events``."""
+    """The scenario with the changes by events up to the time of the frame; see the attribute ``events``."""
     happened = json.loads(frame.attrs.get("events", "[]"))
     if not happened:
         return scenario

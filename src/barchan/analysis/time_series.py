@@ -38,7 +38,7 @@ class MeasuredFrame:
     elevation: NDArray[np.float64]
     scenario: Scenario
     direction: float
-    """Where the wind comes from (degrees)."""
+    """Direction that the wind comes from (degrees clockwise from north)."""
     orientation: Orientation
     slopes: Slopes
     migration: Migration
