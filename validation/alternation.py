@@ -1,8 +1,8 @@
 """How long each of two winds blows before the other takes over, and the order of neighbours.
 
 As in the study of crests under two winds, bisector along the lattice and off it, with turns of 1 to 50
-steps of the weaker wind, and with neighbours that lie alike to the wind taken in random order, which has
-no left and no right. Errors against gross bedform-normal transport.
+steps of the weaker wind, and with neighbours that lie symmetrically about the wind taken in random order,
+which has no left and no right. Errors against gross bedform-normal transport.
 """
 
 from itertools import product

@@ -1,8 +1,9 @@
-"""The polls of a step drawn band by band against polls over the whole field at once, 8 seeds.
+"""The polls of a step taken band by band against polls over the whole field at once, 8 seeds.
 
-A step's polls are drawn some tens of rows at a time (`model.band_rows`, part of the scenario), which is what
-keeps large fields fast. Poll counts per cell keep their distribution; only the order within a step changes.
-Presets `barchans` and `transverse`, 600 steps, with bands of 32 rows and without bands (256 rows in one).
+A step's polls are taken from some tens of rows at a time (`model.band_rows`, part of the scenario), which
+is what keeps large fields fast. Poll counts per cell keep their distribution; only the order within a step
+changes. Presets `barchans` and `transverse`, 600 steps, with bands of 32 rows and without bands (256 rows
+in one).
 """
 
 import statistics

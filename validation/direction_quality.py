@@ -1,10 +1,10 @@
 """How much the square lattice shows: the same wind at several angles to it, under each neighbourhood.
 
-Transverse dunes: 8 slabs a cell on 192 × 192 cells, 1000 steps, 3 seeds, a steady wind that comes from
-270° or 11.25, 22.5, 33.75 or 45° clockwise of it; Werner's model without erosion in the lee. The error
-of the crests is from the line across the wind to theirs, positive clockwise; towards the lattice's
-diagonal is negative here. Of neighbours that lie alike to the wind the one on its left comes first,
-unless their order is random.
+Transverse dunes: 8 slabs a cell on 192 × 192 cells, 1000 steps, 3 seeds, a steady wind that comes from 270°
+or 11.25, 22.5, 33.75 or 45° clockwise of it; Werner's model without erosion in the lee. The error of the
+crests is from the line across the wind to theirs, positive clockwise; towards the lattice's diagonal is
+negative here. Of neighbours that lie symmetrically about the wind the one on its left comes first, unless
+their order is random.
 """
 
 import numpy as np

@@ -3,7 +3,7 @@
 Waves are laid across fields of 256 × 32 cells of 5 mm once the grains in the air have found their balance,
 after 3 s of flight, 3 seeds; they are 8 cm long unless it says otherwise, and a 40th of that high. `wang_hu`
 has 10 m/s and steps of 0.5 ms. How the amplitude and the phase of that wave in the bed change in 4000
-iterations tells how fast it grows and travels, by the wind that the bed sees. A grain's sand is a quarter of
+iterations gives how fast it grows and travels, by the wind that the bed sees. A grain's sand is a quarter of
 a grain thick and lies over a patch of nine stacks under `ripples`; under `wang_hu`, and on the rough bed, it
 is as thick as a grain and lies on one stack. The rough bed has had 250 s of wind before the wave is laid.
 """
@@ -115,7 +115,7 @@ def _speed(what, published, found, sign):
 
 
 READING = """
-Lifted from anywhere, sand is lost alike everywhere and gained where faces look upwind: the waves travel
+Lifted from anywhere, sand is lost evenly everywhere and gained where faces look upwind: the waves travel
 against the wind, as the Prague thesis reports. Where lee faces give none, the windward ones lose it too and
 the waves travel downwind.
 

@@ -6,7 +6,7 @@ Barchans on 256² cells form for hops of 3 to 10 cells in Werner's model; at 1 c
 unspecified, at 2 they look like ripples. Presets `transverse` and `momiji-transverse` (also with Bishop's
 model), 100² cells and 1000 steps; `barchans` and `momiji-barchans`, 192² cells and 600 steps. Here ridges
 count as formed in a run where the straightness is above 0.5, crests lie within 20° of across the wind and
-the highest of the stacks, 10 slabs on the average, has 15 or more. Barchans are told by the highest of
+the highest of the stacks, 10 slabs on the average, has 15 or more. Barchans are recognised by the highest of
 stacks of 3 slabs on the average, by the number of dunes that rise 0.5 m above the mean sand, and by their
 crescent, which is positive for barchans ([measures](measures.md#dunes-one-by-one)).
 """

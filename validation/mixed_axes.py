@@ -5,7 +5,7 @@ thirds along the other; their barchans are stretched across the wind and have un
 `stretched-barchans` and `oblique-barchans`, the same mean direction (206.6°) and hops of 5 cells, 256²
 cells, 300 steps; and a wind along an axis for comparison. Each dune that rises 1 m above the mean sand is
 measured in the frame of the mean wind: width over length, slant (how much farther the left side of its
-downwind edge reaches than the right, over the width; its sign tells the side, its size how unequal the
+downwind edge reaches than the right, over the width; its sign gives the side, its size how unequal the
 sides are) and crescent ([measures](measures.md#dunes-one-by-one)).
 """
 

@@ -4,7 +4,7 @@ The Prague thesis is the barchan scene of its Table 6.1 (preset `barchans`); Eld
 `field-3` on the smaller field (Moore neighbourhood, shadow from the edge, sand dropped at random). Little
 sand makes barchans on bare ground, much sand makes transverse ridges: barchans with 1 to 3 slabs a cell, no
 barchan phase with 10 (Elder 2009), transverse ridges with 10 (Prague thesis, §6.1); between barchans some
-30 % of the field or more are bare. Straightness is the coherence of crest directions (1: all alike).
+30 % of the field or more are bare. Straightness is the coherence of crest directions (1: all parallel).
 """
 
 from validation.study import Row, measures_after, order, over_seeds, spread

@@ -1,7 +1,7 @@
 """Winds that spread: up to which spread of directions do barchans and transverse dunes stand?
 
 Barchan and transverse dunes form in winds of one direction, which varies by 15° at most (Prague thesis,
-§2.1.3). Here each step's direction is drawn from a normal distribution with the standard deviation given. A
+§2.1.3). Here each step's direction comes from a normal distribution with the standard deviation given. A
 single barchan (preset `single-barchan`, 300 steps), a field of them (`barchans-p`, 192² cells, 300 steps; 1
 m of sand) and transverse dunes (`transverse`, 128² cells, 600 steps). *Crescent* is how far the sides of a
 dune's downwind edge reach beyond its middle, over its width ([measures](measures.md#dunes-one-by-one)):

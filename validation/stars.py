@@ -3,7 +3,7 @@
 Presets `star` (Werner, 80 steps a wind, 640 steps: 23 slabs in the Prague thesis) and `momiji-star` (40
 steps a wind, 320 steps: 22 slabs). Two exactly opposite winds make ridges across them, which the Prague
 thesis took for a failure to make linear dunes and the rule of gross bedform-normal transport predicts
-(preset `opposite- winds`, crest azimuth 0°); two equal winds 120° apart make linear dunes along their
+(preset `opposite-winds`, crest azimuth 0°); two equal winds 120° apart make linear dunes along their
 resultant (preset `linear`, 90°).
 """
 

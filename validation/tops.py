@@ -2,7 +2,7 @@
 
 The Prague thesis (§6.3) suspects it of tops that are flat or shifted against the wind. Momiji's model with
 its terms one at a time as in the study of its stages, 256 × 256 cells with 10 slabs a cell, 2000 steps, 3
-seeds. In every row, smoothed over two cells, a ridge is a stretch of at least 10 cells above the mean; its
+seeds. In every row, smoothed over two cells, a ridge is a run of at least 10 cells above the mean; its
 top is what lies within the upper tenth of its relief there. Flatness is the top's share of the ridge's
 length, place where its middle lies, from 0 at the windward end to 1 at the lee end.
 """

@@ -104,7 +104,7 @@ def test_a_file_of_the_folders_name_is_passed_by(here, barchan):
 def test_a_seed_that_was_drawn_is_told_and_kept(here, barchan):
     out = barchan("run", "tiny.json", "--no-picture", "--run.seed", "null").out
     seed = load("tiny").run.seed
-    assert f"seed {seed} (drawn)" in out
+    assert f"seed {seed} (random)" in out
 
 
 def test_a_long_hop_is_warned_of(here, barchan):

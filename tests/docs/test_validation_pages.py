@@ -1,9 +1,12 @@
 """The pages on validation are made from the results of the studies."""
 
+import importlib
 import pkgutil
 
+import pytest
 import validation
 from validation import pages
+from validation.__main__ import STUDIES
 from validation.pages import DOCS, RESULTS, THEMES, Result
 
 
@@ -17,6 +20,14 @@ def test_every_study_has_one_theme_and_a_result():
 def test_pages_are_those_of_the_results():
     for name, text in pages.pages().items():
         assert (DOCS / name).read_text("utf-8") == text, f"{name}: run python -m validation --pages"
+
+
+@pytest.mark.parametrize("name", STUDIES)
+def test_a_result_has_the_words_of_its_study(name):
+    study = importlib.import_module(f"validation.{name}")
+    result = " ".join((RESULTS / f"{name}.md").read_text("utf-8").split())
+    for text in (study.TITLE, study.__doc__, study.READING):
+        assert " ".join(text.split()) in result
 
 
 def test_verdicts():

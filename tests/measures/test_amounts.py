@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from barchan.measures import bare_fraction, highest_stack, sand_volume
+from barchan.measures import bare_fraction, highest_stack, stack_volume
 
 SAND = np.array([[0, 1, 2, 0], [5, 0, 3, 1]], np.int32)
 
@@ -16,8 +16,8 @@ def test_bare_cells_are_counted_over_all_cells():
 
 
 def test_volume_is_slabs_times_what_a_slab_measures():
-    assert sand_volume(SAND, slab_height=0.5, cell_size=4.0) == 12 * 0.5 * 16
+    assert stack_volume(SAND, slab_height=0.5, cell_size=4.0) == 12 * 0.5 * 16
 
 
 def test_volume_is_exact_where_32_bits_would_overflow():
-    assert sand_volume(np.full((100, 100), 10**6, np.int32), 1.0, 1.0) == 10**10
+    assert stack_volume(np.full((100, 100), 10**6, np.int32), 1.0, 1.0) == 10**10

@@ -51,8 +51,8 @@ def test_the_flux_of_a_long_run_on_a_flat_bed_is_the_laws():
 
 def test_the_reference_wind_polls_as_many_cells_as_the_field_has():
     scenario = tiny(clock={"reference_speed": 9.0}, wind={**METRES, "speed": 9.0})
-    (turn,) = scenario.forcing().turns(0, 1)
-    assert turn[0].polls == scenario.lattice.cells
+    (together,) = scenario.forcing().segments(0, 1)
+    assert together[0].polls == scenario.lattice.cells
 
 
 def test_a_wind_below_the_threshold_moves_nothing_and_time_passes():

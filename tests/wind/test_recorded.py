@@ -78,16 +78,16 @@ def test_a_step_longer_than_the_record_blows_it_once(hourly):
 
 def test_winds_are_picked_by_the_sand_they_move():
     few = Recorded(kind="record", winds=4)
-    pace = {"step_seconds": 40 * 86400.0, "strength": strength, "cells": 100_000}
+    clock = {"step_seconds": 40 * 86400.0, "strength": strength, "cells": 100_000}
     all_winds = Recorded(kind="record", winds=100_000)
     totals, means = [], []
     for wind in (few, all_winds):
-        found = [s for seed in range(1, 31) for s in segments(wind, 2, 1, seed=seed, **pace)]
+        found = [s for seed in range(1, 31) for s in segments(wind, 2, 1, seed=seed, **clock)]
         angles = np.radians([s.direction for s in found])
         polls = np.array([s.polls for s in found])
         totals.append(polls.sum() / 30)
         means.append(np.dot(polls, np.exp(1j * angles)) / polls.sum())
-    assert len(segments(few, 2, 1, **pace)) <= 4
+    assert len(segments(few, 2, 1, **clock)) <= 4
     assert totals[0] == pytest.approx(totals[1], abs=2)
     assert abs(means[0] - means[1]) < 0.1
 

@@ -173,7 +173,7 @@ def test_a_row_stands_until_the_next_one_but_not_across_a_gap(tmp_path):
             PLAIN.replace("2024-01-01T01:00", "7").replace("time", "time (h)"),
             r"column 'time \(h\)': is '2024",
         ),
-        (PLAIN.replace("direction", "bearing"), "no column that tells the direction; the columns are time"),
+        (PLAIN.replace("direction", "bearing"), "no column for the direction; the columns are time"),
         (PLAIN.replace("(m/s)", "(furlongs)"), "is in 'furlongs'; allowed: m/s, kn, km/h, mph"),
         (
             PLAIN.replace(",5,", ",,").replace(",6,", ",,").replace(",7,", ",,"),

@@ -1,6 +1,6 @@
 """Any field of a frame by its name: kept in the frame, derived by the run's model, or plain for every bed.
 
-What a model derives follows the parameters and the wind's speed that were in force when the frame was taken.
+Derived fields follow the parameters and the wind's speed in force when the frame was taken.
 """
 
 import json
@@ -31,11 +31,11 @@ PLAIN = (
     Derived("slope", "degrees", "slope of the surface", _slope),
     Derived("depth", "m", "depth of all layers on the ground", lambda _model, bed, _wind: bed.depth),
 )
-"""What can be derived from every bed, whatever its model."""
+"""Fields that can be derived from every bed, whatever its model."""
 
 
 def scenario_at(frame: "xr.Dataset", scenario: Scenario) -> Scenario:
-    """The scenario with what events had changed when the frame was taken; see the attribute ``events``."""
+    """The scenario with the changes by events up to the time of the frame; see the attribute ``events``."""
     happened = json.loads(frame.attrs.get("events", "[]"))
     if not happened:
         return scenario
@@ -90,21 +90,26 @@ def centre_of(model: Model, derived: Derived, wind: Segment) -> float | None:
     """The value of a derived field on a flat bed, where pictures show it evenly about that."""
     if not derived.centred:
         return None
-    shape = model.lattice.shape
-    level = Bed(model.lattice, np.zeros(shape), np.zeros(shape, np.int32))
+    ground, nothing = np.zeros(model.lattice.shape), np.zeros(model.lattice.shape, np.int32)
+    level = Bed(model.lattice, ground, *[nothing for _ in model.layers], layers=model.layers)
     return float(derived.compute(model, level, wind).flat[0])
+
+
+def bed_in(frame: "xr.Dataset", scenario: Scenario) -> Bed:
+    """Ground and layers of a frame."""
+    return Bed.from_fields(scenario.lattice, _carried(frame), (), scenario.layers)
+
+
+def _carried(frame: "xr.Dataset") -> dict[str, NDArray]:
+    return {str(name): values.values for name, values in frame.data_vars.items()}
 
 
 def as_modelled(frame: "xr.Dataset", scenario: Scenario) -> tuple[Model, Bed, Segment]:
     """The model, the bed and the wind of a frame, as they were when it was taken."""
     scenario = scenario_at(frame, scenario)
     model = models()[scenario.model.name](scenario.model, scenario.lattice)
-    carried = {str(name): values.values for name, values in frame.data_vars.items()}
-    return (
-        model,
-        Bed.from_fields(scenario.lattice, carried, model.fields, model.layers),
-        _wind(frame, scenario),
-    )
+    bed = Bed.from_fields(scenario.lattice, _carried(frame), model.fields, model.layers)
+    return model, bed, _wind(frame, scenario)
 
 
 def _described(values: "xr.DataArray", **attributes: float | None) -> "xr.DataArray":

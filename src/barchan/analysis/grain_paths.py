@@ -1,4 +1,4 @@
-"""Paths of grains over a frame's bed: computed when someone looks, and their hops."""
+"""Paths of grains over a frame's bed, computed again on request, and the hops of each path."""
 
 from typing import TYPE_CHECKING
 
@@ -29,7 +29,8 @@ def follows_grains(model: Model) -> bool:
 def paths_over(model: Model, bed: Bed, wind: Segment, seed: int, count: int) -> list[NDArray[np.float64]]:
     """Paths of up to ``count`` grains that the wind lifts from a bed; none of a model that follows none.
 
-    The run's ``seed`` draws them; neither bed nor model change. See ``GrainModel.paths`` for the columns.
+    The run's ``seed`` starts their random numbers; bed and model stay as they are. See
+    ``GrainModel.paths`` for the columns.
     """
     return model.paths(bed, wind, Stream(seed, "paths"), count) if isinstance(model, GrainModel) else []
 

@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from barchan.analysis.fields import as_modelled
+from barchan.analysis.fields import as_modelled, bed_in
 from barchan.bed import Bed
 from barchan.directions import downwind
-from barchan.measures.amounts import bare_fraction, flux, highest_stack, sand_volume
+from barchan.measures.amounts import bare_fraction, flux, highest_stack
 from barchan.measures.migration import Migration, migration
 from barchan.measures.orientation import Orientation, crest_orientation
 from barchan.measures.relief import bedform_height, bedform_index
@@ -33,11 +33,12 @@ class MeasuredFrame:
 
     modelled: Callable[[], tuple[Model, Bed, Segment]]
     """The model, the bed and the wind as they were then."""
-    sand: NDArray[np.int32]
+    bed: Bed
+    """Ground and layers."""
     elevation: NDArray[np.float64]
     scenario: Scenario
     direction: float
-    """Where the wind comes from (degrees)."""
+    """Direction that the wind comes from (degrees clockwise from north)."""
     orientation: Orientation
     slopes: Slopes
     migration: Migration
@@ -47,7 +48,7 @@ class MeasuredFrame:
     """Steps since the frame before."""
 
     def __repr__(self) -> str:
-        rows, columns = self.sand.shape
+        rows, columns = self.elevation.shape
         return f"<MeasuredFrame of {rows} × {columns} cells, {self.steps} steps after the one before>"
 
     @property
@@ -75,9 +76,9 @@ class Measure:
 
 
 MEASURES = (
-    Measure("highest_stack", "highest stack", "slabs", lambda m: highest_stack(m.sand)),
-    Measure("highest", "highest stack", "m", lambda m: highest_stack(m.sand) * m.scenario.lattice.thickness),
-    Measure("bare_fraction", "bare ground", "-", lambda m: bare_fraction(m.sand)),
+    Measure("highest_stack", "highest stack", "slabs", lambda m: highest_stack(m.bed.stack)),
+    Measure("highest", "highest stack", "m", lambda m: float(m.bed.depth.max())),
+    Measure("bare_fraction", "bare ground", "-", lambda m: bare_fraction(m.bed.stack)),
     Measure(
         "spacing",
         "dominant spacing",
@@ -99,17 +100,17 @@ MEASURES = (
     Measure("lee_slope", "lee slope", "degrees", lambda m: m.slopes.lee),
     Measure(
         "flux",
-        "sand flux",
+        "flux",
         "m²/step",
         lambda m: flux(
-            m.travel, m.sand.size, m.steps, m.scenario.lattice.thickness, m.scenario.lattice.cell_size
+            m.travel, m.bed.lattice.cells, m.steps, m.scenario.lattice.thickness, m.scenario.lattice.cell_size
         ),
     ),
     Measure(
         "volume",
-        "sand volume",
+        "volume",
         "m³",
-        lambda m: sand_volume(m.sand, m.scenario.lattice.thickness, m.scenario.lattice.cell_size),
+        lambda m: m.bed.volume,
     ),
 )
 """Every measure of any frame, in the order in which tables show them."""
@@ -117,7 +118,7 @@ MEASURES = (
 
 PER_YEAR = (
     Measure("speed_per_year", "migration downwind", "m/yr", lambda m: _per_year(m, "speed")),
-    Measure("flux_per_year", "sand flux", "m²/yr", lambda m: _per_year(m, "flux")),
+    Measure("flux_per_year", "flux", "m²/yr", lambda m: _per_year(m, "flux")),
 )
 """Measures of a frame whose steps have a duration."""
 
@@ -162,7 +163,7 @@ class FrameMeasurer:
     def measured(
         self,
         step: int,
-        sand: NDArray[np.int32],
+        bed: Bed,
         elevation: NDArray[np.float64],
         direction: float,
         travelled: Sequence[float],
@@ -175,7 +176,7 @@ class FrameMeasurer:
         lattice = self.scenario.lattice
         return MeasuredFrame(
             modelled=modelled,
-            sand=sand,
+            bed=bed,
             elevation=elevation,
             scenario=self.scenario,
             direction=direction,
@@ -197,7 +198,7 @@ def measured_frames(dataset: "xr.Dataset", scenario: Scenario, first: int = 0) -
     for at in range(first, len(steps)):
         yield measurer.measured(
             int(steps[at]),
-            dataset["sand"][at].values,
+            bed_in(dataset.isel(step=at), scenario),
             dataset["elevation"][at].values,
             float(dataset["wind_direction"][at]),
             travelled[at],

@@ -17,7 +17,7 @@ def check(scenario: str, /, *values: Tokens) -> None:
 
     sound = load_scenario(source_at(scenario), pairs(values, check)).seeded()
     model = sound.new_model()
-    with sound.places.told():
+    with sound.source_map.locating_errors():
         sound.forcing().wind_of(0)
         model.prepare(sound.first_bed(), sound.seed)
     console.print(f"{scenario}: sound")

@@ -36,11 +36,11 @@ def film(
     colours
         Colour map: perceptual, grey, or red-green with red the highest.
     smoothing
-        Smooth the surface over so many cells before drawing.
+        Width (cells) over which the surface is smoothed before drawing.
     follow
         Let the colour scale follow each frame instead of holding for the whole run.
     layers
-        Draw what the model lays over the surface: plants, light to dark green.
+        Draw the model's layers over the surface: plants, light to dark green.
     """
     from barchan.archive import open_run
     from barchan.archive.folder import scenario_of

@@ -1,10 +1,10 @@
-"""``barchan info``: what a run holds."""
+"""``barchan info``: the contents of a run."""
 
 from pathlib import Path
 
 
 def info(run: Path, /) -> None:
-    """Tell what a run holds, how far it is, and the measures of its last frame.
+    """Print the contents of a run, its progress, and the measures of its last frame.
 
     Parameters
     ----------

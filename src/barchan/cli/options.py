@@ -1,4 +1,4 @@
-"""Options of a command made from declared parameters, so that no parameter is told twice."""
+"""Options of a command made from declared parameters, so that no parameter is declared twice."""
 
 from dataclasses import field, fields, make_dataclass
 from typing import Annotated, Any, TypeVar

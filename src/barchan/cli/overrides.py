@@ -21,13 +21,13 @@ Tokens = Annotated[
         "'barchan parameters' lists the keys.",
     ),
 ]
-"""What is left of the command line after its own options."""
+"""The rest of the command line after its own options."""
 
 
 def pairs(tokens: tuple[str, ...], command: Callable[..., Any] | None = None) -> list[Override]:
     """Keys and values from ``--key value`` and ``--key=value``.
 
-    Raises ScenarioError for what is neither, with the option of ``command`` that may have been meant.
+    Raises ScenarioError for anything else, with the option of ``command`` that may have been meant.
     """
     known = [f"--{name}" for name in [*_options(command), *Scenario.model_fields]]
     found: list[Override] = []
@@ -63,7 +63,7 @@ def changes(found: list[Override], wind: Wind) -> Iterator[AnyEvent]:
     keys = [(key.replace("-", "_"), value_of(text)) for key, text in found]
     wrong = [key for key, _ in keys if key.partition(".")[0] not in ("model", "wind")]
     if wrong:
-        message = "cannot change during a run; what can: keys of the wind, and live ones of the model"
+        message = "cannot change during a run; these can: keys of the wind, and live ones of the model"
         raise ScenarioError([Problem(key, message, "command line") for key in wrong], "command line")
     yield from (SetParameter(key=key, value=value) for key, value in keys if key.startswith("model."))
     blows = {key.removeprefix("wind."): value for key, value in keys if key.startswith("wind.")}

@@ -1,4 +1,4 @@
-"""What a run tells before it starts and when it ends."""
+"""The output of a run before it starts and when it ends."""
 
 import math
 import shlex
@@ -18,8 +18,8 @@ if TYPE_CHECKING:
 PICTURE = "last.png"
 
 
-def print_facts(simulation: Simulation, drawn: bool) -> None:
-    """What is about to run."""
+def print_facts(simulation: Simulation, random_seed: bool) -> None:
+    """Print the facts of a run about to start."""
     scenario = simulation.scenario
     lattice = scenario.lattice
     if scenario.title:
@@ -28,7 +28,7 @@ def print_facts(simulation: Simulation, drawn: bool) -> None:
     if scenario.look_for:
         console.print(f"look for: {scenario.look_for}")
     field = f"{lattice.columns} × {lattice.rows} cells of {lattice.cell_size:g} m"
-    seed = f"seed {scenario.run.seed}" + (" (drawn)" if drawn else "")
+    seed = f"seed {scenario.run.seed}" + (" (random)" if random_seed else "")
     console.print(f"{field}, slabs of {lattice.thickness:.3g} m, {scenario.run.steps} steps, {seed}")
     for name, fact in {**scenario.time_facts(), **simulation.model.facts()}.items():
         console.print(f"{name}: {fact}")
@@ -37,7 +37,7 @@ def print_facts(simulation: Simulation, drawn: bool) -> None:
 
 
 def print_outcome(outcome: Outcome, quiet: bool, picture: bool) -> None:
-    """What came of a run: a picture, its measures, where it is."""
+    """Print the outcome of a run: its picture, its measures, its folder."""
     drawn = None
     if picture and not outcome.interrupted:
         drawn = _draw(outcome, quiet)

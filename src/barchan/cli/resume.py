@@ -37,7 +37,7 @@ def resume(
     run
         The run's folder.
     steps
-        Total number of steps, to go beyond what the scenario asked for.
+        Total number of steps, to go beyond that of the scenario.
     at
         Step at which a branch begins; the newest checkpoint's without it. Earlier ones are done again.
     out

@@ -22,7 +22,7 @@ def run(
 ) -> int:
     """Run a preset or a scenario, save it, and draw the last frame.
 
-    Ctrl-C stops the run, saves it and tells how to go on.
+    Ctrl-C stops the run, saves it and prints the command to go on.
 
     Parameters
     ----------
@@ -45,11 +45,11 @@ def run(
     chosen = load_scenario(source_at(scenario), pairs(values, run))
     folder = out or _new_folder(scenario)
     check_room(folder, overwrite)
-    drawn = chosen.run.seed is None
+    random_seed = chosen.run.seed is None
     with compilation_announced(quiet), Interrupts().watched() as stop:
         simulation = Simulation(chosen)
         if not quiet:
-            print_facts(simulation, drawn)
+            print_facts(simulation, random_seed)
         with Reporter(simulation, quiet) as reporter:
             outcome = run_into(simulation, folder, overwrite=overwrite, progress=reporter, stop=stop)
         print_outcome(outcome, quiet, picture)

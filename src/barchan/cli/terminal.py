@@ -1,4 +1,4 @@
-"""What commands print, and how long work shows its progress."""
+"""The output of commands, and the progress of long work."""
 
 import signal
 import time
@@ -30,7 +30,7 @@ def print_note(text: str) -> None:
 
 
 def save_picture(figure: "Figure", path: Path) -> None:
-    """Write a picture and tell where it is; raises BarchanError where it cannot be written."""
+    """Write a picture and print its name; raises BarchanError where it cannot be written."""
     try:
         figure.savefig(path)
     except (OSError, ValueError) as error:

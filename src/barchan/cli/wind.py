@@ -1,4 +1,4 @@
-"""``barchan wind``: what a wind does to sand."""
+"""``barchan wind``: the effect of a wind on sand."""
 
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -35,7 +35,7 @@ def wind(
     sand: Annotated[SandOptions | None, Parameter(name="*")] = None,
     form: Annotated[FormatOptions | None, Parameter(name="*")] = None,
 ) -> None:
-    """Tell and draw what a wind does to sand: roses, drift, the crests and dunes to expect.
+    """Print and draw the effect of a wind on sand: roses, drift, the crests and dunes to expect.
 
     Parameters
     ----------
@@ -47,8 +47,8 @@ def wind(
     out
         The picture's file (PNG, PDF or SVG by its ending); wind-VIEW.png in the current folder without it.
     supply
-        Sand spread evenly over the ground (m), to tell the dunes to expect; without it that of the scenario,
-        and of a record both kinds are told.
+        Sand spread evenly over the ground (m), for the dunes to expect; by default that of the scenario,
+        and for a record both kinds are given.
     sectors
         Directions of the roses.
     """
@@ -100,7 +100,7 @@ def _of_record(record: "WindRecord", sand: Saltation, supply: float | None) -> _
 
 
 def _of_scenario(source: str, supply: float | None) -> _Subject:
-    """The wind of a scenario over its own sand: the record that drives it, or its winds by what they move."""
+    """The wind of a scenario over its sand: its record, or its winds weighted by the sand they move."""
     from barchan.archive import source_at
     from barchan.scenario.files import load_scenario
     from barchan.theory.assessment import assess, scenario_drift, scenario_supply
@@ -199,7 +199,7 @@ def _crest(crest: Any) -> str:
     import math
 
     if math.isnan(crest.azimuth):
-        return "none, all directions are alike"
+        return "none, no direction stands out"
     rivals = ", ".join(f"{rival:.0f}°" for rival in crest.rivals)
     return f"azimuth {crest.azimuth:.0f}°" + (f", ambiguous: as good are {rivals}" if rivals else "")
 

@@ -95,7 +95,7 @@ def _off_slip_faces(surface: Field, cell_size: float, direction: float, periodic
 
 
 def _frame(frame: "xr.Dataset", scenario: Scenario, ground: Field, sand: NDArray[np.int32]) -> "xr.Dataset":
-    """A frame with another surface; what else it tells stays as it is."""
+    """A frame with another surface; everything else stays as it is."""
     lattice = scenario.lattice
     plain = frame.drop_vars([name for name, values in frame.variables.items() if values.dims != ()])
     fields = {

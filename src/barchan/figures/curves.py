@@ -15,19 +15,19 @@ if TYPE_CHECKING:
 def curves_of(curves: Sequence[Curve], scenario: Scenario) -> "Figure":
     """Curves, with those of the same two quantities in one panel; a remark stands in the legend.
 
-    Curves with a remark are dashed, for it tells of a doubt.
+    Curves with a remark are dashed, to mark a doubt.
     """
-    panels = [list(alike) for _, alike in groupby(curves, lambda curve: (curve.x_title, curve.y_title))]
+    panels = [list(panel) for _, panel in groupby(curves, lambda curve: (curve.x_title, curve.y_title))]
     figure = new_figure(7.2, 0.6 + 3.6 * len(panels))
-    for axes, alike in zip(figure.subplots(len(panels), squeeze=False).flat, panels, strict=True):
-        for curve in alike:
+    for axes, panel in zip(figure.subplots(len(panels), squeeze=False).flat, panels, strict=True):
+        for curve in panel:
             label = f"{curve.title} ({curve.remark})" if curve.remark else curve.title
             style = "--" if curve.remark else "-"
             axes.plot(curve.x, curve.y, style, marker="o", markersize=4, linewidth=1.6, label=label)
         axes.axhline(0.0, color="black", linewidth=0.8)
         axes.axvline(0.0, color="black", linewidth=0.8)
-        axes.set_xlabel(alike[0].x_title)
-        axes.set_ylabel(alike[0].y_title)
+        axes.set_xlabel(panel[0].x_title)
+        axes.set_ylabel(panel[0].y_title)
         axes.grid(alpha=0.3)
         axes.legend(fontsize=9)
     name = scenario.title or "Curves"

@@ -44,7 +44,7 @@ def field_map(
     """A map of a field of one frame (see ``analysis.fields.field_of``) on the lightly shaded surface.
 
     Without ``limits`` the colours of a field that has a centre lie evenly about it; a few outlying cells
-    may lie beyond the scale, which then ends in arrows. A scale does not begin below what is possible.
+    may lie beyond the scale, which then ends in arrows. A scale begins at the lowest possible value at least.
     """
     from matplotlib.cm import ScalarMappable
     from matplotlib.colors import Normalize
@@ -112,7 +112,7 @@ def choice_map() -> "Colormap":
 
 
 def centred_map() -> "Colormap":
-    """The colours of what lies on both sides of a centre."""
+    """Colours of values on both sides of a centre."""
     from cmcrameri import cm
 
     return cm.vik

@@ -1,4 +1,4 @@
-"""What a model lays over the surface, such as plants: light where there is little of it, dark where much."""
+"""Layers of a model over the surface, such as plants: light where sparse, dark where dense."""
 
 from typing import TYPE_CHECKING
 

@@ -118,7 +118,7 @@ def contour_map(
     limits: Limits = None,
     smoothing: float = 1.0,
 ) -> "Figure":
-    """Contours of one frame at a stated interval (m), or a number of them, over its colours."""
+    """Contours of one frame, at an interval (m) or of a given number, over its colours."""
     surface = smooth(frame["elevation"].values, smoothing, scenario)
     low, high = limits or surface_range(surface)
     if interval is not None:

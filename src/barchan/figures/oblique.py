@@ -1,4 +1,4 @@
-"""The surface seen from above the south edge, what stands in front hiding what lies behind."""
+"""The surface seen from above the south edge; nearer parts hide those behind."""
 
 from typing import TYPE_CHECKING
 

@@ -1,4 +1,4 @@
-"""What sets sand off and how much then moves: thresholds and flux laws, drawn."""
+"""Figures of thresholds and flux laws."""
 
 from typing import TYPE_CHECKING, Any
 
@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 DIAMETERS = (0.02e-3, 2e-3)
-"""Grain diameters drawn (m), from silt to very coarse sand."""
+"""Grain diameters of the figure (m), from silt to very coarse sand."""
 
 
 def thresholds(sand: Saltation) -> "Figure":

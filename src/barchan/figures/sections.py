@@ -1,4 +1,4 @@
-"""Sections along the wind: profiles with their shadow zones, and sections over time."""
+"""Sections along the wind: profiles with their shadow zones, and their change in time."""
 
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
@@ -34,7 +34,7 @@ CURVE_SMOOTHING = 2.0
 
 
 HALF = 0.5
-"""Share of cells in the wind below which a curve of what is 0 in shadow has a gap."""
+"""Fraction of unsheltered cells below which the curve of a field that is 0 in shadow has a gap."""
 
 
 @dataclass(frozen=True)
@@ -136,7 +136,7 @@ def profile(
 
 
 def _draw_sand(axes: "Axes", section: Section, ground: NDArray, surface: NDArray, line: NDArray) -> None:
-    """Ground and sand of a section, and what lies below the shadow line."""
+    """Ground and sand of a section, and the area below the shadow line."""
     axes.fill_between(
         section.distance, ground.min() - 0.1 * np.ptp(surface), ground, color=GROUND, step="mid"
     )

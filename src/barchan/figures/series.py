@@ -34,7 +34,7 @@ ACROSS = 3
 
 
 def time_series(measured: "xr.Dataset", scenario: Scenario) -> "Figure":
-    """A panel for each measure (see ``analysis.time_series.measure_series``), the model's own included."""
+    """A panel for each measure of a run (``analysis.time_series.measure_series``) and of its model."""
     names = [*SHOWN, *(own.name for own in models()[scenario.model.name].measures)]
     rows = -(-len(names) // ACROSS)
     figure = new_figure(10.0, 1.0 + 2.0 * rows)

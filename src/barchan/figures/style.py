@@ -1,4 +1,4 @@
-"""What all pictures share: colours, the wind's arrow, axes in metres."""
+"""Style of all pictures: colours, the wind's arrow, axes in metres."""
 
 import textwrap
 from typing import TYPE_CHECKING, Any, Literal
@@ -28,7 +28,7 @@ BARE = (0.80, 0.79, 0.77)
 
 
 def colour_map(colours: Colours) -> "Colormap":
-    """A colour map by what it is for; red-green has red the highest, as in the Prague thesis."""
+    """A colour map by its purpose; red-green has red the highest, as in the Prague thesis."""
     import matplotlib as mpl
     from cmcrameri import cm
     from matplotlib.colors import LinearSegmentedColormap
@@ -81,7 +81,7 @@ MOST_TITLE = 550.0
 
 
 def title(scenario: Scenario, step: int) -> str:
-    """What a picture shows."""
+    """Title of a picture."""
     name = scenario.title or "Run"
     seconds = scenario.step_seconds
     time = "" if seconds is None or step == 0 else f" ({spoken(seconds * step)})"

@@ -45,9 +45,9 @@ def raised(bed: Bed, strength: NDArray[np.float64], amount: int) -> NDArray[np.f
 def grown(
     values: NDArray[np.float64], strength: NDArray[np.float64], amount: float, bounds: tuple[float, float]
 ) -> NDArray[np.float64]:
-    """What a brush changes of a field's ``values``, ``amount`` at its centre, held within ``bounds``.
+    """Change of a field's ``values`` by a brush, ``amount`` at its centre, held within ``bounds``.
 
-    What lies beyond them already stays where it is.
+    Values beyond the bounds stay as they are.
     """
     low, high = bounds
     change = amount * strength

@@ -14,7 +14,7 @@ from barchan.parameters import Parameters, parameter
 
 
 class FromFile(Parameters):
-    """A file of heights, and what may be done to make it fit."""
+    """A file of heights, and how it is made to fit the lattice."""
 
     kind: str
     path: str = parameter(
@@ -23,10 +23,10 @@ class FromFile(Parameters):
         "scenario file, from where that file lies.",
     )
     lowest: float | None = parameter(
-        None, unit="m", ge=-1e5, le=1e5, meaning="What black stands for, in an image."
+        None, unit="m", ge=-1e5, le=1e5, meaning="Height that black means, in an image."
     )
     highest: float | None = parameter(
-        None, unit="m", ge=-1e5, le=1e5, meaning="What white stands for, in an image."
+        None, unit="m", ge=-1e5, le=1e5, meaning="Height that white means, in an image."
     )
     resample: bool = parameter(
         False,
@@ -43,7 +43,7 @@ class FromFile(Parameters):
     def heights(self, lattice: Lattice, group: str, least: float, most: float) -> NDArray[np.float64]:
         """The file's heights on the lattice, all of them from ``least`` to ``most``.
 
-        Raises ScenarioError with what is wrong, under the keys of the scenario's ``group``.
+        Raises ScenarioError with every problem, under the keys of the scenario's ``group``.
         """
         try:
             raster = read(Path(self.path))
@@ -56,7 +56,7 @@ class FromFile(Parameters):
         if raster.full_scale is None:
             return raster.heights
         if self.lowest is None or self.highest is None:
-            raise UnreadableError("is an image: state lowest and highest, what black and white stand for")
+            raise UnreadableError("is an image: state lowest and highest, the heights of black and white")
         return self.lowest + (self.highest - self.lowest) * raster.heights / raster.full_scale
 
     def _filled(self, heights: NDArray[np.float64], least: float, most: float) -> NDArray[np.float64]:
@@ -103,7 +103,7 @@ class FromFile(Parameters):
 def bilinear(
     heights: NDArray[np.float64], step_y: float, step_x: float, lattice: Lattice
 ) -> NDArray[np.float64]:
-    """Heights at the centres of the lattice's cells, which are so many of the file's cells wide."""
+    """Heights at the centres of the lattice's cells, whose width is a number of the file's cells."""
     from scipy.ndimage import map_coordinates
 
     rows = (np.arange(lattice.rows) + 0.5) * step_y - 0.5

@@ -203,7 +203,7 @@ class Ramp(Terrain):
     """An even slope from edge to edge; where those edges are joined, it ends in an upright drop."""
 
     kind: Literal["ramp"] = parameter("ramp", unit="-", meaning="An even slope from edge to edge.")
-    height: float = parameter(10.0, unit="m", ge=0, le=TALLEST, meaning="What it rises over the field.")
+    height: float = parameter(10.0, unit="m", ge=0, le=TALLEST, meaning="Height over the rest of the field.")
     faces: Side = parameter("west", unit="-", meaning="The side where it is lowest.")
 
     def elevation(self, lattice: Lattice, _stream: Stream) -> NDArray[np.float64]:

@@ -1,4 +1,4 @@
-"""What every kind of initial sand shares: an even or uneven layer, counted in whole slabs."""
+"""The base of all kinds of initial sand: an even or uneven layer, counted in whole slabs."""
 
 from typing import Annotated, Any, ClassVar
 
@@ -72,7 +72,7 @@ class Layer(Parameters):
     )
 
     def slabs(self, lattice: Lattice, _ground: NDArray[np.float64], stream: Stream) -> NDArray[np.int64]:
-        """Slabs on each cell; what is random in them comes from ``stream``."""
+        """Slabs on each cell; random numbers come from ``stream``."""
         return whole(self.depth(lattice) + self.relief(lattice, stream) / lattice.thickness)
 
     def depth(self, lattice: Lattice) -> NDArray[np.float64]:

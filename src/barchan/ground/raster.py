@@ -120,4 +120,4 @@ READERS: dict[str, Callable[[Path], Raster]] = {
     ".tif": _elevation_model,
     ".tiff": _elevation_model,
 }
-"""What reads a file, by its suffix."""
+"""Readers by the suffix of the file."""

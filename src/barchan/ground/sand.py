@@ -44,7 +44,7 @@ class RandomSand(Layer):
 
 
 class DroppedSand(Layer):
-    """Slabs dropped on cells drawn at random."""
+    """Slabs dropped on random cells."""
 
     kind: Literal["dropped"] = parameter("dropped", unit="-", meaning="Slabs dropped on random cells.")
     mean: float = mean_of(3.0, "Mean number of slabs on a cell.", "Elder 2009")
@@ -113,13 +113,13 @@ class FileSand(FromFile):
 
     kind: Literal["file"] = parameter("file", unit="-", meaning="Depths of sand from a file.")
     unit: Literal["slabs", "m"] = parameter(
-        "slabs", unit="-", meaning="What the file's depths are counted in; they are rounded to whole slabs."
+        "slabs", unit="-", meaning="Unit of the file's depths; they are rounded to whole slabs."
     )
     lowest: float | None = parameter(
-        None, unit="slabs or m", ge=0, le=MOST_SLABS, meaning="What black stands for, in an image."
+        None, unit="slabs or m", ge=0, le=MOST_SLABS, meaning="Depth that black means, in an image."
     )
     highest: float | None = parameter(
-        None, unit="slabs or m", ge=0, le=MOST_SLABS, meaning="What white stands for, in an image."
+        None, unit="slabs or m", ge=0, le=MOST_SLABS, meaning="Depth that white means, in an image."
     )
 
     def slabs(self, lattice: Lattice, _ground: NDArray[np.float64], _stream: Stream) -> NDArray[np.int64]:

@@ -30,7 +30,7 @@ class FileGround(Terrain, FromFile):
         return self.heights(lattice, "ground", -HIGHEST, HIGHEST)
 
     def georeference(self) -> dict[str, Any]:
-        """Where on Earth the field lies, where the file tells it."""
+        """Position of the field on Earth, if the file states it."""
         return georeference(Path(self.path))
 
 

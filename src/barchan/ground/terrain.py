@@ -1,4 +1,4 @@
-"""What every kind of ground provides."""
+"""The base of all kinds of ground."""
 
 from typing import Any, ClassVar
 
@@ -22,7 +22,7 @@ class Terrain(Parameters):
     kind_key: ClassVar[str] = "kind"
 
     def elevation(self, lattice: Lattice, stream: Stream) -> NDArray[np.float64]:
-        """Elevation (m) on the lattice; what is random in it comes from ``stream``."""
+        """Elevation (m) on the lattice; random numbers come from ``stream``."""
         raise NotImplementedError
 
     def bare(self, lattice: Lattice) -> NDArray[np.bool_]:

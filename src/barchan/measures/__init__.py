@@ -4,7 +4,7 @@ A measure that does not exist for a bed (the spacing of a flat one) is NaN, neve
 here knows of simulations, models or files.
 """
 
-from barchan.measures.amounts import bare_fraction, flux, highest_stack, sand_volume
+from barchan.measures.amounts import bare_fraction, flux, highest_stack, stack_volume
 from barchan.measures.dunes import Dune, find_dunes
 from barchan.measures.horns import Horns, horns
 from barchan.measures.migration import Migration, migration
@@ -31,7 +31,7 @@ __all__ = [
     "highest_stack",
     "horns",
     "migration",
-    "sand_volume",
+    "stack_volume",
     "streamwise_slopes",
     "summits",
 ]

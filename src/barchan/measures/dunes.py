@@ -1,4 +1,4 @@
-"""Dunes one by one: bodies of sand that stand out of what lies between them."""
+"""Single dunes: bodies of sand higher than the sand between them."""
 
 from dataclasses import dataclass
 
@@ -13,7 +13,7 @@ from barchan.measures.filters import Field, Periodic, smoothed
 
 @dataclass(frozen=True)
 class Dune:
-    """One body of sand. Its cells are told as if the field went on over joined edges."""
+    """One body of sand. Its cells are numbered as if the field continued over periodic edges."""
 
     rows: NDArray[np.int64]
     columns: NDArray[np.int64]

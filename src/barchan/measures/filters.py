@@ -1,4 +1,4 @@
-"""What several measures do to a field first."""
+"""Filters that several measures apply to a field first."""
 
 from collections.abc import Sequence
 from typing import Literal

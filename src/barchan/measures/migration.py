@@ -19,7 +19,7 @@ class Migration:
     y: float
     """Northwards (cells per step)."""
     correlation: float
-    """How alike the surface and its shifted earlier self are (at most 1), over the longest lag used."""
+    """Correlation of the surface with its shifted earlier self (at most 1), over the longest lag used."""
 
     def __repr__(self) -> str:
         return (
@@ -79,7 +79,7 @@ PASSES = 3
 def _followed(before: Field, after: Field, guess: Field | None, periodic: Periodic) -> tuple[Field, float]:
     """Displacement (rows, columns) between two fields.
 
-    A window that stood still would hold back what moves through it: the windows of open edges go along.
+    A window at rest would hold back bedforms that move through it: the windows of open edges move along.
     """
     for _ in range(1 if all(periodic) else PASSES):
         half = np.zeros(2) if guess is None else guess / 2

@@ -15,7 +15,7 @@ class Orientation:
     azimuth: float
     """Degrees clockwise from north, in [0, 180); NaN on a bed without relief."""
     coherence: float
-    """How straight and parallel the crests are: 0 where every direction is alike, 1 for one direction."""
+    """How straight and parallel the crests are: 0 without a common direction, 1 for a single direction."""
 
     def __repr__(self) -> str:
         return f"<Orientation {self.azimuth:.1f}° from north, coherence {self.coherence:.2f}>"

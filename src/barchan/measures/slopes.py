@@ -31,7 +31,7 @@ def streamwise_slopes(
 
     Slopes of the surface smoothed over ``width`` cells, averaged with the slope itself as weight: exact
     for straight flanks, and level ground between bedforms does not count. All relief does: bedforms, hills
-    and walls of the ground, and what the smoothing leaves of single slabs.
+    and walls of the ground, and remains of single slabs after smoothing.
     """
     east, north = gradient(smoothed(elevation, width, periodic), cell_size, periodic)
     x, y = downwind(direction)

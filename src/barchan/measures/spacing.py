@@ -37,7 +37,7 @@ def streamwise_spectrum(
     """Wavenumbers along the wind (cycles per metre) and the power of a surface at them.
 
     Power is summed over all waves with the same component along the wind, which for a wind along a
-    lattice axis is the mean spectrum of the profiles along it; what does not vary along the wind is left
+    lattice axis is the mean spectrum of the profiles along it; variation across the wind alone is left
     out.
     """
     field = tapered(np.asarray(elevation, float), periodic)

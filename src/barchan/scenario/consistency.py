@@ -1,4 +1,4 @@
-"""What the parts of a scenario ask of each other."""
+"""Checks across the parts of a scenario."""
 
 from typing import TYPE_CHECKING
 
@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from barchan.scenario.definition import Scenario
 
 Found = tuple[Path, str]
-"""The key at fault and what is wrong with it."""
+"""The key at fault and the problem."""
 
 
 def inconsistencies(scenario: "Scenario", model: Model) -> list[Found]:
@@ -89,11 +89,11 @@ def _timeless(scenario: "Scenario") -> list[Found]:
     """Speeds and durations that ask for a clock where there is none."""
     found: list[Found] = []
     if isinstance(scenario.wind, Recorded):
-        text = 'is a record, whose winds need a clock to tell what they are worth; add "clock": {}'
+        text = 'is a record, whose winds need a clock for their number of polls; add "clock": {}'
         found.append((("wind", "kind"), text))
     for path, part in scenario.wind.placed_parts():
         if part.unit == "m/s":
-            text = "is m/s, which needs a clock to tell how many polls a speed is worth"
+            text = "is m/s, which needs a clock for its number of polls"
             found.append((("wind", *path, "unit"), f'{text}; add "clock": {{}} or state the speed in cells'))
         if part.lasting_seconds is not None:
             text = f"is {part.lasting_seconds:g} s, which needs a clock"

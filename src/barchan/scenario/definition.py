@@ -16,9 +16,9 @@ from barchan.lattice import Lattice
 from barchan.models import Model, models
 from barchan.parameters import Parameters, parameter
 from barchan.scenario.consistency import inconsistencies, starved_edges
-from barchan.scenario.source_map import Places
+from barchan.scenario.source_map import SourceMap
 from barchan.scenario.summary import html_table, in_a_line, summary
-from barchan.wind import Clock, Forcing, Pace, Steady, Wind
+from barchan.wind import Clock, Forcing, Steady, StepClock, Wind
 from barchan.wind.clock import spoken
 from barchan.wind.influx import AnyInflux
 
@@ -28,7 +28,7 @@ FORMAT = 2
 LARGEST_SEED = 2**53 - 1
 
 TOGETHER = "parts_do_not_go_together"
-"""Type of the error that tells what the parts of a scenario ask of each other."""
+"""Type of the error for parts of a scenario that do not fit each other."""
 
 if TYPE_CHECKING:
     AnyModel = Any
@@ -53,7 +53,7 @@ class SteadyState(Parameters):
 
 
 class Until(Parameters):
-    """What ends a run before its last step."""
+    """Conditions that end a run before its last step."""
 
     idle_steps: int | None = parameter(
         None,
@@ -66,7 +66,7 @@ class Until(Parameters):
 
 
 class Run(Parameters):
-    """How long, from which seed and what to keep."""
+    """Number of steps, seed, and frames to keep."""
 
     steps: int = parameter(
         1000,
@@ -82,12 +82,12 @@ class Run(Parameters):
         unit="-",
         ge=0,
         le=LARGEST_SEED,
-        meaning="Where all random numbers start; one is drawn and stored where none is given.",
+        meaning="Start of all random numbers; if none is given, a random one is taken and stored.",
     )
     save_every: int = parameter(
         50, unit="steps", ge=1, le=10**12, scale="log", meaning="Steps from one saved frame to the next."
     )
-    until: Until = Field(default_factory=Until, description="What ends the run earlier.")
+    until: Until = Field(default_factory=Until, description="Conditions that end the run earlier.")
 
 
 def _default_model() -> Any:
@@ -98,9 +98,9 @@ class Scenario(Parameters):
     """Everything that defines a run: same scenario and seed, same bits."""
 
     barchan: Literal[2] = parameter(FORMAT, unit="-", meaning="Version of the configuration format.")
-    title: str = parameter("", unit="-", max_length=200, meaning="What the scenario is called.")
+    title: str = parameter("", unit="-", max_length=200, meaning="Name of the scenario.")
     citation: str = parameter("", unit="-", max_length=1000, meaning="Where the scenario comes from.")
-    look_for: str = parameter("", unit="-", max_length=2000, meaning="What to watch for in the run.")
+    look_for: str = parameter("", unit="-", max_length=2000, meaning="Features to watch for in the run.")
     lattice: Lattice = Field(default_factory=Lattice, description="Lattice.")
     ground: Ground = Field(default_factory=FlatGround, description="Ground under the sand.")
     sand: Sand = Field(default_factory=FlatSand, description="Sand at the start.")
@@ -110,23 +110,23 @@ class Scenario(Parameters):
     )
     clock: Clock | None = Field(
         default=None,
-        description="What gives steps a duration, and speeds in m/s their polls; without it time is counted "
+        description="Gives steps a duration, and speeds in m/s their polls; without a clock time is counted "
         "in steps.",
     )
     model: AnyModel = Field(default_factory=_default_model, description="Model.")
     run: Run = Field(default_factory=Run, description="Run.")
 
-    _places: Places = PrivateAttr(default_factory=Places)
+    _source_map: SourceMap = PrivateAttr(default_factory=SourceMap)
 
     @property
-    def places(self) -> Places:
+    def source_map(self) -> SourceMap:
         """Where its keys stand, as far as it was read from somewhere."""
-        return self._places
+        return self._source_map
 
-    def placed(self, places: Places) -> Self:
+    def with_source_map(self, source_map: SourceMap) -> Self:
         """The same scenario, with where its keys stand."""
         copied = self.model_copy()
-        copied._places = places
+        copied._source_map = source_map
         return copied
 
     @model_validator(mode="after")
@@ -168,17 +168,19 @@ class Scenario(Parameters):
         return facts
 
     def forcing(self) -> Forcing:
-        """The wind at this scenario's pace; it must have a seed."""
+        """The wind over this scenario's lattice, with its clock; the scenario must have a seed."""
         clock, model = self.clock, self.new_model()
         if clock is None:
-            pace = Pace(self.seed, model.step_seconds)
-            return Forcing(self.wind, pace, self.lattice.cells, self.influx)
+            step_clock = StepClock(self.seed, model.step_seconds)
+            return Forcing(self.wind, step_clock, self.lattice.cells, self.influx)
         volume = model.step_volume()
-        pace = Pace(self.seed, clock.duration(volume), lambda speeds: clock.strength(speeds, volume))
-        return Forcing(self.wind, pace, self.lattice.cells, self.influx)
+        step_clock = StepClock(
+            self.seed, clock.duration(volume), lambda speeds: clock.strength(speeds, volume)
+        )
+        return Forcing(self.wind, step_clock, self.lattice.cells, self.influx)
 
     def seeded(self) -> Self:
-        """The same scenario with a seed: its own, or one drawn now."""
+        """The same scenario with a seed: its own, or a random one."""
         if self.run.seed is not None:
             return self
         seed = secrets.randbelow(2**32)
@@ -211,7 +213,7 @@ class Scenario(Parameters):
         return html_table(self.title or "Scenario", summary(self))
 
     def remarks(self) -> list[str]:
-        """What a user should know before running this."""
+        """Remarks that a user should know before running this."""
         model = self.new_model()
         remarks = [model.remarks(part.longest_hop, part.direction) for _, part in self.wind.placed_parts()]
         remarks.append(starved_edges(self))

@@ -13,7 +13,7 @@ from barchan.scenario.definition import Scenario
 from barchan.scenario.messages import nearest, problems_of
 from barchan.scenario.migrations import migrate
 from barchan.scenario.source_map import Path as KeyPath
-from barchan.scenario.source_map import Places, parse
+from barchan.scenario.source_map import SourceMap, parse
 
 Override = tuple[str, str]
 """A dotted key and the text given for it, as on a command line."""
@@ -48,7 +48,7 @@ def validate(
     overrides: Sequence[Override] = (),
     problems: Sequence[Problem] = (),
 ) -> Scenario:
-    """A scenario from plain data; ``lines`` tells where in the file ``name`` each key stands."""
+    """A scenario from plain data; ``lines`` holds the line of each key in the file ``name``."""
     found = list(problems)
     if not isinstance(data, dict):
         raise ScenarioError([Problem("", "must be a JSON object { … }", name)], name)
@@ -63,15 +63,15 @@ def validate(
 
     _name_variants(data)
 
-    places = Places(name, lines or {}, given)
+    source_map = SourceMap(name, lines or {}, given)
     try:
         scenario = Scenario.model_validate_json(json.dumps(data))
     except ValidationError as error:
-        found += problems_of(error, Scenario, data, places.of)
+        found += problems_of(error, Scenario, data, source_map.of)
         raise ScenarioError(found, name) from None
     if found:
         raise ScenarioError(found, name)
-    return scenario.placed(places)
+    return scenario.with_source_map(source_map)
 
 
 def _name_variants(data: dict[str, Any]) -> None:

@@ -1,4 +1,4 @@
-"""What pydantic finds wrong, said in the words of a scenario's user."""
+"""Errors of pydantic in the words of a scenario's user."""
 
 import difflib
 import json
@@ -24,7 +24,7 @@ def nearest(name: str, names: Iterable[str]) -> str:
 def problems_of(
     error: ValidationError, root: type[BaseModel], data: Any, place: Callable[[Path], str]
 ) -> list[Problem]:
-    """Every problem of a validation error, each with key, value, what is allowed and where."""
+    """Every problem of a validation error, each with key, value, allowed values and place."""
     found: dict[Path, Problem] = {}
     for item in error.errors(include_url=False):
         if "found" in item.get("ctx", {}):

@@ -1,4 +1,4 @@
-"""Reading a scenario's text, and what can be used of one that has mistakes."""
+"""Reading a scenario's text, and the usable part of a text that has mistakes."""
 
 from typing import Any
 
@@ -17,7 +17,7 @@ def read_text(text: str, name: str) -> Scenario:
 
 
 def salvage(text: str, name: str) -> tuple[Scenario, list[Problem]]:
-    """What is right of a scenario's text, with defaults for the rest, and what was wrong.
+    """The valid part of a scenario's text, with defaults for the rest, and the problems.
 
     Raises ScenarioError where nothing of the text can be used.
     """

@@ -17,11 +17,11 @@ _TOKEN = re.compile(r'"(?:[^"\\]|\\.)*"|[{}\[\]:,]|[^\s{}\[\]:,"]+')
 _STEP = re.compile(r"([^.\[\]]+)|\[(\d+)\]")
 
 _CONSTANTS = ("NaN", "Infinity", "-Infinity")
-"""What Python takes for JSON beyond the standard."""
+"""Words that Python accepts in JSON beyond the standard."""
 
 
 def parse(text: str, name: str) -> tuple[Any, dict[Path, int], list[Problem]]:
-    """The data in a JSON text, the line of each key and item, and what is wrong with the text itself."""
+    """The data in a JSON text, the line of each key and item, and the problems of the text itself."""
     problems: list[Problem] = []
     try:
         data = json.loads(text)
@@ -43,10 +43,10 @@ def parse(text: str, name: str) -> tuple[Any, dict[Path, int], list[Problem]]:
 
 
 @dataclass(frozen=True, eq=False)
-class Places:
-    """Where the keys of a scenario stand: in lines of a file, or on the command line.
+class SourceMap:
+    """The place of each key of a scenario: a line of a file, or the command line.
 
-    It is no part of what a scenario says, so any two are equal.
+    Places are no part of a scenario's data, so any two source maps are equal.
     """
 
     name: str = ""
@@ -55,13 +55,13 @@ class Places:
     """Keys of the command line."""
 
     def __eq__(self, other: object) -> bool:
-        """Whether the other tells places too."""
-        return isinstance(other, Places)
+        """Whether the other is a source map too."""
+        return isinstance(other, SourceMap)
 
     __hash__ = None  # type: ignore[assignment]
 
     def of(self, path: Path) -> str:
-        """``file:line`` or ``command line``; nothing where it is not known."""
+        """``file:line`` or ``command line``; empty if unknown."""
         if any(path[: len(g)] == g or (path and g[: len(path)] == path) for g in self.given):
             return "command line"
         known = (self.lines[path[:n]] for n in range(len(path), 0, -1) if path[:n] in self.lines)
@@ -69,8 +69,8 @@ class Places:
         return f"{self.name}:{line}" if line else ""
 
     @contextmanager
-    def told(self) -> Iterator[None]:
-        """Let errors raised here tell where their keys stand."""
+    def locating_errors(self) -> Iterator[None]:
+        """Add the places of keys to errors raised within."""
         try:
             yield
         except ScenarioError as error:

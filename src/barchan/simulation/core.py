@@ -38,7 +38,7 @@ class Simulation:
         """Build the bed of a scenario; without a seed one is drawn, see ``simulation.scenario``."""
         self._set_up(scenario.seeded())
         scene = self.scenario
-        with scene.places.told():
+        with scene.source_map.locating_errors():
             self.forcing.wind_of(0)
             self.bed = scene.first_bed()
             self.model.prepare(self.bed, scene.seed)
@@ -121,7 +121,7 @@ class Simulation:
         while self.steps_done < end and self.finished is None:
             looks = [c.every - self.steps_done % c.every for c in self.stop_conditions.values()]
             since = Tally()
-            for segments in self.forcing.turns(self.steps_done, min([end - self.steps_done, *looks])):
+            for segments in self.forcing.segments(self.steps_done, min([end - self.steps_done, *looks])):
                 since.add(self._blow(segments))
                 if since.finished is not None:
                     break

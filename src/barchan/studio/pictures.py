@@ -33,8 +33,8 @@ def picture(scenario: Scenario) -> Image.Image:
         simulation.advance(min(20, scenario.run.steps - simulation.steps_done))
     frame = dataset_of(simulation, [simulation.frame()]).isel(step=0)
     surface = smooth(frame["elevation"].values, SMOOTHING, scenario)
-    sandy = frame["sand"].values > 0
-    coloured = surface[sandy] if sandy.any() else surface
+    covered = (frame["elevation"] > frame["ground"]).values
+    coloured = surface[covered] if covered.any() else surface
     norm = Normalize(float(coloured.min()), float(coloured.max()))
     colours = shaded(frame, scenario, norm=norm, smoothing=SMOOTHING)[::-1]
     image = Image.fromarray((colours * 255).round().astype(np.uint8))

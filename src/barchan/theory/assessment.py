@@ -20,7 +20,7 @@ MOST_STEPS = 10_000
 
 @dataclass(frozen=True)
 class Assessment:
-    """What to expect of a wind."""
+    """Expectations for a wind."""
 
     drift: Drift
     """Sand moved, in m²/yr or as shares."""
@@ -56,7 +56,7 @@ def assess(drift: Drift, potential: Drift | None = None, supply: float | None = 
 
 
 def assess_record(record: WindRecord, sand: Saltation, supply: float | None = None) -> Assessment:
-    """What to expect of a wind record over some sand.
+    """Expectations for a wind record over some sand.
 
     Drift potential takes the speed at 10 m, by the law of the wall from the height of the record.
     """
@@ -80,8 +80,8 @@ def scenario_drift(scenario: Scenario) -> Drift:
     steps = min(max(scenario.run.steps, 1), MOST_STEPS)
     own = getattr(scenario.model, "hop_length", 1.0)
     works: dict[float, float] = {}
-    for _, count, stretches in scenario.seeded().forcing().spells(0, steps):
-        for s in stretches:
+    for _, count, intervals in scenario.seeded().forcing().constant_intervals(0, steps):
+        for s in intervals:
             hop = own if s.hop_length is None else s.hop_length
             works[s.direction] = works.get(s.direction, 0.0) + count * s.share * s.strength * hop
     winds = list(works.items())

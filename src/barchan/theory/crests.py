@@ -30,7 +30,7 @@ class Crest:
     rivals: tuple[float, ...] = ()
     """Other directions that are as good within 1 %: with them the prediction is ambiguous."""
     contrast: float = float("nan")
-    """1 less the worst over the best direction's growth: near 0 where all directions are alike."""
+    """1 less the worst over the best direction's growth: near 0 if no direction stands out."""
 
     @property
     def ambiguous(self) -> bool:
@@ -94,7 +94,7 @@ def _growth(azimuths: NDArray, drift: Drift, speedup: float) -> NDArray[np.float
 def _summits(azimuths: NDArray, growth: NDArray) -> list[float]:
     """Directions that are the best of their neighbourhood and nearly the best of all, the best first.
 
-    A flat top, where neighbours are alike, counts once, by its middle.
+    A flat top, where neighbours are equal, counts once, by its middle.
     """
     before, after = np.roll(growth, 1), np.roll(growth, -1)
     level = 1e-12 * growth.max()

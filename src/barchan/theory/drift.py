@@ -1,6 +1,6 @@
 """Sand drift under many winds: how much, which way, how variable.
 
-A drift is told by directions (where each wind comes from) and amounts: drift potential, flux times duration,
+A drift is given by directions (where each wind comes from) and amounts: drift potential, flux times duration,
 or any weight in proportion to the sand that each wind moves.
 """
 
@@ -48,7 +48,7 @@ class Drift:
 
     @property
     def resultant(self) -> float:
-        """What all movements come to: the resultant drift potential RDP."""
+        """Magnitude of the vector sum of all movements: the resultant drift potential RDP."""
         return float(np.hypot(*self.vector))
 
     @property

@@ -24,7 +24,7 @@ TYPES = {
 def dune_type(steadiness: float, supply: float | None = None) -> str:
     """The expected dunes, by RDP/DP and equivalent sand thickness (m): all sand spread evenly.
 
-    Without a supply both kinds are told; where nothing moves, none.
+    Without a supply both kinds are given; if nothing moves, none.
     """
     if math.isnan(steadiness):
         return "none: nothing moves"

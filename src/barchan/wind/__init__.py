@@ -6,7 +6,7 @@ from pydantic import Field
 
 from barchan.wind.clock import Clock
 from barchan.wind.forcing import Forcing
-from barchan.wind.interval import Pace
+from barchan.wind.interval import StepClock
 from barchan.wind.mixed_axes import MixedAxes
 from barchan.wind.recorded import Recorded
 from barchan.wind.regimes import Regime, Regimes
@@ -19,11 +19,11 @@ __all__ = [
     "Clock",
     "Forcing",
     "MixedAxes",
-    "Pace",
     "Recorded",
     "Regime",
     "Regimes",
     "Segment",
     "Steady",
+    "StepClock",
     "Wind",
 ]

@@ -1,4 +1,4 @@
-"""What a steady wind and a regime have in common: direction, speed, and how both vary."""
+"""Direction and speed of a wind and their random variation, shared by steady winds and regimes."""
 
 from typing import Any, Literal, Self
 
@@ -7,11 +7,11 @@ from pydantic import Field, model_validator
 
 from barchan.parameters import parameter
 from barchan.wind.gusts import Gusts, normal
-from barchan.wind.interval import Pace, Stretch
+from barchan.wind.interval import StepClock, WindInterval
 from barchan.wind.weather import WithWeather
 
 SPEED: dict[str, Any] = {"unit": "cells or m/s", "ge": 0, "le": 100_000}
-"""What all speeds have in common."""
+"""Declaration shared by all speeds."""
 
 
 class Blowing(WithWeather):
@@ -45,7 +45,7 @@ class Blowing(WithWeather):
         ge=0,
         le=180,
         live=True,
-        meaning="Standard deviation of the direction, drawn anew for each step.",
+        meaning="Standard deviation of the direction, random in each step.",
         source="Prague thesis, §2.1.3: barchans stand up to 15 degrees",
     )
     gusts: Gusts | None = Field(default=None, description="Gusts of a speed in m/s; none where not given.")
@@ -60,29 +60,32 @@ class Blowing(WithWeather):
 
     @property
     def longest_hop(self) -> float | None:
-        """The longest hop (cells) that it states."""
+        """Longest hop (cells) that the wind states, if any."""
         return None if self.unit == "m/s" else self.speed
 
     @property
     def lasting_seconds(self) -> float | None:
-        """How long it blows (s), where that is stated in seconds."""
+        """Duration of the wind (s), if stated in seconds."""
         return None
 
     @property
     def varies(self) -> bool:
-        """Whether chance changes it from step to step."""
+        """Whether direction or speed vary at random from step to step."""
         return self.spread > 0.0 or (self.gusts is not None and self.gusts.intensity > 0.0)
 
-    def stretch(self, step: int, start: float, share: float, speed: float | None, pace: Pace) -> Stretch:
+    def interval(
+        self, step: int, start: float, share: float, speed: float | None, clock: StepClock
+    ) -> WindInterval:
         """The wind for a share of a step, from a share ``start`` of it on, at a mean speed."""
         direction = self.direction
-        if self.spread > 0.0 and pace.deviates:
-            direction = (direction + self.spread * normal(pace.directions, step)) % 360.0
+        if self.spread > 0.0 and clock.deviates:
+            direction = (direction + self.spread * normal(clock.directions, step)) % 360.0
         if speed is None or self.unit == "cells":
             strength = 0.0 if speed == 0.0 else 1.0
-            return Stretch(share, direction, speed or None, strength=strength, weather=self.weather)
+            return WindInterval(share, direction, speed or None, strength=strength, weather=self.weather)
         speeds = np.array([speed])
         if self.gusts is not None:
-            seconds = pace.seconds()
-            speeds = speed * self.gusts.factors((step + start) * seconds, share * seconds, pace.gusts)
-        return Stretch(share, direction, None, float(speeds.mean()), pace.worth(speeds), self.weather)
+            seconds = clock.seconds()
+            speeds = speed * self.gusts.factors((step + start) * seconds, share * seconds, clock.gusts)
+        mean = float(speeds.mean())
+        return WindInterval(share, direction, None, mean, clock.mean_strength(speeds), self.weather)

@@ -14,11 +14,11 @@ DAY = 86400.0
 
 
 class Clock(Saltation):
-    """What gives steps a duration: the sand that a wind really moves, over what a step's polls move.
+    """The flux law and the sand that give each step a duration and each wind its number of polls.
 
     Under the reference wind a step has as many polls as the lattice has cells. Over a flat bed of sand
-    these carry a known volume, and the reference wind takes a known time for it: that is a step. Other
-    winds have polls in proportion to their flux.
+    these polls carry a known volume, and a step lasts as long as the reference wind takes to carry it.
+    Other winds have polls in proportion to their flux.
     """
 
     reference_speed: float = parameter(
@@ -35,8 +35,8 @@ class Clock(Saltation):
         gt=0,
         le=1e12,
         scale="log",
-        meaning="Duration of a step; the time that the reference wind takes to move what a step's polls do "
-        "where it is not given.",
+        meaning="Duration of a step; by default the time in which the reference wind moves as much sand as "
+        "the polls of a step.",
     )
 
     def duration(self, step_volume: float) -> float:

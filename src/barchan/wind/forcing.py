@@ -1,4 +1,4 @@
-"""From a wind to what models are told: segments of steps."""
+"""From a wind to the segments that models work on."""
 
 import math
 from collections.abc import Iterator
@@ -8,60 +8,60 @@ from typing import Protocol
 from barchan.directions import bearing, downwind
 from barchan.streams import GOLDEN, MASK
 from barchan.wind.influx import Influx
-from barchan.wind.interval import Pace, Stretch
+from barchan.wind.interval import StepClock, WindInterval
 from barchan.wind.segment import Segment
 from barchan.wind.weather import Weather
 
 _NOWHERE = 1e-9
-"""Mean transport below this, over what all winds move, points nowhere."""
+"""Fraction of the total transport below which the mean transport has no direction."""
 
 
 class Blows(Protocol):
-    """What every kind of wind can tell."""
+    """A wind of any kind."""
 
-    def lasts(self, step: int, pace: Pace, /) -> int:
-        """For how many steps from ``step`` on the wind stays the same."""
+    def lasts(self, step: int, clock: StepClock, /) -> int:
+        """Number of steps from ``step`` on in which the wind stays the same."""
         ...
 
-    def stretches(self, step: int, pace: Pace, /) -> list[Stretch]:
-        """The winds of a step, in order."""
+    def intervals(self, step: int, clock: StepClock, /) -> list[WindInterval]:
+        """Intervals of a step, in order."""
         ...
 
 
 @dataclass(frozen=True)
 class Forcing:
-    """A wind over a lattice of ``cells`` cells, at the pace of a run."""
+    """A wind over a lattice of ``cells`` cells, with the clock of a run."""
 
     wind: Blows
-    pace: Pace
+    clock: StepClock
     cells: int
     influx: Influx | None = None
     """What enters across open edges from upwind."""
 
-    def turns(self, step: int, steps: int) -> Iterator[list[Segment]]:
-        """What happens in ``steps`` steps from ``step`` on, in order.
+    def segments(self, step: int, steps: int) -> Iterator[list[Segment]]:
+        """Segments of ``steps`` steps from ``step`` on, in order.
 
         Each list is one or more whole steps of a single segment, or the segments of one step.
         """
-        for start, alike, stretches in self.spells(step, steps):
-            if len(stretches) > 1:
-                for now in range(start, start + alike):
-                    yield self._step(now, stretches)
+        for start, count, intervals in self.constant_intervals(step, steps):
+            if len(intervals) > 1:
+                for now in range(start, start + count):
+                    yield self._step(now, intervals)
                 continue
-            for first, count, polls in self._runs(start, alike, stretches[0]):
-                yield [self._segment(first, stretches[0], 0, polls, count)]
+            for first, steps_of, polls in self._runs(start, count, intervals[0]):
+                yield [self._segment(first, intervals[0], 0, polls, steps_of)]
 
-    def spells(self, step: int, steps: int) -> Iterator[tuple[int, int, list[Stretch]]]:
-        """Steps in a row with the same winds: the first, how many, and the winds of each."""
+    def constant_intervals(self, step: int, steps: int) -> Iterator[tuple[int, int, list[WindInterval]]]:
+        """Runs of steps with the same intervals: first step, number of steps, intervals of each step."""
         end = step + steps
         while step < end:
-            alike = min(self.wind.lasts(step, self.pace), end - step)
-            yield step, alike, self.wind.stretches(step, self.pace)
-            step += alike
+            count = min(self.wind.lasts(step, self.clock), end - step)
+            yield step, count, self.wind.intervals(step, self.clock)
+            step += count
 
-    def _runs(self, step: int, steps: int, stretch: Stretch) -> Iterator[tuple[int, int, int]]:
-        """Steps in a row with equally many polls: the first, how many, and their polls."""
-        wanted = stretch.share * stretch.strength * self.cells
+    def _runs(self, step: int, steps: int, interval: WindInterval) -> Iterator[tuple[int, int, int]]:
+        """Runs of steps with the same number of polls: first step, number of steps, polls of each step."""
+        wanted = interval.share * interval.strength * self.cells
         if wanted == math.floor(wanted):
             yield step, steps, int(wanted)
             return
@@ -73,52 +73,52 @@ class Forcing:
                 first, polls = now, here
         yield first, step + steps - first, polls
 
-    def _step(self, step: int, stretches: list[Stretch]) -> list[Segment]:
-        """The segments of one step; their polls are whole, and right in their sums."""
+    def _step(self, step: int, intervals: list[WindInterval]) -> list[Segment]:
+        """Segments of one step; polls are whole numbers whose sums are exact on average."""
         found = []
         total, before = _dither(step), 0
-        for number, stretch in enumerate(stretches, start=1):
-            total += stretch.share * stretch.strength * self.cells
+        for number, interval in enumerate(intervals, start=1):
+            total += interval.share * interval.strength * self.cells
             after = math.floor(total + 1e-9)
-            ends = number == len(stretches)
-            found.append(self._segment(step, stretch, before, after - before, 1, ends))
+            ends = number == len(intervals)
+            found.append(self._segment(step, interval, before, after - before, 1, ends))
             before = after
         return found
 
     def _segment(
-        self, step: int, stretch: Stretch, first: int, polls: int, steps: int, ends: bool = True
+        self, step: int, interval: WindInterval, first: int, polls: int, steps: int, ends: bool = True
     ) -> Segment:
-        seconds = self.pace.step_seconds
+        seconds = self.clock.step_seconds
         return Segment(
             step,
             steps,
             first,
             polls,
-            stretch.direction,
-            stretch.hop_length,
-            stretch.speed,
-            stretch.share,
+            interval.direction,
+            interval.hop_length,
+            interval.speed,
+            interval.share,
             seconds,
             ends,
             self.influx,
-            stretch.weather,
+            interval.weather,
         )
 
     def wind_of(self, step: int) -> Segment:
-        """The winds of a step as one: where their mean transport comes from, their mean hop and speed.
+        """The step's intervals as one segment: direction of the mean transport, mean hop length, mean speed.
 
-        Deviations by chance from a wind's direction are left out.
+        Random deviations from a wind's direction are left out.
         """
-        stretches = self.wind.stretches(step, replace(self.pace, deviates=False))
-        works = [s.share * s.strength * (1.0 if s.hop_length is None else s.hop_length) for s in stretches]
+        intervals = self.wind.intervals(step, replace(self.clock, deviates=False))
+        works = [s.share * s.strength * (1.0 if s.hop_length is None else s.hop_length) for s in intervals]
         x, y = (
-            math.fsum(work * downwind(s.direction)[axis] for work, s in zip(works, stretches, strict=True))
+            math.fsum(work * downwind(s.direction)[axis] for work, s in zip(works, intervals, strict=True))
             for axis in (0, 1)
         )
         total = math.fsum(works)
-        strongest = stretches[max(range(len(works)), key=works.__getitem__)]
+        strongest = intervals[max(range(len(works)), key=works.__getitem__)]
         drifts = math.hypot(x, y) > _NOWHERE * total
-        only = len(stretches) == 1
+        only = len(intervals) == 1
         direction = strongest.direction if only or not drifts else bearing(x, y)
         return Segment(
             step,
@@ -126,29 +126,29 @@ class Forcing:
             0,
             self.cells,
             direction,
-            _mean([(s.share, s.hop_length) for s in stretches]),
-            _mean([(s.share, s.speed) for s in stretches]),
+            _mean([(s.share, s.hop_length) for s in intervals]),
+            _mean([(s.share, s.speed) for s in intervals]),
             1.0,
-            self.pace.step_seconds,
-            weather=strongest.weather if only else _mean_weather(stretches),
+            self.clock.step_seconds,
+            weather=strongest.weather if only else _mean_weather(intervals),
         )
 
 
 def _mean(values: list[tuple[float, float | None]]) -> float | None:
-    """The mean of weighted values, where all are known."""
+    """Mean of weighted values, or None if one is unknown."""
     if any(value is None for _, value in values):
         return None
     return math.fsum(share * value for share, value in values if value is not None)
 
 
-def _mean_weather(stretches: list[Stretch]) -> Weather:
+def _mean_weather(intervals: list[WindInterval]) -> Weather:
     """Mean air temperature and snowfall over a step, where all its winds state them."""
     return Weather(
-        _mean([(s.share, s.weather.temperature) for s in stretches]),
-        _mean([(s.share, s.weather.snowfall) for s in stretches]),
+        _mean([(s.share, s.weather.temperature) for s in intervals]),
+        _mean([(s.share, s.weather.snowfall) for s in intervals]),
     )
 
 
 def _dither(step: int) -> float:
-    """A number in [0, 1), spread evenly over any steps in a row: multiples of the golden ratio."""
+    """A number in [0, 1), uniform over successive steps: multiples of the golden ratio."""
     return ((step * GOLDEN) & MASK) / 2.0**64

@@ -1,6 +1,6 @@
 """The wind's frame: the field turned by quarter turns so that the wind blows towards growing columns.
 
-Only quarter turns are made, so nothing is interpolated; what is left of the wind's angle lies within 45
+Only quarter turns are made, so nothing is interpolated; the remaining angle of the wind lies within 45
 degrees of the columns' axis.
 """
 

@@ -10,7 +10,7 @@ from barchan.parameters import Parameters, parameter
 from barchan.streams import Stream
 
 MOST_SAMPLES = 32
-"""Moments of a stretch of wind that are looked at."""
+"""Largest number of moments of an interval at which the speed is computed."""
 
 _JUSTUS = -1.086
 """Exponent of the Weibull shape in the intensity (Justus et al. 1978, J. Appl. Meteorol. 17, 350-353)."""
@@ -19,9 +19,9 @@ _JUSTUS = -1.086
 class Gusts(Parameters):
     """How a wind's speed varies about its mean, in time.
 
-    At moments one correlation time apart independent normal numbers are drawn; between two of them the
-    number is their mean by distance, scaled to a variance of 1. The distribution turns it into a factor
-    of mean 1 (``normal``: and not below 0) on the speed.
+    Independent normal numbers stand one correlation time apart; between two of them the number is their
+    mean weighted by distance, scaled to a variance of 1. The distribution turns it into a factor of mean 1
+    (``normal``: and not below 0) on the speed.
     """
 
     intensity: float = parameter(
@@ -41,7 +41,7 @@ class Gusts(Parameters):
         gt=0,
         le=1e6,
         scale="log",
-        meaning="Time after which the wind has forgotten its gust.",
+        meaning="Time after which gusts are independent of each other.",
     )
 
     def factors(self, start: float, duration: float, stream: Stream) -> NDArray[np.float64]:
@@ -54,8 +54,8 @@ class Gusts(Parameters):
         """Normal numbers at moments, in correlation times."""
         before = np.floor(moments).astype(np.int64)
         nodes = np.unique(np.concatenate([before, before + 1]))
-        drawn = np.array([normal(stream, int(node)) for node in nodes])
-        left, right = (drawn[np.searchsorted(nodes, before + k)] for k in (0, 1))
+        random = np.array([normal(stream, int(node)) for node in nodes])
+        left, right = (random[np.searchsorted(nodes, before + k)] for k in (0, 1))
         near = moments - before
         mixed: NDArray[np.float64] = ((1 - near) * left + near * right) / np.hypot(1 - near, near)
         return mixed

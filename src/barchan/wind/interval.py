@@ -1,4 +1,4 @@
-"""What a wind does during a part of a step, and what it needs to know to say so."""
+"""A part of a step under one constant wind, and the clock that relates steps to seconds and polls."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -10,61 +10,61 @@ from barchan.streams import Stream
 from barchan.wind.weather import UNKNOWN, Weather
 
 Strength = Callable[[NDArray[np.float64]], NDArray[np.float64]]
-"""From speeds (m/s) to the polls that they are worth, over the polls of a step."""
+"""From speeds (m/s) to polls, as a fraction of the polls of a step."""
 
 
 @dataclass(frozen=True)
-class Stretch:
-    """A wind that holds for a share of a step."""
+class WindInterval:
+    """A fraction of a step during which direction and speed are constant."""
 
     share: float
-    """Of the step's time; those of a step add up to 1."""
+    """Fraction of the step's time; the fractions of a step add up to 1."""
     direction: float
-    """Where it comes from (degrees)."""
+    """Direction that the wind comes from (degrees clockwise from north)."""
     hop_length: float | None = None
-    """Its speed as a hop length (cells), where it is stated so."""
+    """Speed as a hop length (cells), if the wind states it so."""
     speed: float | None = None
-    """Its speed (m/s), where it is stated so."""
+    """Speed (m/s), if the wind states it so."""
     strength: float = 1.0
-    """Polls in its time over those that a step has in as much time."""
+    """Polls of this interval over the polls that a step has in the same time."""
     weather: Weather = UNKNOWN
     """Air temperature and snowfall, where they are stated."""
 
 
 @dataclass(frozen=True)
-class Pace:
-    """How steps and seconds, speeds and polls go together in a run."""
+class StepClock:
+    """Converts steps to seconds and speeds to polls in one run, and holds its random streams."""
 
     seed: int
-    """The run's."""
+    """Seed of the run."""
     step_seconds: float | None = None
-    """Duration of a step, where it is known."""
+    """Duration of a step (s), if known."""
     strength: Strength | None = None
-    """What a speed is worth, where polls count the sand that a wind moves."""
+    """Polls by speed, if polls are in proportion to the flux."""
     deviates: bool = True
-    """Whether directions deviate from their means by chance."""
+    """Whether directions deviate from their means at random."""
 
     @property
     def directions(self) -> Stream:
-        """The stream that deviations from a wind's direction are drawn from."""
+        """Random numbers for deviations from a wind's direction."""
         return Stream(self.seed, "wind direction")
 
     @property
     def gusts(self) -> Stream:
-        """The stream that gusts are drawn from."""
+        """Random numbers for gusts."""
         return Stream(self.seed, "gusts")
 
     @property
     def samples(self) -> Stream:
-        """The stream that winds of a record are picked with."""
+        """Random numbers that pick winds from a record."""
         return Stream(self.seed, "wind record")
 
-    def worth(self, speeds: NDArray[np.float64]) -> float:
-        """Mean strength of speeds (m/s) that hold equally long."""
+    def mean_strength(self, speeds: NDArray[np.float64]) -> float:
+        """Mean strength of speeds (m/s) of equal duration."""
         return 1.0 if self.strength is None else float(self.strength(speeds).mean())
 
     def seconds(self) -> float:
-        """Duration of a step; raises ValueError where it is not known."""
+        """Duration of a step (s); raises ValueError if unknown."""
         if self.step_seconds is None:
             raise ValueError("the duration of a step is not known")
         return self.step_seconds

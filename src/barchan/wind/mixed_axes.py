@@ -7,7 +7,7 @@ from pydantic import model_validator
 from barchan.directions import bearing, downwind
 from barchan.parameters import Parameters, parameter
 from barchan.wind.blowing import Blowing
-from barchan.wind.interval import Pace, Stretch
+from barchan.wind.interval import StepClock, WindInterval
 from barchan.wind.steady import FOR_EVER, Steady
 
 
@@ -65,22 +65,22 @@ class MixedAxes(Parameters):
         rest = 1.0 - self.share
         return bearing(self.share * x + rest * across_x, self.share * y + rest * across_y)
 
-    def lasts(self, _step: int, _pace: Pace) -> int:
-        """For how many steps from ``step`` on the wind stays the same."""
+    def lasts(self, _step: int, _clock: StepClock) -> int:
+        """Number of steps from ``step`` on in which the wind stays the same."""
         return FOR_EVER
 
-    def stretches(self, _step: int, _pace: Pace) -> list[Stretch]:
-        """The winds of a step, in order."""
+    def intervals(self, _step: int, _clock: StepClock) -> list[WindInterval]:
+        """Intervals of a step, in order."""
         shares = self.share, 1.0 - self.share
         axes = self.first, self.second
         return [
-            Stretch(share / self.turns, float(axis), self.speed)
+            WindInterval(share / self.turns, float(axis), self.speed)
             for _ in range(self.turns)
             for axis, share in zip(axes, shares, strict=True)
         ]
 
     def placed_parts(self) -> list[tuple[tuple[str | int, ...], Blowing]]:
-        """The winds that it is made of, and under which keys they stand."""
+        """The winds of both axes, with their keys."""
         axes = self.first, self.second
         return [((), Steady(direction=float(axis), speed=self.speed)) for axis in axes]
 

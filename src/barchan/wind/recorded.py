@@ -11,7 +11,7 @@ from pydantic import Field
 from barchan.errors import Problem, RecordError, ScenarioError
 from barchan.parameters import Parameters, parameter
 from barchan.wind.blowing import Blowing
-from barchan.wind.interval import Pace, Stretch
+from barchan.wind.interval import StepClock, WindInterval
 from barchan.wind.records import SAMPLE, RecordFormat, WindRecord, read_record
 from barchan.wind.steady import FOR_EVER
 
@@ -37,12 +37,12 @@ class Series(NamedTuple):
 
 
 class Recorded(Parameters):
-    """The winds of a record, one after the other, at the clock's pace.
+    """The winds of a record, one after the other, at the speed of the run's clock.
 
     A wind has polls in proportion to the sand that it moves, by the clock's flux law; below the threshold
     time passes without polls. Where a step covers more winds than ``winds``, that many of them blow for
     equal shares of the step's sand: they are picked at equal distances of sand moved from a random start,
-    so that each is picked in proportion to what it moves. What the record misses is skipped.
+    so that each is picked in proportion to the sand it moves. Gaps of the record are skipped.
     """
 
     kind_key: ClassVar[str] = "kind"
@@ -52,7 +52,7 @@ class Recorded(Parameters):
         None,
         unit="-",
         min_length=1,
-        meaning="The record, CSV or NetCDF; where it is not given the made-up one that ships with Barchan.",
+        meaning="The record, CSV or NetCDF; by default the made-up one that ships with Barchan.",
     )
     columns: RecordFormat = Field(default_factory=RecordFormat, description="How the record is written.")
     repeat: bool = parameter(
@@ -80,56 +80,56 @@ class Recorded(Parameters):
             ]
             raise ScenarioError(found, source) from None
 
-    def lasts(self, step: int, pace: Pace) -> int:
-        """For how many steps from ``step`` on the wind stays the same."""
-        edges, start = self._series.ends, self._start(step, pace)
+    def lasts(self, step: int, clock: StepClock) -> int:
+        """Number of steps from ``step`` on in which the wind stays the same."""
+        edges, start = self._series.ends, self._start(step, clock)
         if start is None:
             return FOR_EVER
         row = int(np.searchsorted(edges, start, "right"))
-        return max(int((edges[row] - start) / pace.seconds() + _ROUNDING), 1)
+        return max(int((edges[row] - start) / clock.seconds() + _ROUNDING), 1)
 
-    def stretches(self, step: int, pace: Pace) -> list[Stretch]:
-        """The winds of a step, in order."""
-        rows, record = self._rows(step, pace), self.record
+    def intervals(self, step: int, clock: StepClock) -> list[WindInterval]:
+        """Intervals of a step, in order."""
+        rows, record = self._rows(step, clock), self.record
         speeds, directions = record.speed[rows.numbers], record.direction[rows.numbers]
-        strengths = np.ones(len(speeds)) if pace.strength is None else pace.strength(speeds)
+        strengths = np.ones(len(speeds)) if clock.strength is None else clock.strength(speeds)
         shares = rows.shares
-        if pace.deviates and len(speeds) > self.winds:
-            picked, shares = self._picked(step, shares * strengths, pace)
+        if clock.deviates and len(speeds) > self.winds:
+            picked, shares = self._picked(step, shares * strengths, clock)
             strength = float(np.dot(rows.shares, strengths))
             speeds, directions, strengths = speeds[picked], directions[picked], np.full(len(picked), strength)
         columns = (shares, directions, speeds, strengths)
         found = [
-            Stretch(share, direction, None, speed, strength)
+            WindInterval(share, direction, None, speed, strength)
             for share, direction, speed, strength in zip(*(c.tolist() for c in columns), strict=True)
         ]
         after = 1.0 - float(shares.sum())
-        return [*found, Stretch(after, 0.0, None, 0.0, 0.0)] if after > _ROUNDING else found
+        return [*found, WindInterval(after, 0.0, None, 0.0, 0.0)] if after > _ROUNDING else found
 
     def _picked(
-        self, step: int, works: NDArray[np.float64], pace: Pace
+        self, step: int, works: NDArray[np.float64], clock: StepClock
     ) -> tuple[NDArray[np.intp], NDArray[np.float64]]:
-        """Which winds of a step stand for all, in proportion to the sand they move, and their shares."""
+        """Winds that represent all winds of a step, in proportion to the sand they move, and their shares."""
         total = np.cumsum(works)
         if total[-1] == 0.0:
             return np.zeros(1, np.intp), np.ones(1)
-        first = float(pace.samples.draws(step, 1)[0] >> np.uint64(11)) * 2.0**-53
+        first = float(clock.samples.draws(step, 1)[0] >> np.uint64(11)) * 2.0**-53
         at = (np.arange(self.winds) + first) / self.winds * total[-1]
         picked, counts = np.unique(np.searchsorted(total, at, "right"), return_counts=True)
         return picked, counts / self.winds
 
-    def _start(self, step: int, pace: Pace) -> float | None:
-        """When in the record (s) a step starts; None after its end."""
-        start, whole = step * pace.seconds(), float(self._series.ends[-1])
+    def _start(self, step: int, clock: StepClock) -> float | None:
+        """Time of the record (s) at which a step starts; None after the end of the record."""
+        start, whole = step * clock.seconds(), float(self._series.ends[-1])
         if not self.repeat and start >= whole:
             return None
         return start % whole
 
-    def _rows(self, step: int, pace: Pace) -> Rows:
-        start = self._start(step, pace)
+    def _rows(self, step: int, clock: StepClock) -> Rows:
+        start = self._start(step, clock)
         if start is None:
             return Rows(np.zeros(0), np.zeros(0, np.intp))
-        edges, length = self._series.ends, pace.seconds()
+        edges, length = self._series.ends, clock.seconds()
         whole = float(edges[-1])
         if length >= whole and self.repeat:
             return Rows(np.diff(edges, prepend=0.0) / whole, np.arange(len(edges)))

@@ -8,8 +8,8 @@ from pydantic import Field, model_validator
 
 from barchan.parameters import Parameters, parameter
 from barchan.wind.blowing import SPEED, Blowing
-from barchan.wind.interval import Pace, Stretch
-from barchan.wind.speed_ramps import AnyCourse, Linear
+from barchan.wind.interval import StepClock, WindInterval
+from barchan.wind.speed_ramps import AnySpeedRamp, Linear
 from barchan.wind.steady import FOR_EVER
 
 FINENESS = 0.01
@@ -17,7 +17,7 @@ FINENESS = 0.01
 MOST_SLICES = 64
 
 _MOMENTS = 8
-"""Moments of a stretch whose speeds are compared to see how much the speed changes."""
+"""Number of moments of an interval whose speeds are compared to find how much the speed changes."""
 
 _NOTHING = 1e-9
 """Shares of a step below this are rounding."""
@@ -39,7 +39,7 @@ class Regime(Blowing):
         ge=1,
         le=10**9,
         scale="log",
-        meaning="How long it blows; give this or seconds.",
+        meaning="Duration of the regime; give this or seconds.",
         source="Prague thesis, §5.3",
     )
     seconds: float | None = parameter(
@@ -48,16 +48,16 @@ class Regime(Blowing):
         gt=0,
         le=1e12,
         scale="log",
-        meaning="How long it blows, in a scenario with a clock.",
+        meaning="Duration of the regime, in a scenario with a clock.",
     )
     final_speed: float | None = parameter(
         None,
-        meaning="Speed at its end; the first speed where it is not given.",
+        meaning="Speed at the end of the regime; by default the first speed.",
         source="Prague thesis, §5.3",
         **SPEED,
     )
-    course: AnyCourse = Field(
-        default_factory=Linear, description="How the speed goes from the first to the last."
+    course: AnySpeedRamp = Field(
+        default_factory=Linear, description="How the speed changes from the first to the last."
     )
 
     @model_validator(mode="after")
@@ -71,20 +71,20 @@ class Regime(Blowing):
 
     @property
     def longest_hop(self) -> float | None:
-        """The longest hop (cells) that it states."""
+        """Longest hop (cells) that the regime states, if any."""
         if self.unit == "m/s":
             return None
         return max(filter(None, (self.speed, self.final_speed)), default=None)
 
     @property
     def lasting_seconds(self) -> float | None:
-        """How long it blows (s), where that is stated in seconds."""
+        """Duration of the regime (s), if stated in seconds."""
         return self.seconds
 
-    def duration(self, pace: Pace) -> float:
-        """How long it blows, in steps."""
+    def duration(self, clock: StepClock) -> float:
+        """Duration of the regime (steps)."""
         if self.seconds is not None:
-            return self.seconds / pace.seconds()
+            return self.seconds / clock.seconds()
         assert self.steps is not None, "the validator saw to it"
         return float(self.steps)
 
@@ -126,59 +126,59 @@ class Regimes(Parameters):
         True, unit="-", meaning="Whether they start over when all are done.", source="Prague thesis, §5.3"
     )
 
-    def cycle(self, pace: Pace) -> float:
+    def cycle(self, clock: StepClock) -> float:
         """How long all regimes blow together, in steps."""
-        return math.fsum(regime.duration(pace) for regime in self.regimes)
+        return math.fsum(regime.duration(clock) for regime in self.regimes)
 
-    def lasts(self, step: int, pace: Pace) -> int:
-        """For how many steps from ``step`` on the wind stays the same."""
-        regime, over = self._at(step, pace)
+    def lasts(self, step: int, clock: StepClock) -> int:
+        """Number of steps from ``step`` on in which the wind stays the same."""
+        regime, over = self._at(step, clock)
         if regime.varies:
             return 1
-        left = regime.duration(pace) - over
+        left = regime.duration(clock) - over
         if left <= 0.0:
             return FOR_EVER
         return 1 if regime.changes else max(math.floor(left + _NOTHING), 1)
 
-    def stretches(self, step: int, pace: Pace) -> list[Stretch]:
-        """The winds of a step, in order."""
-        found: list[Stretch] = []
-        for regime, over, start, share in self._pieces(step, pace):
-            duration = regime.duration(pace)
+    def intervals(self, step: int, clock: StepClock) -> list[WindInterval]:
+        """Intervals of a step, in order."""
+        found: list[WindInterval] = []
+        for regime, over, start, share in self._pieces(step, clock):
+            duration = regime.duration(clock)
             first, last = (min((over + t) / duration, 1.0) for t in (0.0, share))
             count = regime.slices(first, last)
             for k in range(count):
                 speed = regime.speed_at(first + (last - first) * (k + 0.5) / count)
                 at, part = start + share * k / count, share / count
-                found.append(regime.stretch(step, at, part, speed, pace))
+                found.append(regime.interval(step, at, part, speed, clock))
         return found
 
-    def _pieces(self, step: int, pace: Pace) -> Iterator[tuple[Regime, float, float, float]]:
+    def _pieces(self, step: int, clock: StepClock) -> Iterator[tuple[Regime, float, float, float]]:
         """The regimes of a step: how much of each is over, where in the step it starts, and its share."""
-        if self.repeat and self.cycle(pace) < 1.0 - _NOTHING:
-            scale, start = 1.0 / self.cycle(pace), 0.0
+        if self.repeat and self.cycle(clock) < 1.0 - _NOTHING:
+            scale, start = 1.0 / self.cycle(clock), 0.0
             for regime in self.regimes:
-                yield regime, 0.0, start, regime.duration(pace) * scale
-                start += regime.duration(pace) * scale
+                yield regime, 0.0, start, regime.duration(clock) * scale
+                start += regime.duration(clock) * scale
             return
         start = 0.0
         while start < 1.0 - _NOTHING:
-            regime, over = self._at(step + start, pace)
-            left = regime.duration(pace) - over
+            regime, over = self._at(step + start, clock)
+            left = regime.duration(clock) - over
             share = 1.0 - start if left <= 0.0 else min(left, 1.0 - start)
             yield regime, over, start, share
             start += share
 
-    def _at(self, time: float, pace: Pace) -> tuple[Regime, float]:
+    def _at(self, time: float, clock: StepClock) -> tuple[Regime, float]:
         """The regime of a time and how much of it is over, both in steps."""
-        cycle = self.cycle(pace)
+        cycle = self.cycle(clock)
         if not self.repeat and time >= cycle - _NOTHING:
-            return self.regimes[-1], self.regimes[-1].duration(pace)
+            return self.regimes[-1], self.regimes[-1].duration(clock)
         time = math.fmod(time, cycle)
         for regime in self.regimes:
-            if time < regime.duration(pace) - _NOTHING:
+            if time < regime.duration(clock) - _NOTHING:
                 return regime, max(time, 0.0)
-            time -= regime.duration(pace)
+            time -= regime.duration(clock)
         return self.regimes[0], 0.0
 
     def placed_parts(self) -> list[tuple[tuple[str | int, ...], Blowing]]:

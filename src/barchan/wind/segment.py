@@ -1,4 +1,4 @@
-"""A stretch of constant forcing: what a wind hands to a model."""
+"""A segment of constant forcing, on which a model works."""
 
 from dataclasses import dataclass, replace
 
@@ -21,19 +21,19 @@ class Segment:
     speed: float | None = None
     """Wind speed (m/s) at the height it is stated for, where the wind states one."""
     share: float = 1.0
-    """The share of each step's time that this wind blows."""
+    """Fraction of each step's time in which this wind blows."""
     step_seconds: float | None = None
-    """Duration of a whole step, where it is known."""
+    """Duration of a whole step (s), if known."""
     ends: bool = True
-    """Whether the steps are over when the segment is."""
+    """Whether the segment is the last of its steps."""
     influx: Influx | None = None
-    """What enters across open edges from upwind, where anything does."""
+    """Sand that enters across open edges from upwind, where any does."""
     weather: Weather = UNKNOWN
     """Air temperature and snowfall, where the forcing states them."""
 
     @property
     def seconds(self) -> float | None:
-        """Duration of the segment, where it is known."""
+        """Duration of the segment (s), if known."""
         return None if self.step_seconds is None else self.step_seconds * self.share * self.steps
 
     def part(self, first: int, steps: int) -> "Segment":

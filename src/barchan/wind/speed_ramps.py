@@ -1,4 +1,4 @@
-"""How a speed goes from its first to its last value: shares of the change over shares of the time."""
+"""How a speed changes from its first to its last value: fraction of the change by fraction of the time."""
 
 from itertools import pairwise
 from typing import Annotated, ClassVar, Literal, Self
@@ -9,26 +9,26 @@ from pydantic import Field, model_validator
 from barchan.parameters import Parameters, parameter
 
 _HALVINGS = 60
-"""Halvings of an interval that leave nothing of it in double precision."""
+"""Number of halvings after which an interval vanishes in double precision."""
 
 
-class Course(Parameters):
-    """A course in normalised time and value, from (0, 0) to (1, 1)."""
+class SpeedRamp(Parameters):
+    """A change of speed in normalised time and value, from (0, 0) to (1, 1)."""
 
     kind_key: ClassVar[str] = "kind"
 
     kind: str
 
     def share(self, time: float) -> float:
-        """Share of the change that is done after a share of the time."""
+        """Fraction of the change that is done after the fraction ``time`` of the duration."""
         raise NotImplementedError
 
 
-class Linear(Course):
+class Linear(SpeedRamp):
     """A straight line."""
 
     kind: Literal["linear"] = parameter(
-        "linear", unit="-", meaning="At one rate.", source="Prague thesis, §5.3"
+        "linear", unit="-", meaning="Change at a constant rate.", source="Prague thesis, §5.3"
     )
 
     def share(self, time: float) -> float:
@@ -36,7 +36,7 @@ class Linear(Course):
         return time
 
 
-class Bezier(Course):
+class Bezier(SpeedRamp):
     """A cubic Bézier curve with two control points."""
 
     kind: Literal["bezier"] = parameter(
@@ -69,13 +69,13 @@ def _cubic(first: float, second: float, u: float) -> float:
 
 
 class Point(Parameters):
-    """A point of a course."""
+    """A point of a speed ramp."""
 
-    time: float = parameter(unit="-", ge=0, le=1, meaning="Share of the time.")
-    value: float = parameter(unit="-", ge=-10, le=10, meaning="Share of the change.")
+    time: float = parameter(unit="-", ge=0, le=1, meaning="Fraction of the duration.")
+    value: float = parameter(unit="-", ge=-10, le=10, meaning="Fraction of the change.")
 
 
-class Points(Course):
+class Points(SpeedRamp):
     """Straight lines through several points between the first and the last value."""
 
     kind: Literal["points"] = parameter("points", unit="-", meaning="Straight lines through points.")
@@ -100,4 +100,4 @@ class Points(Course):
         return float(np.interp(time, times, values))
 
 
-AnyCourse = Annotated[Linear | Bezier | Points, Field(discriminator="kind")]
+AnySpeedRamp = Annotated[Linear | Bezier | Points, Field(discriminator="kind")]

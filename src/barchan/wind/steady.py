@@ -4,7 +4,7 @@ from typing import ClassVar, Literal
 
 from barchan.parameters import parameter
 from barchan.wind.blowing import Blowing
-from barchan.wind.interval import Pace, Stretch
+from barchan.wind.interval import StepClock, WindInterval
 
 FOR_EVER = 2**62
 """Steps that no run does."""
@@ -17,13 +17,13 @@ class Steady(Blowing):
 
     kind: Literal["steady"] = parameter("steady", unit="-", meaning="A wind that keeps its mean.")
 
-    def lasts(self, _step: int, _pace: Pace) -> int:
-        """For how many steps from ``step`` on the wind stays the same."""
+    def lasts(self, _step: int, _clock: StepClock) -> int:
+        """Number of steps from ``step`` on in which the wind stays the same."""
         return 1 if self.varies else FOR_EVER
 
-    def stretches(self, step: int, pace: Pace) -> list[Stretch]:
-        """The winds of a step, in order."""
-        return [self.stretch(step, 0.0, 1.0, self.speed, pace)]
+    def intervals(self, step: int, clock: StepClock) -> list[WindInterval]:
+        """Intervals of a step, in order."""
+        return [self.interval(step, 0.0, 1.0, self.speed, clock)]
 
     def placed_parts(self) -> list[tuple[tuple[str | int, ...], Blowing]]:
         """The winds that it is made of, and under which keys they stand."""

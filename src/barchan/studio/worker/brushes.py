@@ -10,9 +10,9 @@ USUAL_SHARE = 0.1
 
 def brushes(simulation: Simulation) -> list[dict[str, Any]]:
     """Sand, ground and the fields that the model lets paint: data of a stroke, unit, strengths."""
-    slab = {"unit": "slabs", "least": 1.0, "most": 1000.0, "whole": True}
+    slab = {"unit": simulation.bed.layers[-1].unit, "least": 1.0, "most": 1000.0, "whole": True}
     return [
-        {"title": "sand", "stroke": {"kind": "stroke"}, "usual": 2.0, **slab},
+        {"title": simulation.model.material, "stroke": {"kind": "stroke"}, "usual": 2.0, **slab},
         {"title": "rock", "stroke": {"kind": "rock"}, "usual": 2.0, **slab},
         *(
             {

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from barchan.analysis.fields import PLAIN, centre_of
-from barchan.fields import GROUND, SAND
+from barchan.fields import GROUND
 from barchan.models import Derived
 from barchan.simulation import Simulation
 from barchan.studio.protocol import EncodedField
@@ -45,8 +45,9 @@ def fields_of(simulation: Simulation) -> list[dict[str, Any]]:
 
 
 def _kept(simulation: Simulation) -> Iterator[AvailableField]:
+    hidden = {GROUND.name, *(layer.name for layer in simulation.bed.layers)}
     for field in simulation.bed.declared.values():
-        if field.in_frames and field.name not in (GROUND.name, SAND.name):
+        if field.in_frames and field.name not in hidden:
             yield AvailableField(field.name, field.unit, field.meaning, field.centre)
 
 
@@ -59,11 +60,15 @@ def _derived(simulation: Simulation) -> Iterator[AvailableField]:
 
 
 def surface_fields(simulation: Simulation, with_ground: bool) -> Iterator[EncodedField]:
-    """The depth of the sand in whole slabs; before it, where wanted, the ground (m)."""
+    """The depth of all layers (m, or whole units of one height); before it, where wanted, the ground (m)."""
     bed = simulation.bed
     if with_ground:
         yield EncodedField("ground", bed.ground.astype(np.float32))
-    yield EncodedField("depth", bed.sand.astype(_type_up_to(bed.sand.max())), simulation.lattice.thickness)
+    if any(layer.mass is not None for layer in bed.layers):
+        yield EncodedField("depth", bed.depth.astype(np.float32))
+    else:
+        units = bed.stack.astype(_type_up_to(bed.stack.max()))
+        yield EncodedField("depth", units, simulation.lattice.thickness)
 
 
 def _type_up_to(largest: int) -> type[np.number]:

@@ -62,7 +62,7 @@ def _row(simulation: Simulation, measurer: FrameMeasurer) -> dict[str, Any]:
     tally = simulation.tally
     frame = measurer.measured(
         simulation.steps_done,
-        simulation.bed.sand,
+        simulation.bed,
         simulation.elevation,
         simulation.wind_direction,
         (tally.travel_x, tally.travel_y),

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from barchan.errors import BarchanError
-from barchan.measures import highest_stack, sand_volume
+from barchan.measures import highest_stack
 from barchan.scenario import Scenario
 from barchan.simulation import Simulation, State
 from barchan.studio.worker.branches import Branches
@@ -145,7 +145,7 @@ class StudioRun:
     def status(self) -> dict[str, Any]:
         """The numbers and flags that the browser always shows, SI units."""
         shown = self.shown
-        lattice, seconds = shown.lattice, shown.scenario.step_seconds
+        seconds = shown.scenario.step_seconds
         return {
             "step": shown.steps_done,
             "live": self.live.steps_done,
@@ -154,8 +154,8 @@ class StudioRun:
             "looking": self.looking is not None,
             "can_branch": self.looking is not None and self.can_branch,
             "rate": self.speed.rate if self.busy else 0.0,
-            "highest": highest_stack(shown.bed.sand),
-            "volume": sand_volume(shown.bed.sand, lattice.thickness, lattice.cell_size),
+            "highest": highest_stack(shown.bed.stack),
+            "volume": shown.bed.volume,
             "wind": shown.wind_direction,
             "time": None if seconds is None else seconds * shown.steps_done,
             "undo": len(self.painting.done),

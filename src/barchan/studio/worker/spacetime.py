@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from barchan.errors import BarchanError
+from barchan.fields import GROUND, LayerInfo, counted, depth_of
 from barchan.lattice import Lattice
 from barchan.simulation import State
 from barchan.studio.worker.run import StudioRun
@@ -26,7 +27,7 @@ def space_time(run: StudioRun, line: list[float]) -> dict[str, Any]:
         raise BarchanError("a section needs two places: x, y, x, y in metres")
     now = run.live.state()
     states = [*(state for state in run.history.states if state.step < now.step), now]
-    sampler = _Sampler(run.live.lattice, line)
+    sampler = _Sampler(run.live.lattice, run.live.bed.layers, line)
     heights = np.array([sampler.section(state) for state in states])
     low, high = float(heights.min()), float(heights.max())
     scale = (high - low) / _LARGEST or 1.0
@@ -43,10 +44,10 @@ def space_time(run: StudioRun, line: list[float]) -> dict[str, Any]:
 class _Sampler:
     """Places along a line, and the four cells about each with their weights."""
 
-    def __init__(self, lattice: Lattice, line: list[float]) -> None:
+    def __init__(self, lattice: Lattice, layers: tuple[LayerInfo, ...], line: list[float]) -> None:
         x0, y0, x1, y1 = line
         share = np.linspace(0.0, 1.0, COLUMNS)
-        self._thickness = lattice.thickness
+        self._thickness, self._layers = lattice.thickness, layers
         rows, v = _between((y0 + share * (y1 - y0)) / lattice.cell_size, lattice.rows)
         columns, u = _between((x0 + share * (x1 - x0)) / lattice.cell_size, lattice.columns)
         self._cells = rows[:, None, :], columns[None, :, :]
@@ -54,8 +55,10 @@ class _Sampler:
 
     def section(self, state: State) -> NDArray[np.float64]:
         """Elevation (m) at each place."""
-        ground, sand = (state.arrays[f"bed/{name}"][self._cells] for name in ("ground", "sand"))
-        heights: NDArray[np.float64] = ((ground + sand * self._thickness) * self._weights).sum(axis=(0, 1))
+        names = (GROUND.name, *counted(self._layers))
+        here = {name: state.arrays[f"bed/{name}"][self._cells] for name in names}
+        elevation = here[GROUND.name] + depth_of(self._layers, here, self._thickness)
+        heights: NDArray[np.float64] = (elevation * self._weights).sum(axis=(0, 1))
         return heights
 
 

@@ -1,6 +1,6 @@
-"""Wind records: what a station or a reanalysis measured, read from CSV and NetCDF files.
+"""Wind records of stations and reanalyses, read from CSV and NetCDF files.
 
-A record is data in SI units; what it does to sand is not known here.
+A record is data in SI units; nothing here knows of sand.
 """
 
 from barchan.wind.records.format import RecordFormat

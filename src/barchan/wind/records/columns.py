@@ -44,7 +44,7 @@ _SPELLINGS = {
 }
 
 UNIT_OF_NAME = {"sknt": "kn"}
-"""Names that tell the unit."""
+"""Names that contain the unit."""
 
 
 def split(heading: str) -> tuple[str, str]:

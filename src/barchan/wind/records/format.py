@@ -1,4 +1,4 @@
-"""What a file calls its columns, in which units, and how it says that a value is missing."""
+"""Names and units of a file's columns, and its marks of missing values."""
 
 from typing import Literal
 

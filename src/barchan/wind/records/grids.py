@@ -40,7 +40,7 @@ def _rows(dataset: "xr.Dataset", form: RecordFormat, source: str) -> Rows:
     for quantity in pair:
         if found[quantity] is None:
             message = (
-                "no variables that tell speed and direction, nor eastward and northward wind; "
+                "no variables for speed and direction, nor for eastward and northward wind; "
                 f"the variables are {', '.join(map(str, dataset.data_vars))}"
             )
             raise RecordError([Problem("", message)], source)
@@ -95,7 +95,7 @@ def _time_name(dataset: "xr.Dataset", variable: "xr.DataArray", form: RecordForm
 
 
 def _unit(variable: "xr.DataArray", form: RecordFormat, source: str) -> tuple[str, str]:
-    """Unit of a variable, and what had to be assumed."""
+    """Unit of a variable, and the assumptions made."""
     spelling = str(variable.attrs.get("units", ""))
     if form.unit:
         return form.unit, ""

@@ -11,7 +11,7 @@ from barchan.wind.records.record import Rows, WindRecord, checked
 from barchan.wind.records.tables import read_table
 
 SAMPLE = "sample"
-"""What stands for the record that ships with Barchan, in place of a file."""
+"""Name of the record that ships with Barchan, in place of a file."""
 
 SAMPLE_FILE = "sample.csv.gz"
 
@@ -23,7 +23,7 @@ READERS: dict[str, Callable[[Path, RecordFormat], Rows]] = {
     ".nc4": read_grid,
     ".netcdf": read_grid,
 }
-"""What reads a file, by its suffix; a table may be compressed (``.csv.gz``)."""
+"""Readers by the suffix of the file; a table may be compressed (``.csv.gz``)."""
 
 
 def read_record(path: Path | str, form: RecordFormat | None = None) -> WindRecord:

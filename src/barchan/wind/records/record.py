@@ -16,7 +16,7 @@ GAP = 3.0
 
 @dataclass(frozen=True)
 class WindRecord:
-    """Winds one after the other, each for a while; what was missing is left out and counted."""
+    """Winds in the order of time, each with its duration; missing rows are left out and counted."""
 
     time: NDArray[np.float64]
     """Beginning of each wind (s) since ``start``."""
@@ -35,7 +35,7 @@ class WindRecord:
     source: str = ""
     """Where it is from."""
     remarks: tuple[str, ...] = field(default=())
-    """What had to be assumed."""
+    """Assumptions made in reading it."""
 
     @property
     def calms(self) -> int:
@@ -44,7 +44,7 @@ class WindRecord:
 
     @property
     def seconds(self) -> float:
-        """Time that the record covers (s), without what is missing."""
+        """Time that the record covers (s), missing rows left out."""
         return float(self.duration.sum())
 
     def __len__(self) -> int:
@@ -64,7 +64,7 @@ class Rows:
     """m/s."""
     direction: NDArray[np.float64]
     names: dict[str, str]
-    """What the file calls time, speed and direction."""
+    """Names of time, speed and direction in the file."""
     numbers: NDArray[np.int64]
     """Number of each row in the file."""
     unit: tuple[str, float] = ("m/s", 1.0)

@@ -23,7 +23,7 @@ NO_VALUE = ["", "-", "--", "M", "NA", "N/A", "NaN", "nan", "null", "None", "miss
 """Words that stand for a missing value."""
 
 VARIABLE = ["VRB", "990", "990.0"]
-"""What stands for a wind without a certain direction; 990 is the code of weather services."""
+"""Codes of a wind without a certain direction; 990 is that of weather services."""
 
 HEADING_WITHIN = 60
 """Lines in which the heading is looked for."""
@@ -57,7 +57,7 @@ def _text(path: Path) -> str:
 
 
 def _heading(text: str, form: RecordFormat, source: str) -> tuple[int, str]:
-    """Number of the line (from 0) that names the columns, and what separates them."""
+    """Number of the line (from 0) that names the columns, and the separator of columns."""
     stated = [name for name in (form.time, form.speed, form.direction) if name]
     lines = text.split("\n", HEADING_WITHIN)[:HEADING_WITHIN]
     filled = [number for number, line in enumerate(lines) if line.strip() and not line.startswith("#")]
@@ -105,14 +105,14 @@ def _table(text: str, first: int, separator: str, source: str) -> "pd.DataFrame"
 
 
 def _names(headings: list[str], form: RecordFormat, source: str) -> dict[str, str]:
-    """What the table calls time, speed and direction."""
+    """Names of time, speed and direction in the table."""
     names, problems = {}, []
     for quantity in ("time", "speed", "direction"):
         stated = getattr(form, quantity)
         name = stated or guess(headings, quantity)
         absent = [part for part in (name or "").split("+") if part not in headings]
         if absent:
-            what = f"no column '{absent[0]}'" if stated else f"no column that tells the {quantity}"
+            what = f"no column '{absent[0]}'" if stated else f"no column for the {quantity}"
             problems.append(Problem(quantity, f"{what}; the columns are {', '.join(headings)}"))
         else:
             names[quantity] = str(name)
@@ -122,7 +122,7 @@ def _names(headings: list[str], form: RecordFormat, source: str) -> dict[str, st
 
 
 def _unit(heading: str, form: RecordFormat, source: str) -> tuple[str, tuple[str, ...]]:
-    """Unit of the speeds, and what had to be assumed."""
+    """Unit of the speeds, and the assumptions made."""
     name, spelling = split(heading)
     if form.unit:
         return form.unit, ()
