@@ -1,4 +1,4 @@
-"""Grains over flat ground, a hump, a valley and a form like a dune (seed 003, §6, Figs. 6.1 to 6.6).
+"""Grains over flat ground, a hump, a valley and a form like a dune (Szabó 2019, §6, Figs. 6.1 to 6.6).
 
 Presets `szabo-…`, 3000 iterations of `wang_hu`, 3 seeds; flat ground with 128 rows. Published, in words and
 pictures: crests grow higher and stand farther apart from 10 to 15 m/s; sand settles in the lee of a hump;

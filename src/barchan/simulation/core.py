@@ -215,8 +215,8 @@ class Simulation:
         if event.key not in live:
             message = f"cannot change during a run{nearest(event.key, live)}; what can: {', '.join(live)}"
             raise ScenarioError([Problem(event.key, message)], "event")
-        name = event.key.removeprefix("model.")
-        data = {**self.scenario.data(), "model": {**self._model_data(), name: event.value}}
+        data = {**self.scenario.data(), "model": self._model_data()}
+        event.put(data)
         rules = self.model.slope_rules()
         self.model.change(validate(data, "event").model)
         if self.model.slope_rules() != rules:

@@ -15,7 +15,7 @@ from barchan.ground.sand import MOST_SLABS
 from barchan.parameters import Parameters, parameter
 from barchan.scenario import Scenario, validate
 from barchan.scenario.messages import problems_of
-from barchan.scenario.migrations import current_key
+from barchan.scenario.migrations import current_key, current_value
 from barchan.wind import Wind
 
 MOST_PLANTS = 100.0
@@ -40,6 +40,13 @@ class SetParameter(Change):
     kind: Literal["set"] = parameter("set", unit="-", meaning="A parameter takes a new value.")
     key: str = parameter(unit="-", meaning="The parameter, for instance model.hop_length.")
     value: Any = parameter(unit="-", meaning="Its value from now on.")
+
+    def put(self, data: dict[str, Any]) -> None:
+        """Set the value in the plain data of a scenario."""
+        *groups, last = self.key.split(".")
+        for name in groups:
+            data = data[name]
+        data[last] = self.value
 
 
 class SetWind(Change):
@@ -122,8 +129,9 @@ class Record:
     def from_data(cls, data: dict[str, Any]) -> "Record":
         """The record that ``data`` holds."""
         data = dict(data)
-        if data.get("kind") == "set":
+        if data.get("kind") == "set" and current_key(data["key"]) != data["key"]:
             data["key"] = current_key(data["key"])
+            data["value"] = current_value(data["key"], data["value"])
         return cls(data.pop("step"), event_from(data))
 
 
@@ -133,7 +141,7 @@ def in_force(scenario: Scenario, events: Iterable[Record], step: int) -> Scenari
     for record in events:
         if record.step < max(step, 1):
             if isinstance(record.event, SetParameter):
-                data["model"][record.event.key.removeprefix("model.")] = record.event.value
+                record.event.put(data)
             elif isinstance(record.event, SetWind):
                 data["wind"] = record.event.wind.model_dump(mode="json")
     return validate(data, "events")
