@@ -1,6 +1,6 @@
-"""Grains in flight: grain updates a second on one thread and on two, and Szabó's case.
+"""Grains in flight: grain updates a second on one thread and on two, and the case of Szabó 2019.
 
-A spell is an advance of some ``ITERATIONS`` iterations, as real runs make them: what an advance does once,
+A batch is an advance of some ``ITERATIONS`` iterations, as real runs make them: what an advance does once,
 and the start of a helping thread, then count as much as they do there.
 """
 
@@ -18,33 +18,33 @@ CASES: tuple[tuple[str, str, dict[str, int]], ...] = (
 )
 
 ITERATIONS = 100
-"""Of a spell."""
+"""Of a batch."""
 
 PUBLISHED_SECONDS = 210.0
-"""What Szabó's 3000 iterations took there."""
+"""Wall time (s) of 3000 iterations there."""
 
 
-def updates(preset: str, changes: dict[str, int], spells: int = 40) -> tuple[float, float, bool]:
+def updates(preset: str, changes: dict[str, int], batches: int = 40) -> tuple[float, float, bool]:
     """Millions of grain updates a second, at best, on one thread and on two in turns; whether bits agree."""
     runs = [barchan.Simulation(barchan.load(preset, run__seed=1, **changes)) for _ in range(2)]
     steps = max(1, ITERATIONS // runs[0].model.parameters.iterations_per_step)
     best = [0.0, 0.0]
     whole = thread_pool.thread_count
     try:
-        for spell in range(spells + 1):
+        for batch in range(batches + 1):
             for at, simulation in enumerate(runs):
                 thread_pool.thread_count = lambda threads=at + 1: threads
                 began = time.perf_counter()
                 tally = simulation.advance(steps)
                 rate = tally.polls / (time.perf_counter() - began) / 1e6
-                best[at] = max(best[at], rate) if spell else 0.0
+                best[at] = max(best[at], rate) if batch else 0.0
     finally:
         thread_pool.thread_count = whole
     return best[0], best[1], bool(np.array_equal(runs[0].bed.sand, runs[1].bed.sand))
 
 
-def seed_003_seconds() -> float:
-    """Wall time (s) of Szabó's 3000 iterations, on as many threads as there are cores."""
+def published_case_seconds() -> float:
+    """Wall time (s) of the 3000 iterations of Szabó 2019, on as many threads as there are cores."""
     simulation = barchan.Simulation(barchan.load("szabo-10", run__seed=1))
     simulation.advance(1)
     began = time.perf_counter()

@@ -62,19 +62,22 @@ def response(model, waves, warm_up, seed):
         "growth": float(growth) * 1e3,
         "speed": float(turn * length / (2 * np.pi) * 1e3),
         "rough": float(np.degrees(np.arctan(slope))),
-        "airborne": simulation.model.flying / scenario.lattice.cells,
+        "airborne": simulation.model.pool.flying / scenario.lattice.cells,
     }
 
 
 def rows():
     published = {"name": "wang_hu", "wind_speed": 10.0}
     winds = (10.0, 12.0, 15.0)
-    splash = [{"name": "ripples", "wind_speed": speed, "weight": 0.08, "load": 8.0} for speed in winds]
-    whole = [{**model, "footprint": "stack", "weight": 0.02} for model in splash]
-    level = {**splash[2], "streamline_height": None}
+    splash = [
+        {"name": "ripples", "wind_speed": speed, "max_grains_per_cell": 8.0, **_weight(0.08)}
+        for speed in winds
+    ]
+    whole = [{**model, "footprint": "stack", **_weight(0.02)} for model in splash]
+    level = {**splash[2], "relief_flow": {"streamline_height": None}}
     cases = [
-        ({**published, "lift_from_lee": True}, 16, WARM_UP),
-        ({**published, "lift_from_lee": False}, 16, WARM_UP),
+        ({**published, "entrainment": {"from_lee": True}}, 16, WARM_UP),
+        ({**published, "entrainment": {"from_lee": False}}, 16, WARM_UP),
         *((model, 16, ROUGHENING) for model in whole),
         *((level, waves, WARM_UP) for waves in LENGTHS),
         *((model, waves, WARM_UP) for waves in LENGTHS for model in splash),
@@ -100,6 +103,10 @@ def rows():
         yield Row(f"grains in the air, {speed:g} m/s", "–", f"{spread(result['airborne'])} a cell")
 
 
+def _weight(share):
+    return {"feedback": {"momentum_weight": share}}
+
+
 def _by_length(name, found):
     for waves, length in LENGTHS.items():
         growth, speed = spread(found[waves]["growth"]), spread(found[waves]["speed"])
@@ -115,7 +122,7 @@ def _speed(what, published, found, sign):
 
 
 READING = """
-Lifted from anywhere, sand is lost evenly everywhere and gained where faces look upwind: the waves travel
+Lifted from anywhere, sand is lost equally everywhere and gained where faces look upwind: the waves travel
 against the wind, as the Prague thesis reports. Where lee faces give none, the windward ones lose it too and
 the waves travel downwind.
 

@@ -10,6 +10,7 @@ correlation: single parcels roughen the bed.
 import numpy as np
 
 import barchan
+from barchan.grains.sized_sand import coarse_crests, surface_diameter
 from validation.study import Row, over_seeds, spread
 
 TITLE = "Where coarse grains gather"
@@ -41,25 +42,24 @@ def sorted_bed(coarse, share, speed, layer, seed):
             "model": {
                 "name": "ripples",
                 "wind_speed": speed,
-                "sizes": [{"diameter": FINE, "share": 1.0 - share}, {"diameter": coarse, "share": share}],
+                "sizes": {"classes": _classes(coarse, share), "active_layer": layer},
                 "iterations_per_step": 50,
-                "weight": 0.02,
-                "load": 8.0,
-                "active_layer": layer,
+                "feedback": {"momentum_weight": 0.02},
+                "max_grains_per_cell": 8.0,
             },
             "run": {"steps": 10**6, "seed": seed},
         }
     )
     simulation = barchan.Simulation(scenario)
     model = simulation.model
-    start = model.sizes.on_bed(simulation.bed)
+    start = model.sized_sand.on_bed(simulation.bed)
     per_minute = round(MINUTE / model.step_seconds)
     found = {}
     for minutes in (EARLY, LATE):
         simulation.advance(minutes * per_minute - simulation.steps_done)
         found |= {f"{name} {minutes}": value for name, value in _look(simulation).items()}
-    held = np.bincount(model.kinds[model.marks[0] > 0], minlength=2)
-    missing = start - model.sizes.on_bed(simulation.bed) - held * model.parameters.carried
+    held = np.bincount(model.pool.size_class[model.pool.counters[0] > 0], minlength=2)
+    missing = start - model.sized_sand.on_bed(simulation.bed) - held * model.parameters.carried
     return {
         **found,
         "missing": float(np.abs(missing).max()),
@@ -67,12 +67,16 @@ def sorted_bed(coarse, share, speed, layer, seed):
     }
 
 
+def _classes(coarse, share):
+    return [{"diameter": FINE, "share": 1.0 - share}, {"diameter": coarse, "share": share}]
+
+
 def _look(simulation):
     bed, model = simulation.bed, simulation.model
-    diameter = model.surface_diameter(bed)
+    diameter = surface_diameter(model, bed)
     smooth = sum(np.roll(bed.elevation, shift, axis=1) for shift in (-1, 0, 1)) / 3.0
     return {
-        "ratio": model.coarse_crests(bed),
+        "ratio": coarse_crests(model, bed),
         "alike": float(np.corrcoef(smooth.ravel(), diameter.ravel())[0, 1]),
         "relief": float(bed.elevation.std()) * 1e3,
         "surface": float(diameter.mean()) * 1e3,

@@ -3,11 +3,11 @@
 Fields of 256 × 32 cells of 5 mm, sand of 0.15 mm unless it says otherwise, half an hour of wind, an hour at
 the three winds, 3 seeds. A simulated grain's sand is half a grain diameter thick and lies over a patch of
 nine stacks; once, for comparison, a whole diameter on single stacks. For comparison too, at 12 m/s, nothing
-is pushed along the bed (`creep_momentum` 0), the stress of the wind on the bed is alike everywhere
-(`crest_stress` and `stoss_stress` 0) or in step with crests (`stoss_stress` 0), or the wind blows level
-(`streamline_height` null). The speed is that of half a minute at the end of half an hour. Height is 2√2 times
-the standard deviation of the bed, as of a wave; the share that rises is that of the way along the wind: above
-one half the lee faces are shorter than the stoss faces, and steeper.
+is pushed along the bed (`creep.momentum` 0), the stress of the wind on the bed is the same everywhere
+(`stress_in_phase` and `stress_in_quadrature` 0) or in step with crests (`stress_in_quadrature` 0), or the
+wind blows level (`streamline_height` null). The speed is that of half a minute at the end of half an hour.
+Height is 2√2 times the standard deviation of the bed, as of a wave; the share that rises is that of the
+distance along the wind: above one half the lee faces are shorter than the stoss faces, and steeper.
 """
 
 import numpy as np
@@ -41,8 +41,8 @@ def grown(speed, diameter, thin, rules, looks, seed):
         "wind_speed": speed,
         "grain_diameter": diameter,
         "footprint": "patch" if thin else "stack",
-        "weight": 0.04 if thin else 0.02,
-        "load": 16.0,
+        "feedback": {"momentum_weight": 0.04 if thin else 0.02},
+        "max_grains_per_cell": 16.0,
         "iterations_per_step": 50,
         "time_step": 5e-4,
         **rules,
@@ -62,7 +62,10 @@ def grown(speed, diameter, thin, rules, looks, seed):
         simulation.advance(round(look * MINUTE / simulation.model.step_seconds) - simulation.steps_done)
         beds[look] = simulation.bed.sand * parcel
         if look == LOOKS[-1]:
-            moved, airborne = _travel(simulation, parcel), simulation.model.flying / scenario.lattice.cells
+            moved, airborne = (
+                _travel(simulation, parcel),
+                simulation.model.pool.flying / scenario.lattice.cells,
+            )
     bed = beds[LOOKS[-1]]
     rise = np.diff(_smooth(bed), axis=1)
     spacing = {look: dominant_spacing(bed, CELL, 270.0) for look, bed in beds.items()}
@@ -103,10 +106,14 @@ def rows():
         **{f"{speed:g} m/s": (speed, DIAMETER, True, {}, HOUR) for speed in winds},
         "12 m/s, grains of 0.30 mm": (12.0, 2 * DIAMETER, True, {}, LOOKS),
         "12 m/s, whole diameters": (12.0, DIAMETER, False, {}, LOOKS),
-        "12 m/s, no creep": (*middling, {"creep_momentum": 0.0}, LOOKS),
-        "12 m/s, stress alike": (*middling, {"crest_stress": 0.0, "stoss_stress": 0.0}, LOOKS),
-        "12 m/s, stress in step": (*middling, {"stoss_stress": 0.0}, LOOKS),
-        "12 m/s, wind that blows level": (*middling, {"streamline_height": None}, LOOKS),
+        "12 m/s, no creep": (*middling, {"creep": {"momentum": 0.0}}, LOOKS),
+        "12 m/s, stress alike": (
+            *middling,
+            {"relief_flow": {"stress_in_phase": 0.0, "stress_in_quadrature": 0.0}},
+            LOOKS,
+        ),
+        "12 m/s, stress in step": (*middling, {"relief_flow": {"stress_in_quadrature": 0.0}}, LOOKS),
+        "12 m/s, wind that blows level": (*middling, {"relief_flow": {"streamline_height": None}}, LOOKS),
     }
     found = dict(zip(cases, over_seeds(grown, cases.values(), SEEDS), strict=True))
     fine, coarse = [found[f"{speed:g} m/s"] for speed in winds], found["12 m/s, grains of 0.30 mm"]

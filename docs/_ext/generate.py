@@ -99,6 +99,11 @@ def parameter_table(declared: Iterable[Declaration]) -> str:
     return table(header, rows, "17 9 7 16 32 14 5")
 
 
+def heading_of(declaration: Declaration) -> str:
+    """The heading that a parameter stands under: its group, or that of the keys it is nested in."""
+    return declaration.group or declaration.key.partition(".")[0]
+
+
 def models_page() -> str:
     """The list of all models."""
     from barchan.models import models
@@ -120,8 +125,8 @@ def model_page(model: Any) -> str:
     parts = [f"# {model.title}", f"Model `{model.name}`. {model.citation}", "```{eval-rst}"]
     parts += [inspect.getdoc(model) or "", "```", "## Parameters"]
     parts += ["Keys stand under `model` in a scenario. *Live* parameters may change during a run."]
-    for group, declared in groupby(declarations(model.Parameters), lambda d: d.group):
-        parts += [f"### {group.capitalize() or 'Name'}", parameter_table(declared)]
+    for group, declared in groupby(declarations(model.Parameters), heading_of):
+        parts += [f"### {group.replace('_', ' ').capitalize()}", parameter_table(declared)]
     if model.fields or model.derived:
         parts += ["## Fields", "What `barchan show RUN --field NAME` draws, beside the fields of every run:"]
         parts += [fields_table(model)]

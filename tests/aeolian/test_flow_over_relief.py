@@ -6,7 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import barchan
-from barchan.aeolian.flow_over_relief import Spectrum, wind_over_waves
+from barchan.aeolian.flow_over_relief import LinearFlow, wind_over_relief
 from barchan.lattice import Lattice
 from barchan.models import model
 from barchan.simulation import Simulation
@@ -14,6 +14,7 @@ from barchan.streams import Stream
 from barchan.wind.segment import Segment
 
 WIDTH, HEIGHT = 0.005, 0.01
+ROUGHNESS = 5e-6
 
 
 def lattice(boundary="periodic", rows=24, columns=64):
@@ -28,8 +29,8 @@ def lattice(boundary="periodic", rows=24, columns=64):
 
 
 def streamlines(bed, field, direction, height):
-    waves = Spectrum(bed, field, direction)
-    return waves.slope(height), waves.faster(height), waves.aside(height)
+    waves = LinearFlow(bed, field, direction)
+    return waves.slope(height), waves.speedup(height), waves.crosswind(height)
 
 
 @pytest.mark.parametrize("waves", [1, 4, 12])
@@ -106,16 +107,16 @@ def test_the_wind_over_waves_is_bounded_where_ground_is_steep():
     field = lattice()
     bed = np.zeros(field.shape)
     bed[8:16, 24:40] = 0.2
-    wind = wind_over_waves(bed, field, 270.0, HEIGHT, 2.0, (4.0, 2.0))
-    assert (wind.rise.min(), wind.rise.max()) == (-0.3, 0.3)
-    assert (wind.gain.min(), wind.gain.max()) == (0.1, 2.0)
-    assert (wind.aside.min(), wind.aside.max()) == (-0.3, 0.3)
+    wind = wind_over_relief(bed, field, 270.0, HEIGHT, 2.0, (4.0, 2.0), ROUGHNESS)
+    assert (wind.streamline_slope.min(), wind.streamline_slope.max()) == (-0.3, 0.3)
+    assert (wind.speedup.min(), wind.speedup.max()) == (0.1, 2.0)
+    assert (wind.crosswind_ratio.min(), wind.crosswind_ratio.max()) == (-0.3, 0.3)
     assert (wind.stress.min(), wind.stress.max()) == (pytest.approx(0.01), 4.0)
-    assert (np.abs(wind.side_stress) <= wind.stress).all()
+    assert (np.abs(wind.crosswind_stress) <= wind.stress).all()
     low, (rise, faster, _) = 1e-3 * bed, streamlines(1e-3 * bed, field, 270.0, HEIGHT)
-    wind = wind_over_waves(low, field, 270.0, HEIGHT, 2.0, (4.0, 0.0))
-    np.testing.assert_array_equal(wind.rise, rise)
-    np.testing.assert_array_equal(wind.gain, 1.0 + 2.0 * faster)
+    wind = wind_over_relief(low, field, 270.0, HEIGHT, 2.0, (4.0, 0.0), ROUGHNESS)
+    np.testing.assert_array_equal(wind.streamline_slope, rise)
+    np.testing.assert_array_equal(wind.speedup, 1.0 + 2.0 * faster)
 
 
 @pytest.mark.parametrize("direction", [270.0, 90.0])
@@ -126,10 +127,10 @@ def test_stress_is_highest_ahead_of_crests(direction):
     bed = np.tile(1e-3 * np.cos(number * x), (24, 1))
     toward = 1.0 if direction == 270.0 else -1.0
     expected = 1.0 + 1e-3 * number * (4.0 * np.cos(number * x) - toward * 2.0 * np.sin(number * x))
-    wind = wind_over_waves(bed, field, direction, None, 0.0, (4.0, 2.0))
+    wind = wind_over_relief(bed, field, direction, None, 0.0, (4.0, 2.0), ROUGHNESS)
     np.testing.assert_allclose(wind.stress, np.tile(expected, (24, 1)), atol=1e-12)
-    assert (wind.rise, wind.gain, wind.aside) == (None, None, None)
-    along = wind_over_waves(bed, field, 180.0, None, 0.0, (4.0, 2.0))
+    assert (wind.streamline_slope, wind.speedup, wind.crosswind_ratio) == (None, None, None)
+    along = wind_over_relief(bed, field, 180.0, None, 0.0, (4.0, 2.0), ROUGHNESS)
     np.testing.assert_allclose(along.stress, 1.0, atol=1e-12)
 
 
@@ -138,14 +139,17 @@ def test_stress_turns_across_oblique_crests():
     number = 2 * np.pi / (64 * WIDTH)
     x, y = np.meshgrid(np.arange(64) * WIDTH, np.arange(64) * WIDTH)
     bed = 1e-3 * np.sin(number * (x + y))
-    wind = wind_over_waves(bed, field, 270.0, None, 0.0, (4.0, 2.0))
-    np.testing.assert_allclose(wind.side_stress, wind.stress - 1.0, atol=1e-12)
+    wind = wind_over_relief(bed, field, 270.0, None, 0.0, (4.0, 2.0), ROUGHNESS)
+    np.testing.assert_allclose(wind.crosswind_stress, wind.stress - 1.0, atol=1e-12)
 
 
 def test_a_wind_that_is_not_to_differ_does_not():
-    assert wind_over_waves(np.zeros((24, 64)), lattice(), 270.0, None, 2.0, (0.0, 0.0)) == (None,) * 5
-    calm = wind_over_waves(np.zeros((24, 64)), lattice(), 270.0, HEIGHT, 0.0, (0.0, 0.0))
-    assert (calm.gain, calm.aside, calm.stress) == (None, None, None)
+    assert (
+        wind_over_relief(np.zeros((24, 64)), lattice(), 270.0, None, 2.0, (0.0, 0.0), ROUGHNESS)
+        == (None,) * 5
+    )
+    calm = wind_over_relief(np.zeros((24, 64)), lattice(), 270.0, HEIGHT, 0.0, (0.0, 0.0), ROUGHNESS)
+    assert (calm.speedup, calm.crosswind_ratio, calm.stress) == (None, None, None)
 
 
 def test_dust_goes_along_the_streamlines():
@@ -155,11 +159,11 @@ def test_dust_goes_along_the_streamlines():
     waves = np.arange(64) * 2 * np.pi / 64
     bed.sand[...] += np.rint(2e-3 / bed.lattice.thickness * np.sin(waves)).astype(np.int32)
     rules = ripples.Parameters(
-        grain_diameter=5e-5, grain_density=100, time_step=1e-4, wind_speed=10.0, sharing_width=None
+        grain_diameter=5e-5, grain_density=100, time_step=1e-4, wind_speed=10.0, feedback={"length": None}
     )
     wind = Segment(0, 1, 0, bed.lattice.cells, 270.0)
     paths = ripples(rules, bed.lattice).paths(bed, wind, Stream(1, "paths"), 5, longest=0.3)
-    slope = Spectrum(bed.elevation, bed.lattice, 270.0).slope(0.01)
+    slope = LinearFlow(bed.elevation, bed.lattice, 270.0).slope(0.01)
     path = max(paths, key=len)[100:-200]
     column = (path[:, 0] / WIDTH - 0.5).astype(int) % 64
     ways = np.corrcoef(path[:, 5] / path[:, 3], slope[4, column])

@@ -5,7 +5,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from barchan.aeolian.flux import LAWS, Sand, friction_velocity, mass_flux
+from barchan.aeolian.flux import LAWS, Sand, mass_flux
+from barchan.aeolian.wall import friction_velocity
 
 SAND = Sand()
 SPEEDS = np.linspace(0.0, 2.0, 201)

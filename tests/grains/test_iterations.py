@@ -1,4 +1,4 @@
-"""Where iterations are cut into spells, and that simulations side by side do not disturb one another."""
+"""Where iterations are cut into batches, and that simulations side by side do not disturb one another."""
 
 from concurrent.futures import ThreadPoolExecutor
 
@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import barchan
-from barchan.grains.iterations import spells
+from barchan.grains.iterations import batches
 from barchan.kernels.core import threads as thread_pool
 from barchan.simulation import Simulation
 
@@ -14,16 +14,16 @@ SMALL = {
     "barchan": 2,
     "lattice": {"rows": 32, "columns": 64, "cell_size": 0.01, "slab_height": 0.15e-3},
     "sand": {"kind": "flat", "mean": 20},
-    "model": {"name": "wang_hu", "load": 1.0, "iterations_per_step": 20},
+    "model": {"name": "wang_hu", "max_grains_per_cell": 1.0, "iterations_per_step": 20},
     "run": {"steps": 20, "seed": 3},
 }
 
 
-def test_spells_end_where_an_interval_begins_anew():
-    assert list(spells(0, 12, 5, 4)) == [(0, 4), (4, 1), (5, 3), (8, 2), (10, 2)]
-    assert list(spells(7, 12, 5)) == [(7, 3), (10, 2)]
-    assert list(spells(3, 3, 5)) == []
-    assert sum(count for _, count in spells(0, 5000, 10**6)) == 5000
+def test_batches_end_where_an_interval_begins():
+    assert list(batches(0, 12, 5, 4)) == [(0, 4), (4, 1), (5, 3), (8, 2), (10, 2)]
+    assert list(batches(7, 12, 5)) == [(7, 3), (10, 2)]
+    assert list(batches(3, 3, 5)) == []
+    assert sum(count for _, count in batches(0, 5000, 10**6)) == 5000
 
 
 def test_simulations_at_once_in_several_threads_give_the_bits_of_each_alone(monkeypatch):
@@ -34,7 +34,7 @@ def test_simulations_at_once_in_several_threads_give_the_bits_of_each_alone(monk
         simulation = Simulation(barchan.load(SMALL, run__seed=seed))
         for _ in range(10):
             simulation.advance(1)
-        return simulation.bed.sand.copy(), simulation.model.motion.copy()
+        return simulation.bed.sand.copy(), simulation.model.pool.motion.copy()
 
     alone = [run(seed) for seed in range(4)]
     with ThreadPoolExecutor(4) as pool:
@@ -48,14 +48,14 @@ def test_simulations_at_once_in_several_threads_give_the_bits_of_each_alone(monk
 def test_an_interrupted_step_leaves_no_helper_behind(monkeypatch, threads):
     monkeypatch.setattr(thread_pool, "LEAST", 256)
     monkeypatch.setattr(thread_pool, "thread_count", lambda: threads)
-    simulation = Simulation(barchan.load(SMALL, model__shelter_angle=15.0))
+    simulation = Simulation(barchan.load(SMALL, model__shelter__angle=15.0))
     simulation.advance(1)
 
     def interrupt(_ground):
         raise KeyboardInterrupt
 
     with monkeypatch.context() as patch:
-        patch.setattr("barchan.grains.bed.GrainGround.spread_lid", interrupt)
+        patch.setattr("barchan.grains.bed.GrainGround.raise_shelter", interrupt)
         with pytest.raises(KeyboardInterrupt):
             simulation.model.advance(simulation.bed, simulation.forcing.wind_of(0), simulation.stream)
     with thread_pool._workers[0].taken(threads - 1) as workers:

@@ -6,7 +6,6 @@ import pytest
 import barchan
 from barchan.analysis.grain_paths import broken_at_edges
 from barchan.errors import ScenarioError
-from barchan.grains.bed import GrainGround
 from barchan.models import model
 from barchan.simulation import Simulation
 from barchan.wind.segment import Segment
@@ -26,11 +25,11 @@ SMALL = {
         ({"model__time_step": 0.01}, "pass over a cell"),
         ({"model__time_step": 0.09, "lattice__cell_size": 1.0, "lattice__slab_height": 1e-3}, "drag works"),
         ({"sand__mean": 0}, "no grain can be lifted"),
-        ({"model__grain_diameter": 0.0}, "5e-05"),
+        ({"model__grain_diameter": 0.0}, "2e-05"),
         ({"model__grain_diameter": 1.0}, "0.005"),
         ({"model__grain_density": 100.0, "model__air_density": 90.0}, "grains that fall"),
-        ({"model__normal_damping": 1.5}, "≤ 1"),
-        ({"model__lift_least": 3.0}, "below lift_least"),
+        ({"model__bounce__normal_damping": 1.5}, "≤ 1"),
+        ({"model__entrainment__min_lift_speed": 3.0}, "below min_lift_speed"),
         ({"model__footprint": "patch", "lattice__rows": 2}, "3 stacks wide, on a field of 2 × 32"),
     ],
 )
@@ -68,7 +67,7 @@ def test_the_filter_smooths_a_sawtooth_away(along):
     rows, cols = np.indices((16, 32))
     simulation.bed.sand[...] = 2000 + 1000 * (-1) ** (rows * along[0] + cols * along[1])
     before = simulation.bed.units
-    ground = GrainGround(simulation.model.parameters, simulation.bed)
+    ground = simulation.model.ground_of(simulation.bed, 270.0)
     for _ in range(8):
         ground.settle(0)
     assert np.ptp(simulation.bed.sand) < 300

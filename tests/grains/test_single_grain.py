@@ -78,19 +78,19 @@ def test_the_published_drag_lets_fine_sand_fall_far_too_fast():
 
 def test_a_falling_grain_reaches_its_settling_speed():
     """Straight from the kernels: still air, a long fall."""
-    from barchan.grains.bed import GrainGround, room_for
-    from barchan.grains.pool import free_slots, grains_in
+    from barchan.grains.bed import GrainGround
+    from barchan.grains.pool import free_slots, grains_in, work_space
+    from barchan.grains.rules import rules_of
     from barchan.kernels.grains.landing import fly
 
     wang_hu = model("wang_hu")
     flight = wang_hu(wang_hu.Parameters(drag="reynolds", wind_speed=0.0), LATTICE)
     ground = GrainGround(
-        flight.parameters, Bed(LATTICE, np.zeros(LATTICE.shape), np.ones(LATTICE.shape)), room=room_for(1)
+        flight.parameters, Bed(LATTICE, np.zeros(LATTICE.shape), np.ones(LATTICE.shape)), work=work_space(1)
     )
     grains = grains_in(*free_slots(1), None)
-    grains.z[0], grains.held[0] = 100.0, 1
-    rules = flight.bounce(), flight.lift_off(WIND)
-    about = flight.air(WIND), ground.grid, ground.arrays, ground.scale, rules, None
+    grains.z[0], grains.status[0] = 100.0, 1
+    about = flight.blow(ground, WIND), ground.arrays, rules_of(flight.setting(WIND))
     for _ in range(2000):
-        fly(0, 1, np.uint64(1), grains, *about, ground.events)
+        fly(0, 1, np.uint64(1), grains, *about, ground.landings)
     assert -grains.w[0] == pytest.approx(flight.parameters.settling_speed(), rel=0.01)

@@ -117,17 +117,20 @@ def _lets_go_above_rest(data: dict[str, Any]) -> dict[str, Any]:
 
 def _flies(data: dict[str, Any]) -> dict[str, Any]:
     """Grains heavier than air, ranges in order, sizes that make up all sand or a spread."""
-    if data.get("sizes"):
-        share = 1.0 / len(data["sizes"])
-        data["sizes"] = [
-            {**one, "diameter": (at + 1) * 1e-3, "share": share} for at, one in enumerate(data["sizes"])
+    sizes = data.get("sizes", {})
+    if sizes.get("classes"):
+        share = 1.0 / len(sizes["classes"])
+        sizes["classes"] = [
+            {**one, "diameter": (at + 1) * 1e-3, "share": share} for at, one in enumerate(sizes["classes"])
         ]
-        data = {name: value for name, value in data.items() if name != "size_spread"}
-    if data.get("size_spread"):
+        sizes.pop("spread", None)
+    if sizes.get("spread"):
         data |= {"grain_diameter": 0.5e-3}
-    for least, most in (("lift_least", "lift_most"), ("flattest", "steepest")):
-        if least in data or most in data:
-            data |= {least: data.get(least, data.get(most)), most: data.get(least, data.get(most))}
+    lifted = data.get("entrainment", {})
+    for name in ("lift_speed", "lift_angle"):
+        given = [lifted[key] for key in (f"min_{name}", f"max_{name}") if key in lifted]
+        if given:
+            lifted |= {f"min_{name}": min(given), f"max_{name}": max(given)}
     return {name: value for name, value in data.items() if name not in ("air_density", "grain_density")}
 
 

@@ -1,4 +1,4 @@
-"""A wind over a bed of waves: how steeply it rises and falls, how fast it blows, how it drags at the bed."""
+"""Flow over relief: a wind over waves by linear theory, how it climbs, speeds up, and drags at the bed."""
 
 from functools import lru_cache
 from typing import Any, NamedTuple
@@ -12,32 +12,32 @@ from barchan.directions import downwind
 from barchan.lattice import Lattice
 
 STEEPEST = 0.3
-"""Slope of streamlines at most, and how far they turn: over steeper ground the flow comes off, which this
-theory does not tell."""
+"""Largest slope of streamlines, and largest ratio of crosswind: over steeper ground the flow separates, which
+linear theory cannot describe."""
 
 LEAST, MOST = 0.1, 2.0
-"""Speed over that above a level bed, in the troughs of waves at least and over their crests at most."""
+"""Least speed in the troughs of waves, and largest over their crests, over the speed above a level bed."""
 
 _KEPT = 2
-"""Lattices and winds whose wave numbers, and shares of waves, are kept: they are found anew at every wind."""
+"""Lattices and winds whose wave numbers and spectral factors are kept for the next use."""
 
 
-class WindOverWaves(NamedTuple):
-    """How a wind differs over waves from that above a level bed; None: it does not.
+class ReliefWind(NamedTuple):
+    """A wind over waves beside one above a level bed; None: they do not differ.
 
-    All but the stress are of mesh cells: squares between a stack and its neighbours in the east and north.
+    All but the stress are by mesh cell: the squares between a stack and its neighbours in the east and north.
     """
 
-    rise: NDArray[np.float64] | None = None
-    """Rise over run along the wind."""
-    gain: NDArray[np.float64] | None = None
+    streamline_slope: NDArray[np.float64] | None = None
+    """Rise over run of streamlines along the wind."""
+    speedup: NDArray[np.float64] | None = None
     """Speed over that above a level bed."""
-    aside: NDArray[np.float64] | None = None
-    """Speed to the left over that above a level bed."""
+    crosswind_ratio: NDArray[np.float64] | None = None
+    """Speed to the left of the wind over the speed along it."""
     stress: NDArray[np.float64] | None = None
     """Shear stress along the wind on each cell over that on a level bed."""
-    side_stress: NDArray[np.float64] | None = None
-    """The same to the left of it."""
+    crosswind_stress: NDArray[np.float64] | None = None
+    """Shear stress to the left of the wind over that on a level bed."""
 
 
 class WaveNumbers:
@@ -60,6 +60,10 @@ class WaveNumbers:
         self.to_left = self.east * across - self.north * along
         self.ahead = self.along_wind / np.where(self.number > 0.0, self.number, 1.0)
 
+    def wavelength_over(self, length: float) -> NDArray[np.float64]:
+        """Wavelength over a ``length`` (m); 1 for the mean, which has none."""
+        return 2.0 * np.pi / np.where(self.number > 0.0, self.number * length, 2.0 * np.pi)
+
 
 @lru_cache(_KEPT)
 def _wave_numbers(lattice: Lattice, direction: float) -> WaveNumbers:
@@ -67,29 +71,35 @@ def _wave_numbers(lattice: Lattice, direction: float) -> WaveNumbers:
 
 
 @lru_cache(_KEPT)
-def _streamline_shares(lattice: Lattice, direction: float, height: float) -> NDArray[np.float64]:
-    """What streamlines at a ``height`` (m) have of each wave: exp(-k height)."""
+def _streamline_factor(lattice: Lattice, direction: float, height: float) -> NDArray[np.float64]:
+    """Amplitude of streamlines at a ``height`` (m) over that of each wave: exp(-k height)."""
     return np.asarray(np.exp(-_wave_numbers(lattice, direction).number * height))
 
 
+Stress = tuple[float | None, float | None]
+"""A and B of the stress on the bed; None: by roughness."""
+
+
 @lru_cache(_KEPT)
-def _stress_shares(
-    lattice: Lattice, direction: float, crests: float, stoss: float
+def _stress_factors(
+    lattice: Lattice, direction: float, stress: Stress, roughness: float
 ) -> tuple[NDArray, NDArray]:
-    """What the stress has of each, along the wind and to its left; see ``Spectrum.stress``."""
+    """Stress along the wind and to its left over the amplitude of each wave; see ``LinearFlow.stress``."""
     waves = _wave_numbers(lattice, direction)
-    turned = waves.ahead * (crests + 1j * stoss * np.sign(waves.along_wind))
-    return turned * waves.along_wind, turned * waves.to_left
+    published = stress_coefficients(waves.wavelength_over(roughness))
+    a, b = (one if given is None else given for given, one in zip(stress, published, strict=True))
+    complex_factor = waves.ahead * (a + 1j * b * np.sign(waves.along_wind))
+    return complex_factor * waves.along_wind, complex_factor * waves.to_left
 
 
 @lru_cache(_KEPT)
-def _sharing_shares(lattice: Lattice, direction: float, along: float, across: float) -> NDArray[np.float64]:
-    """What is left of each by a Gaussian's width (m) ``along`` the wind and one ``across`` it."""
+def _spread_factor(lattice: Lattice, direction: float, along: float, across: float) -> NDArray[np.float64]:
+    """Amplitude of each wave after a Gaussian of a length (m) ``along`` the wind and a width ``across``."""
     waves = _wave_numbers(lattice, direction)
     return np.asarray(np.exp(-0.5 * ((along * waves.along_wind) ** 2 + (across * waves.to_left) ** 2)))
 
 
-class Spectrum:
+class LinearFlow:
     """The waves of a bed, or of any field, that a wind from ``direction`` (degrees) blows over.
 
     A wave h has wave number k, of which k_w is along the wind and k_l to its left.
@@ -107,73 +117,75 @@ class Spectrum:
             bed = np.pad(bed, mirrored, mode="symmetric")
         self.waves = rfft2(bed)
 
-    def field(self, share: NDArray) -> NDArray[np.float64]:
-        """The sum over all waves of the ``share`` of each."""
+    def field(self, factor: NDArray) -> NDArray[np.float64]:
+        """The sum over all waves, each times its ``factor``."""
         rows, columns = self.lattice.shape
-        whole = irfft2(share * self.waves, s=(self.numbers.rows, self.numbers.columns))
+        whole = irfft2(factor * self.waves, s=(self.numbers.rows, self.numbers.columns))
         return np.asarray(whole[:rows, :columns])
 
     def slope(self, height: float) -> NDArray[np.float64]:
         """Rise over run of streamlines at a ``height`` (m): they follow waves by the share exp(-k height)."""
-        line = self.field(_streamline_shares(self.lattice, self.direction, height))
+        line = self.field(_streamline_factor(self.lattice, self.direction, height))
         east, north = (_mean_step(line, axis, self.lattice.periodic) for axis in (1, 0))
         return (self.numbers.east * east + self.numbers.north * north) / self.lattice.cell_size
 
-    def faster(self, height: float) -> NDArray[np.float64]:
-        """Speed that comes to it without friction, as a share: (k_w² / k) h exp(-k height) (Lamb 1932)."""
+    def speedup(self, height: float) -> NDArray[np.float64]:
+        """Relative speed gained without friction: (k_w² / k) h exp(-k height) (Lamb 1932)."""
         return self._over_mesh(self.numbers.along_wind, height)
 
-    def aside(self, height: float) -> NDArray[np.float64]:
-        """Speed to the left that comes to it, as a share: (k_w k_l / k) h exp(-k height)."""
+    def crosswind(self, height: float) -> NDArray[np.float64]:
+        """Relative speed gained to the left without friction: (k_w k_l / k) h exp(-k height)."""
         return self._over_mesh(self.numbers.to_left, height)
 
-    def _over_mesh(self, way: NDArray[np.float64], height: float) -> NDArray[np.float64]:
-        share = self.numbers.ahead * way * _streamline_shares(self.lattice, self.direction, height)
-        return over_mesh(self.field(share), self.lattice.periodic)
+    def _over_mesh(self, component: NDArray[np.float64], height: float) -> NDArray[np.float64]:
+        factor = self.numbers.ahead * component * _streamline_factor(self.lattice, self.direction, height)
+        return over_mesh(self.field(factor), self.lattice.periodic)
 
-    def stress(self, crests: float, stoss: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """Stress on the bed that comes to it along the wind and to its left, as a share.
+    def stress(self, stress: Stress, roughness: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Relative stress on the bed gained along the wind and to its left.
 
-        It is (A + i B) (k_w / k) h times k_w and times k_l, for waves with k_w > 0. A (``crests``) is what it
-        rises by on crests, B (``stoss``) on faces that look upwind, so that it is highest ahead of crests
-        (Fourrière et al. 2010).
+        It is (A + i B) (k_w / k) h times k_w and times k_l, for waves with k_w > 0. A is the rise on crests,
+        B the rise on faces that look upwind, so that the stress is highest ahead of crests. Both depend on
+        the wavelength over the ``roughness`` length (m; Fourrière et al. 2010), unless they are given.
         """
-        along, aside = _stress_shares(self.lattice, self.direction, crests, stoss)
-        return self.field(along), self.field(aside)
+        along, left = _stress_factors(self.lattice, self.direction, stress, roughness)
+        return self.field(along), self.field(left)
 
-    def shared(self, along: float, across: float) -> NDArray[np.float64]:
-        """The field spread by a Gaussian of a width (m) ``along`` the wind and one ``across`` it."""
-        return self.field(_sharing_shares(self.lattice, self.direction, along, across))
+    def spread(self, along: float, across: float) -> NDArray[np.float64]:
+        """The field smoothed by a Gaussian of a length (m) ``along`` the wind and a width ``across`` it."""
+        return self.field(_spread_factor(self.lattice, self.direction, along, across))
 
 
-def wind_over_waves(
+def wind_over_relief(
     surface: NDArray,
     lattice: Lattice,
     direction: float,
     height: float | None,
     speedup: float,
-    stress: tuple[float, float],
-) -> WindOverWaves:
-    """How a wind over the waves of a ``surface`` (m) differs from one over a level bed.
+    stress: Stress,
+    roughness: float,
+) -> ReliefWind:
+    """A wind over the waves of a ``surface`` (m), beside one over a level bed.
 
     Its streamlines are those of a ``height`` (m), and level where not given. Its speed differs by ``speedup``
-    times as much as without friction, the ``stress`` on the bed by A and B. All are bounded, for the theory
+    times the difference without friction, the stress on the bed by A and B. All are bounded, for the theory
     is one of low waves.
     """
-    if height is None and not any(stress):
-        return WindOverWaves()
-    waves = Spectrum(surface, lattice, direction)
-    found = WindOverWaves()
+    drags = any(one is None or one > 0.0 for one in stress)
+    if height is None and not drags:
+        return ReliefWind()
+    flow = LinearFlow(surface, lattice, direction)
+    found = ReliefWind()
     if height is not None:
-        found = found._replace(rise=np.clip(waves.slope(height), -STEEPEST, STEEPEST))
+        found = found._replace(streamline_slope=np.clip(flow.slope(height), -STEEPEST, STEEPEST))
         if speedup > 0.0:
-            gain = np.clip(1.0 + speedup * waves.faster(height), LEAST, MOST)
-            aside = np.clip(speedup * waves.aside(height), -STEEPEST, STEEPEST)
-            found = found._replace(gain=gain, aside=aside)
-    if any(stress):
-        along, aside = waves.stress(*stress)
+            factor = np.clip(1.0 + speedup * flow.speedup(height), LEAST, MOST)
+            ratio = np.clip(speedup * flow.crosswind(height), -STEEPEST, STEEPEST)
+            found = found._replace(speedup=factor, crosswind_ratio=ratio)
+    if drags:
+        along, left = flow.stress(stress, roughness)
         along = np.clip(1.0 + along, LEAST**2, MOST**2)
-        found = found._replace(stress=along, side_stress=np.clip(aside, -along, along))
+        found = found._replace(stress=along, crosswind_stress=np.clip(left, -along, along))
     return found
 
 

@@ -13,14 +13,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from barchan.aeolian.grains import GRAVITY, Numbers
+from barchan.aeolian.wall import KARMAN
 
 Sorting = Literal["uniform", "dune", "poor"]
 LawName = Literal[
     "bagnold", "bagnold_threshold", "kawamura", "lettau", "tsoar", "owen", "quadratic", "pahtz_duran"
 ]
-
-KARMAN = 0.4
-"""The constant of von Kármán."""
 
 REFERENCE_DIAMETER = 0.25e-3
 """The grain diameter (m) that Bagnold's and Lettau's coefficients are stated for."""
@@ -67,7 +65,7 @@ class Law:
 
 
 def bagnold(u: Numbers, _threshold: float, sand: Sand) -> Numbers:
-    """C √(d / D) (ρ / g) u*³, with C by sorting; it knows no threshold."""
+    """C √(d / D) (ρ / g) u*³, with C by sorting; without a threshold."""
     return BAGNOLD[sand.sorting] * sand.coarseness * _per_gravity(sand) * u**3
 
 
@@ -150,7 +148,7 @@ LAWS: dict[str, Law] = {
         "6.7 √(d/D) (ρ/g) u*² (u* - u_t)",
         "Lettau & Lettau (1978), Exploring the world's driest climate",
     ),
-    "tsoar": Law(tsoar, "Seed 000, after Tsoar", "K u*² (u* - u_t)", "seed 000, Eq. 2.1; K is ours"),
+    "tsoar": Law(tsoar, "after Tsoar", "K u*² (u* - u_t)", "Prague thesis, Eq. 2.1; K is ours"),
     "owen": Law(
         owen,
         "Owen, Ungar & Haff",
@@ -174,8 +172,3 @@ def mass_flux(law: LawName, friction_velocity: Numbers, threshold: float, sand: 
     """Mass flux (kg/m/s) by a law; zero where the friction velocity does not exceed the threshold."""
     u = np.asarray(friction_velocity, np.float64)
     return np.where(u > threshold, LAWS[law].flux(np.maximum(u, threshold), threshold, sand), 0.0)
-
-
-def friction_velocity(speed: Numbers, height: float, roughness: float) -> Numbers:
-    """The law of the wall, κ U / ln(z / z₀), of a speed (m/s) at a height over a roughness length (m)."""
-    return KARMAN / np.log(height / roughness) * speed

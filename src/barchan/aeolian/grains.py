@@ -3,6 +3,7 @@
 Lengths in m, densities in kg/m³, speeds in m/s; grain diameters may be numbers or arrays.
 """
 
+import math
 from collections.abc import Callable
 
 import numpy as np
@@ -61,5 +62,15 @@ def natural_drag(speed: NDArray, diameter: float, viscosity: float) -> NDArray:
 def drag_rate(
     speed: NDArray, coefficient: NDArray | float, diameter: float, density: float, air_density: float
 ) -> NDArray:
-    """Rate (1/s) at which drag takes a velocity difference ``speed`` (m/s) away, A |ΔV| / m of eq. 4.9."""
+    """Rate (1/s) at which drag takes a velocity difference ``speed`` (m/s) away (Prague thesis, eq. 4.9)."""
     return 0.75 * air_density / (density * diameter) * coefficient * speed
+
+
+def terminal_speed(rate: Callable[[NDArray], NDArray], gravity: float) -> float:
+    """Speed (m/s) of steady fall in still air, where drag at that ``rate`` bears the weight."""
+    low, high = 1e-6, 1e3
+    for _ in range(100):
+        middle = math.sqrt(low * high)
+        falls_faster = float(rate(np.array(middle))) * middle < gravity
+        low, high = (middle, high) if falls_faster else (low, middle)
+    return low

@@ -6,45 +6,21 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import model_validator
 
-from barchan.aeolian.flux import KARMAN, LawName, Sand, Sorting, friction_velocity, mass_flux
+from barchan.aeolian.flux import LawName, Sorting, mass_flux
+from barchan.aeolian.flux import Sand as FluxSand
 from barchan.aeolian.grains import THRESHOLDS, Numbers, settling_speed
-from barchan.parameters import Parameters, parameter
+from barchan.aeolian.sand import Air, Sand
+from barchan.aeolian.wall import friction_velocity, grain_roughness, speed_at
+from barchan.parameters import parameter
 
 
-class Saltation(Parameters):
-    """What a wind speed moves: grains, air, roughness and the law of the flux.
+class Saltation(Air, Sand):
+    """Sand, air, roughness and the law of the flux: from a wind speed to the sand that it moves.
 
     A speed U at ``height`` gives the friction velocity u* by the law of the wall, u* and its threshold give
     the flux by ``law``. No law moves anything at or below the threshold.
     """
 
-    grain_diameter: float = parameter(
-        0.25e-3,
-        unit="m",
-        ge=0.02e-3,
-        le=5e-3,
-        meaning="Diameter of the grains.",
-        source="Bagnold (1941), the reference size",
-    )
-    grain_density: float = parameter(
-        2650.0, unit="kg/m³", ge=500, le=10_000, meaning="Density of a grain.", source="quartz"
-    )
-    air_density: float = parameter(
-        1.225,
-        unit="kg/m³",
-        ge=0.001,
-        le=100,
-        meaning="Density of the air.",
-        source="standard air at sea level",
-    )
-    porosity: float = parameter(
-        0.4,
-        unit="-",
-        ge=0,
-        le=0.9,
-        meaning="Share of pores in the bed: a flux of sand as it lies is that of grains over 1 - porosity.",
-        source="random packing of sand; pydune divides by 0.6",
-    )
     sorting: Sorting = parameter(
         "dune",
         unit="-",
@@ -88,14 +64,14 @@ class Saltation(Parameters):
         return self
 
     @property
-    def sand(self) -> Sand:
+    def sand(self) -> FluxSand:
         """Sand and air as the laws ask for them."""
-        return Sand(self.grain_diameter, self.grain_density, self.air_density, self.sorting)
+        return FluxSand(self.grain_diameter, self.grain_density, self.air_density, self.sorting)
 
     @property
     def roughness_length(self) -> float:
         """Roughness length (m)."""
-        return self.grain_diameter / 30.0 if self.roughness is None else self.roughness
+        return grain_roughness(self.grain_diameter) if self.roughness is None else self.roughness
 
     @property
     def settling_speed(self) -> float:
@@ -117,9 +93,7 @@ class Saltation(Parameters):
         """Wind speed (m/s) at ``height`` above which sand moves."""
         if self.threshold is not None:
             return self.threshold
-        return (
-            self.threshold_friction_velocity() * float(np.log(self.height / self.roughness_length)) / KARMAN
-        )
+        return speed_at(self.threshold_friction_velocity(), self.height, self.roughness_length)
 
     def mass_flux(self, speed: Numbers) -> NDArray[np.float64]:
         """Mass of sand per time and metre of width (kg/m/s) under wind speeds (m/s)."""

@@ -1,12 +1,33 @@
 """The law of the wall: wind speed by height, over a bed and in a layer of grains."""
 
+import math
+from typing import TypeVar
+
 import numpy as np
 from numpy.typing import NDArray
 
-from barchan.aeolian.flux import KARMAN
+KARMAN = 0.4
+"""The constant of von Kármán."""
+
+Speed = TypeVar("Speed", float, NDArray[np.float64], float | NDArray[np.float64])
 
 REFERENCE_HEIGHT = 10.0
 """Height (m) at which wind speeds are stated."""
+
+
+def grain_roughness(diameter: float) -> float:
+    """Roughness length (m) of a bed of grains at rest, a 30th of their diameter (m; Bagnold 1941)."""
+    return diameter / 30.0
+
+
+def friction_velocity(speed: Speed, height: float, roughness: float, displacement: float = 0.0) -> Speed:
+    """Friction velocity (m/s) of a wind speed (m/s) at a height (m): the law of the wall, solved for it."""
+    return speed * KARMAN / math.log((height - displacement) / roughness)
+
+
+def speed_at(ustar: float, height: float, roughness: float) -> float:
+    """Wind speed (m/s) at a height (m) of a friction velocity (m/s)."""
+    return ustar * math.log(height / roughness) / KARMAN
 
 
 def log_wind(height: NDArray, friction: float, roughness: float, displacement: float = 0.0) -> NDArray:
@@ -18,7 +39,7 @@ def log_wind(height: NDArray, friction: float, roughness: float, displacement: f
 def unstable_wind(
     height: NDArray, friction: float, roughness: float, displacement: float, stability: float
 ) -> NDArray:
-    """The same, where it blows faster by ``stability`` (m/s)."""
+    """The law of the wall with ``stability`` (m/s) added to the speed above the roughness."""
     speed = log_wind(height, friction, roughness, displacement)
     return speed + np.where(speed > 0.0, stability, 0.0)
 
@@ -41,6 +62,6 @@ def focused_wind(
 def above_focus(
     height: NDArray, friction: float, roughness: float, focus: float, displacement: float
 ) -> NDArray:
-    """What the wind speed (m/s) gains above the focus (m)."""
+    """Wind speed (m/s) gained above the focus (m)."""
     ratio = np.maximum((height - displacement) / max(focus - displacement, roughness), 1.0)
     return friction / KARMAN * np.log(ratio)

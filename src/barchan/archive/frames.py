@@ -14,6 +14,7 @@ from zarr.core.sync import sync
 
 from barchan.fields import FieldInfo
 from barchan.scenario import Scenario
+from barchan.scenario.migrations import current_field
 from barchan.simulation import Frame
 
 
@@ -115,6 +116,7 @@ class Frames:
         for unfinished in path.rglob("*.partial"):
             unfinished.unlink()
         self.group = zarr.open_group(path, mode="r+", use_consolidated=False)
+        self._stored = {current_field(name): name for name in self.group.array_keys()}
 
     @classmethod
     def create(cls, path: Path, scenario: Scenario, fields: dict[str, FieldInfo]) -> "Frames":
@@ -183,10 +185,10 @@ class Frames:
     @property
     def fields(self) -> list[str]:
         """Names of the stored fields."""
-        return [name for name, array in self.group.arrays() if array.ndim == 3]
+        return [current_field(name) for name, array in self.group.arrays() if array.ndim == 3]
 
     def _array(self, name: str) -> zarr.Array:
-        array = self.group[name]
+        array = self.group[self._stored.get(name, name)]
         assert isinstance(array, zarr.Array)
         return array
 

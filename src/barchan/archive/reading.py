@@ -14,6 +14,7 @@ from barchan.archive.frames import published
 from barchan.archive.parent import Parent, parent_of
 from barchan.errors import ArchiveError
 from barchan.scenario import Scenario, preset_names
+from barchan.scenario.migrations import current_field
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -35,7 +36,8 @@ def open_run(path: str | Path) -> "xr.Dataset":
     scenario = scenario_of(path)
     if not published(path / FRAMES):
         raise ArchiveError(f"{path}: no frames were saved")
-    dataset = xr.open_zarr(path / FRAMES, chunks=None)
+    stored = xr.open_zarr(path / FRAMES, chunks=None)
+    dataset = stored.rename({name: current_field(str(name)) for name in stored.data_vars})
     if dataset.sizes["step"] == 0:
         raise ArchiveError(f"{path}: no frames were saved")
     lazy = LazyElevation(dataset, scenario.layers, scenario.lattice.thickness)

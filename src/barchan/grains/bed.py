@@ -1,205 +1,168 @@
 """The bed as grains meet it, for the time of one call: its arrays, counts, shelter and slopes."""
 
-import math
-from typing import Any
-
 import numpy as np
 from numpy.typing import NDArray
 
-from barchan.aeolian.flow_over_relief import WindOverWaves
-from barchan.aeolian.flux import KARMAN
+from barchan.aeolian.flow_over_relief import ReliefWind
 from barchan.bed import Bed
-from barchan.grains.canopy import Hold
+from barchan.grains.canopy import PlantRoughness
+from barchan.grains.collapse import filter_of, slopes_of
 from barchan.grains.parameters import GrainFlight
-from barchan.grains.sizes import shuffle_anew
+from barchan.grains.pool import work_space
+from barchan.grains.shelter import Shelter
+from barchan.grains.sized_sand import reseed
 from barchan.heights import FRACTION_BITS
-from barchan.kernels.bed.state import Grid, Repose, settling_sequences
+from barchan.kernels.bed.state import ActiveLayer, Grid
 from barchan.kernels.core.state import TRAVEL_UNIT
 from barchan.kernels.grains.state import (
     CAPPED,
     COUNTS,
     FLOWN,
     LEFT,
-    LOST,
-    LOST_UNIT,
+    LOSS,
+    LOSS_UNIT,
     MOVED,
     TRAVEL_X,
     TRAVEL_Y,
+    BedStress,
     Ejecta,
-    Events,
-    Filter,
+    Feedback,
+    Flow,
     Ground,
+    Landings,
     Scale,
-    Scene,
+    Speedup,
 )
-from barchan.lattice import Lattice
 from barchan.model import Tally
 from barchan.streams import derive
 from barchan.wind.frame import WindFrame
 
-
-def repose_limits(angle: float, lattice: Lattice) -> tuple[int, int]:
-    """Largest steps (parcels) that stand towards faces and corners; at least one."""
-    slope = math.tan(math.radians(angle)) / lattice.aspect
-    return max(1, math.floor(slope + 1e-9)), max(1, math.floor(math.sqrt(2.0) * slope + 1e-9))
+PARCEL = 1 << FRACTION_BITS
+"""Parts of a parcel in a level."""
 
 
 class GrainGround:
-    """A bed with what the kernels need beside it. Changes the bed's sand in place."""
+    """A bed with the arrays that the kernels need beside it. Changes the bed's sand in place."""
 
     def __init__(
         self,
         rules: GrainFlight,
         bed: Bed,
         direction: float = 270.0,
-        room: Any = None,
-        mixture: Any = None,
-        plants: Hold | None = None,
+        work: tuple[Landings, Ejecta] | None = None,
+        layer: ActiveLayer | None = None,
+        plants: PlantRoughness | None = None,
     ) -> None:
-        """Take a bed under a wind from ``direction`` (degrees), with room for grains (``room_for``).
+        """Take a bed under a wind from ``direction`` (degrees), with ``work`` space for a pool of grains.
 
-        Sand of several sizes comes with its ``mixture``, a field with ``plants`` with their hold on the wind.
+        Sand of several sizes comes with its active ``layer``, a field with ``plants`` with their roughness.
         """
         from barchan.kernels.grains.surface import renew_mesh
 
-        lattice = bed.lattice
-        periodic_y, periodic_x = lattice.periodic
-        self.rules, self.lattice, self.plants = rules, lattice, plants
+        self.rules, self.lattice, self.plants = rules, bed.lattice, plants
         self.direction, self.frame = direction, WindFrame.of(direction)
-        self.grid = Grid(*lattice.shape, periodic_x, periodic_y)
-        one = 1 << FRACTION_BITS
-        self.scale = Scale(one, lattice.thickness / one, lattice.cell_size, rules.carried)
-        self.repose = _repose(rules, lattice, one)
-        self.filter = _filter(rules, lattice, one)
-        self.sequences = settling_sequences(True)
-        level = _levels(bed, one)
-        height = (level * self.scale.part).astype(np.float32)
-        lid = height if rules.shelter_angle is None else height.copy()
-        top, base = np.zeros((2, lattice.cells), np.float32)
-        stale = np.zeros(lattice.shape[0], np.uint8)
-        self.arrays = Ground(bed.sand.reshape(-1), level, height, lid, top, base, stale, mixture)
-        if plants is not None:
-            self.arrays = self.arrays._replace(lift=plants.lift, taken=np.zeros_like(plants.lift))
-        renew_mesh(self.arrays, self.grid)
-        self.queue = np.zeros(lattice.cells, np.int64)
-        self.waiting = np.zeros(lattice.cells, np.uint8)
-        sizes = 1 if mixture is None else len(mixture.layer)
-        self.counts = np.zeros(COUNTS + sizes, np.int64)
-        self.events, self.ejecta = room or room_for(0)
+        self.slopes = slopes_of(rules, bed.lattice, PARCEL)
+        self.filter = filter_of(rules, bed.lattice, PARCEL)
+        self.arrays = _ground_of(rules, bed, layer)
+        self.roughen(0.0)
+        renew_mesh(self.arrays)
+        self.counts = np.zeros(COUNTS + (1 if layer is None else len(layer.surface)), np.int64)
+        self.landings, self.ejecta = work or work_space(0)
 
-    def lost_speed(self) -> NDArray[np.float64]:
-        """Speed (m/s) along the wind that impacts took since last asked: by cell, or a cell's mean."""
-        if self.arrays.lost is None:
-            lost = np.asarray(self.counts[LOST] / self.lattice.cells)
+    def momentum_loss(self) -> NDArray[np.float64]:
+        """Speed (m/s) along the wind that impacts took since the last call: by cell, or a cell's mean."""
+        if self.arrays.feedback is None:
+            loss = np.asarray(self.counts[LOSS] / self.lattice.cells)
         else:
-            lost = self.arrays.lost.reshape(self.lattice.shape).astype(np.float64)
-            self.arrays.lost[:] = 0
-        self.counts[LOST] = 0
-        return lost / LOST_UNIT
+            by_cell = self.arrays.feedback.momentum_loss
+            loss = by_cell.reshape(self.lattice.shape).astype(np.float64)
+            by_cell[:] = 0
+        self.counts[LOSS] = 0
+        return loss / LOSS_UNIT
 
-    def slow(self, friction: NDArray[np.float64]) -> None:
-        """Let the wind near the bed have a friction velocity (m/s) for each cell."""
-        near = friction.reshape(-1).astype(np.float32)
-        lost = np.zeros(near.size, np.int64) if self.arrays.lost is None else self.arrays.lost
-        self.arrays = self.arrays._replace(near=near, lost=lost)
+    def slow(self, ustar: NDArray[np.float64]) -> None:
+        """Set the near-bed friction velocity (m/s) of each cell."""
+        before = self.arrays.feedback
+        loss = np.zeros(ustar.size, np.int64) if before is None else before.momentum_loss
+        feedback = Feedback(ustar.reshape(-1).astype(np.float32), loss)
+        self.arrays = self.arrays._replace(feedback=feedback)
 
-    def bend_wind(self, wind: WindOverWaves) -> None:
+    def bend_wind(self, wind: ReliefWind) -> None:
         """Let the wind follow the bed."""
-        self.arrays = self.arrays._replace(
-            rise=_flat(wind.rise), gain=_flat(wind.gain), aside=_flat(wind.aside)
-        )
+        if wind.streamline_slope is None:
+            return
+        speedup = None
+        if wind.speedup is not None and wind.crosswind_ratio is not None:
+            speedup = Speedup(_flat(wind.speedup), _flat(wind.crosswind_ratio))
+        self.arrays = self.arrays._replace(flow=Flow(_flat(wind.streamline_slope), speedup))
 
-    def drag(self, near: NDArray[np.float64], wind: WindOverWaves) -> None:
-        """Let the wind drag at the bed, with a friction velocity (m/s) ``near`` it, by cell or for all.
+    def drag(self, near_bed: NDArray[np.float64], wind: ReliefWind) -> None:
+        """Set the stress on the bed of a wind with a near-bed friction velocity (m/s), by cell or for all.
 
-        It has no hold on the bed among plants.
+        Plants keep the wind off the bed.
         """
-        cells, stress, aside = self.arrays.level.size, _flat(wind.stress), _flat(wind.side_stress)
-        found = np.broadcast_to(near, self.lattice.shape).reshape(-1).astype(np.float32).astype(np.float64)
-        if stress is not None:
-            found *= np.sqrt(stress.astype(np.float64))
+        whole = np.broadcast_to(near_bed, self.lattice.shape).reshape(-1)
+        ustar = whole.astype(np.float32).astype(np.float64)
+        deflection = np.zeros(ustar.size)
+        if wind.stress is not None:
+            stress = _flat(wind.stress).astype(np.float64)
+            ustar *= np.sqrt(stress)
+            if wind.crosswind_stress is not None:
+                deflection = _flat(wind.crosswind_stress).astype(np.float64) / stress
         if self.plants is not None:
-            found[self.plants.lift > 0.0] = 0.0
-        turn = np.zeros(cells) if stress is None or aside is None else aside.astype(np.float64) / stress
-        self.arrays = self.arrays._replace(bed_wind=found, bed_turn=turn)
+            ustar[self.plants.displacement_height > 0.0] = 0.0
+        self.arrays = self.arrays._replace(bed_stress=BedStress(ustar, deflection))
 
-    def roughen(self, friction: float) -> None:
-        """Let plants take their part from a wind of that friction velocity (m/s)."""
+    def roughen(self, ustar: float) -> None:
+        """Set the drag of plants on a wind of a friction velocity (m/s)."""
         if self.plants is not None:
-            taken = friction / KARMAN * self.plants.logarithm
-            self.arrays = self.arrays._replace(taken=taken.astype(np.float32))
+            self.arrays = self.arrays._replace(canopy=self.plants.drag(ustar))
 
-    def scene(self, grains: Any, air: Any, rules: tuple[Any, Any], splash: Any) -> Any:
-        """All that takes part in an iteration, as the kernels take it."""
-        about = grains, air, self.grid, self.arrays, self.scale, rules, splash
-        return Scene(*about, self.events, self.ejecta, self.counts)
-
-    def shuffle_anew(self, key: int) -> None:
-        """Start the draws of sizes anew under a key."""
-        if self.arrays.mixture is not None:
-            shuffle_anew(self.arrays.mixture, key)
+    def reseed(self, key: int) -> None:
+        """Restart the random sequence of sizes under a key."""
+        if self.arrays.active_layer is not None:
+            reseed(self.arrays.active_layer, key)
 
     @property
     def left_by_size(self) -> NDArray[np.int64]:
-        """Parcels of each size that left the field in this step."""
+        """Parcels of each size class that left the field in this step."""
         return self.counts[COUNTS:] * self.rules.carried
 
-    def spread_lid(self) -> None:
-        """Find the sheltered air anew."""
-        if self.rules.shelter_angle is None:
-            return
-        from barchan.kernels.grains.shelter import spread_lid
+    def raise_shelter(self) -> None:
+        """Recompute the sheltered air."""
         from barchan.kernels.grains.surface import renew_mesh
 
-        frame, shape = self.frame, self.lattice.shape
-        lid = np.array(frame.enter(self.arrays.height.reshape(shape)).T, order="C")
-        across, along = self.lattice.periodic
-        if frame.crossed:
-            across, along = along, across
-        offset = -math.tan(frame.angle)
-        row_step = math.floor(offset + 1e-9)
-        fall = math.tan(math.radians(self.rules.shelter_angle)) * self.lattice.cell_size
-        spread_lid(
-            *(fall / math.cos(frame.angle), row_step, max(offset - row_step, 0.0), along, across, lid),
-        )
-        self.arrays.lid.reshape(shape)[...] = frame.leave(lid.T)
-        renew_mesh(self.arrays, self.grid)
+        shelter = self.rules.part(Shelter)
+        if shelter is not None and shelter.angle is not None:
+            shelter.raise_over(self.arrays, self.lattice, self.frame)
+            renew_mesh(self.arrays)
 
     def settle(self, key: int) -> None:
         """Relax slopes that are too steep."""
-        self.shuffle_anew(derive(key, 0))
-        from barchan.kernels.grains.exchange import settle_steep
+        from barchan.kernels.grains.collapse import settle_steep
         from barchan.kernels.grains.filter import smooth_slopes
 
+        self.reseed(derive(key, 0))
         if self.rules.collapse == "filter":
-            smooth_slopes(self.arrays, self.scale, self.grid, self.filter, self.queue, self.waiting)
-            return
-        settle_steep(
-            *(self.arrays, self.scale, self.sequences, np.uint64(key), self.grid, self.repose),
-            *(self.queue, self.waiting),
-        )
+            smooth_slopes(self.arrays, self.filter, self.slopes.queue, self.slopes.waiting)
+        else:
+            settle_steep(self.arrays, self.slopes, np.uint64(key))
 
     def settle_where(self, where: NDArray[np.bool_]) -> int:
-        """Relax slopes about some cells until all hold; returns how many parcels slid."""
+        """Relax slopes about some cells until all hold; returns the number of parcels that slid."""
         from barchan.kernels.bed.relax import settle_field
 
-        arrays = self.arrays
-        upset = where.copy()
-        return int(
-            settle_field(
-                *(arrays.level, arrays.sand, None, upset, self.sequences, self.grid, self.repose),
-                arrays.mixture,
-            )
-        )
+        ground, slopes, upset = self.arrays, self.slopes, where.copy()
+        level, sand, grid, layer = ground.level, ground.sand, ground.grid, ground.active_layer
+        return int(settle_field(level, sand, None, upset, slopes.sequences, grid, slopes.repose, layer))
 
     def tally(self, airborne: int) -> Tally:
-        """What happened in a step, with so many parcels in the air at its end."""
+        """The tally of a step, with a number of parcels in the air at its end."""
         counts, carried = self.counts, self.rules.carried
-        moved = int(counts[MOVED]) * carried
         return Tally(
             steps=1,
             polls=int(counts[FLOWN]),
-            moved=moved,
+            moved=int(counts[MOVED]) * carried,
             left=int(counts[LEFT]) * carried,
             airborne=airborne,
             capped=int(counts[CAPPED]) * carried,
@@ -208,47 +171,30 @@ class GrainGround:
         )
 
 
-def room_for(slots: int, sorted_by_size: bool = False) -> Any:
-    """Room for the events and the ejecta of an iteration, for grains in some slots."""
-    near, slot, rest, source, way_x, way_y = np.zeros((6, slots), np.int64)
-    x, y = np.zeros((2, slots), np.float32)
-    impact, u, v = np.zeros((3, slots))
-    lost = np.zeros(slots, np.int64)
-    kind = np.zeros(slots, np.int32) if sorted_by_size else None
-    capped, start = np.zeros(slots, np.uint8), np.zeros(slots, np.uint64)
-    events = Events(near, slot, rest, source, way_x, way_y, capped, impact, x, y, u, v, lost, start, kind)
-    return events, Ejecta(*np.zeros((5, slots), np.int64), *np.zeros((3, slots)))
+def _flat(part: NDArray[np.float64]) -> NDArray[np.float32]:
+    return part.reshape(-1).astype(np.float32)
 
 
-def _flat(part: NDArray[np.float64] | None) -> NDArray[np.float32] | None:
-    return None if part is None else part.reshape(-1).astype(np.float32)
-
-
-def _levels(bed: Bed, one: int) -> NDArray[np.int64]:
-    """Elevation of the surface over the lowest ground, in parts of a parcel."""
-    ground = (bed.ground - bed.ground.min()) / bed.lattice.thickness * one
-    return (np.rint(ground).astype(np.int64) + bed.sand.astype(np.int64) * one).reshape(-1)
-
-
-def _repose(rules: GrainFlight, lattice: Lattice, one: int) -> Any:
-
-    face, corner = repose_limits(rules.repose_angle, lattice)
-    return Repose(
-        slab=one,
-        face_limit=face * one,
-        corner_limit=corner * one,
-        corner_weight=math.sqrt(0.5),
-        corners=True,
-        random_order=False,
-        firm_face_limit=face * one,
-        firm_corner_limit=corner * one,
-        firm_below=-1,
-        release_face=0,
-        release_corner=0,
+def _ground_of(rules: GrainFlight, bed: Bed, layer: ActiveLayer | None) -> Ground:
+    """A bed as kernels take it; the mesh is to be computed."""
+    lattice = bed.lattice
+    periodic_y, periodic_x = lattice.periodic
+    scale = Scale(PARCEL, lattice.thickness / PARCEL, lattice.cell_size, rules.carried)
+    over_lowest = (bed.ground - bed.ground.min()) / lattice.thickness * PARCEL
+    level = (np.rint(over_lowest).astype(np.int64) + bed.sand.astype(np.int64) * PARCEL).reshape(-1)
+    height = (level * scale.part).astype(np.float32)
+    shelter = rules.part(Shelter)
+    calm = shelter is not None and shelter.angle is not None
+    top, base = np.zeros((2, lattice.cells), np.float32)
+    return Ground(
+        sand=bed.sand.reshape(-1),
+        level=level,
+        height=height,
+        shelter_surface=height.copy() if calm else height,
+        top=top,
+        base=base,
+        stale=np.zeros(lattice.shape[0], np.uint8),
+        grid=Grid(*lattice.shape, periodic_x, periodic_y),
+        scale=scale,
+        active_layer=layer,
     )
-
-
-def _filter(rules: GrainFlight, lattice: Lattice, one: int) -> Any:
-
-    least = math.tan(math.radians(rules.repose_angle)) / rules.filter_scale / lattice.aspect
-    return Filter(rules.filter_gain, least * one)

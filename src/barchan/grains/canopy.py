@@ -1,15 +1,18 @@
-"""Plants in the wind of grains: where they stand, how high, and what they take from the wind."""
+"""Canopy: plants in the wind of grains, where they stand, how high, and how they roughen the wind."""
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from barchan.aeolian.mesh import over_mesh
+from barchan.aeolian.wall import KARMAN
 from barchan.bed import Bed
 from barchan.fields import FieldInfo
+from barchan.grains.closure import Closure
 from barchan.ground.area import Area
+from barchan.kernels.grains.state import CanopyDrag
 from barchan.lattice import Lattice
 from barchan.model import Derived, Overlay
 from barchan.parameters import parameter
@@ -57,19 +60,67 @@ def planted(stands: Sequence[Stand], lattice: Lattice) -> NDArray[np.float64]:
     return height
 
 
-class Hold(NamedTuple):
-    """What plants do to the wind over each mesh cell: flat arrays."""
+class Canopy(Closure):
+    """Plants that roughen the wind over them."""
 
-    lift: NDArray[np.float32]
-    """Height (m) by which they lift its profile, over the displacement of the field."""
+    key: ClassVar[str] = "canopy"
+
+    stands: list[Stand] = parameter(
+        list,
+        unit="-",
+        max_length=100,
+        meaning="Stands of plants that roughen the wind over them; later ones replace earlier ones. Where "
+        "any are given, more can be painted.",
+        source="ours; Prague thesis, §3.5",
+    )
+    roughness: float = parameter(
+        0.123,
+        unit="-",
+        gt=0,
+        le=0.5,
+        live=True,
+        meaning="Roughness length of plants, over their height.",
+        source="Brutsaert 1982; Allen et al. 1998 (FAO-56)",
+    )
+    displacement: float = parameter(
+        2.0 / 3.0,
+        unit="-",
+        ge=0,
+        le=1,
+        live=True,
+        meaning="Zero-plane displacement of plants, over their height.",
+        source="Brutsaert 1982; Allen et al. 1998 (FAO-56)",
+    )
+
+    def roughness_of(
+        self, height: NDArray[np.float64], lattice: Lattice, rules: "GrainFlight"
+    ) -> "PlantRoughness":
+        """Displacement and roughness of plants of a ``height`` (m) on each cell."""
+        mean = over_mesh(height, lattice.periodic).reshape(-1)
+        displacement = np.maximum(self.displacement * mean - rules.displacement, 0.0)
+        ratio = np.maximum(self.roughness * mean / rules.roughness_length, 1.0)
+        return PlantRoughness(displacement.astype(np.float32), np.log(ratio))
+
+
+class PlantRoughness(NamedTuple):
+    """Plants in the wind: flat arrays over the mesh cells."""
+
+    displacement_height: NDArray[np.float32]
+    """Height (m) by which plants lift the wind profile, over the displacement of the field."""
     logarithm: NDArray[np.float64]
-    """What they take from its speed, over friction velocity / 0.4: the logarithm of their roughness over
-    that of the field."""
+    """Logarithm of the roughness length of plants over that of the field."""
+
+    def drag(self, ustar: float) -> CanopyDrag:
+        """The effect on a wind of friction velocity ``ustar`` (m/s), as kernels take it."""
+        deficit = ustar / KARMAN * self.logarithm
+        return CanopyDrag(self.displacement_height, deficit.astype(np.float32))
 
 
-def hold(rules: "GrainFlight", height: NDArray[np.float64], lattice: Lattice) -> Hold:
-    """What plants of a ``height`` (m) on each cell do to the wind."""
-    mean = over_mesh(height, lattice.periodic).reshape(-1)
-    lift = np.maximum(rules.plant_displacement * mean - rules.displacement, 0.0)
-    rough = np.maximum(rules.plant_roughness * mean / rules.roughness_length, 1.0)
-    return Hold(lift.astype(np.float32), np.log(rough))
+def canopy_facts(canopy: Canopy, lattice: Lattice) -> str:
+    """Cover, height, roughness and displacement of the plants, for people to read."""
+    height = planted(canopy.stands, lattice)
+    tallest = float(height.max())
+    return (
+        f"on {(height > 0).mean():.0%} of the field, up to {tallest:.3g} m high, with a roughness of "
+        f"{canopy.roughness * tallest:.3g} m and a displacement of {canopy.displacement * tallest:.3g} m"
+    )

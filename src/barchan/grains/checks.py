@@ -1,4 +1,4 @@
-"""What can be wrong with grains in flight, and what a user should know about them."""
+"""Checks of grains in flight: problems, facts and remarks."""
 
 import math
 
@@ -7,7 +7,7 @@ import numpy as np
 from barchan.aeolian.wall import log_wind
 from barchan.bed import Bed
 from barchan.errors import Problem
-from barchan.grains.canopy import planted
+from barchan.grains.canopy import Canopy, canopy_facts
 from barchan.grains.parameters import GrainFlight
 from barchan.lattice import Lattice
 
@@ -15,14 +15,14 @@ MOST_DRAG = 0.5
 """Share of a velocity difference that drag may take away in a time step."""
 
 _THIN, _THICK = 0.5, 2.0
-"""Heights of a grain's sand in grain diameters beyond which a user is told."""
+"""Heights of a grain's sand in grain diameters beyond which a user is found."""
 
 _PATCH_WIDTH = 3
 """Stacks along a side of a patch."""
 
 
 def problems(rules: GrainFlight, bed: Bed, fastest: float) -> list[Problem]:
-    """What keeps grains from flying well; ``fastest`` is the greatest upward speed (m/s) of lift-off."""
+    """Problems of a bed and of parameters; ``fastest`` is the greatest upward speed (m/s) of lift-off."""
     found = []
     if rules.carried > 1 and min(bed.lattice.shape) < _PATCH_WIDTH:
         found.append(
@@ -35,7 +35,7 @@ def problems(rules: GrainFlight, bed: Bed, fastest: float) -> list[Problem]:
     if bed.units == 0:
         found.append(Problem("sand", "lies nowhere: no grain can be lifted; allowed: at least one parcel"))
     speed = _greatest_speed(rules, fastest)
-    rate = float(rules.by_size[0].drag_rate(np.array(speed)))
+    rate = float(rules.drag_rate(np.array(speed), rules.diameters[0]))
     if rate * rules.time_step > MOST_DRAG:
         found.append(
             Problem(
@@ -63,42 +63,33 @@ def _greatest_speed(rules: GrainFlight, fastest: float) -> float:
 
 
 def grains_in_flight(rules: GrainFlight, lattice: Lattice) -> float:
-    """How many grains of sand a simulated grain stands for."""
+    """Number of grains of sand that a simulated grain stands for."""
     volume = lattice.cell_size**2 * lattice.thickness * rules.carried * (1.0 - rules.porosity)
     return volume / (math.pi / 6.0 * rules.diameter**3)
 
 
 def facts(rules: GrainFlight, lattice: Lattice) -> dict[str, str]:
-    """What the parameters come to."""
+    """Parcels, wind, settling and time, for people to read."""
     friction, least = rules.friction_velocity(rules.wind_speed), rules.threshold()
-    told = {
+    found = {
         "a grain in the air": f"stands for {grains_in_flight(rules, lattice):.4g} grains: "
         f"{lattice.thickness * rules.carried * 1e3:.3g} mm of sand with {rules.porosity:.0%} pores over "
         "a cell",
         "friction velocity": f"{friction:.3f} m/s, threshold {least:.3f} m/s",
-        "settling speed": ", ".join(f"{one.settling_speed():.2f}" for one in rules.by_size) + " m/s",
+        "settling speed": ", ".join(f"{rules.settling_speed(one):.2f}" for one in rules.diameters) + " m/s",
     }
-    if rules.plants:
-        told["plants"] = _plants(rules, lattice)
+    canopy = rules.part(Canopy)
+    if canopy is not None and canopy.stands:
+        found["plants"] = canopy_facts(canopy, lattice)
     if rules.step_seconds is not None:
-        told["step"] = f"{rules.step_seconds:g} s"
+        found["step"] = f"{rules.step_seconds:g} s"
         if rules.step_seconds != rules.flight_seconds:
-            told["step"] += f" of wind over the bed, {rules.flight_seconds:g} s of flight"
-    return told
-
-
-def _plants(rules: GrainFlight, lattice: Lattice) -> str:
-    height = planted(rules.plants, lattice)
-    tallest = float(height.max())
-    roughness, displacement = (share * tallest for share in (rules.plant_roughness, rules.plant_displacement))
-    return (
-        f"on {(height > 0).mean():.0%} of the field, up to {tallest:.3g} m high, with a roughness of "
-        f"{roughness:.3g} m and a displacement of {displacement:.3g} m"
-    )
+            found["step"] += f" of wind over the bed, {rules.flight_seconds:g} s of flight"
+    return found
 
 
 def remarks(rules: GrainFlight, lattice: Lattice) -> list[str]:
-    """What a user should know about these parameters on this lattice."""
+    """Remarks on these parameters on this lattice."""
     found = []
     if rules.friction_velocity(rules.wind_speed) <= rules.threshold():
         found.append(

@@ -1,14 +1,13 @@
-"""Spells: iterations of grains in flight between which nothing else happens, shared among threads."""
+"""Batches: iterations of grains in flight between which nothing else happens, shared among threads."""
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from typing import Any
 
-from barchan.kernels.grains.state import MOST_ITERATIONS
+from barchan.kernels.grains.state import MOST_ITERATIONS, Scene
 
 
-def spells(first: int, end: int, *intervals: int) -> Iterator[tuple[int, int]]:
-    """Cut iterations wherever one of the intervals begins anew: where each begins, and how many they are."""
+def batches(first: int, end: int, *intervals: int) -> Iterator[tuple[int, int]]:
+    """Cut iterations where one of the intervals begins: first iteration and length of each batch."""
     while first < end:
         ends = [end, first + MOST_ITERATIONS]
         ends += [first - first % interval + interval for interval in intervals]
@@ -17,12 +16,12 @@ def spells(first: int, end: int, *intervals: int) -> Iterator[tuple[int, int]]:
 
 
 @contextmanager
-def shared_scene(scene: Any, key: int, slots: int, first: int) -> Iterator[Callable[[int], None]]:
-    """What makes spells of a scene up to before an iteration, from ``first`` on, shared among threads."""
+def shared_scene(scene: Scene, key: int, slots: int, first: int) -> Iterator[Callable[[int], None]]:
+    """A function that runs a scene up to before an iteration, from ``first`` on, shared among threads."""
     from barchan.kernels.core import threads
-    from barchan.kernels.grains.iterations import plan_of, spell
+    from barchan.kernels.grains.iterations import plan_of, run_iterations
 
     plan = plan_of(key, slots, first)
     count = min(threads.thread_count(), slots // threads.LEAST)
-    with threads.helped(lambda: spell(False, plan, scene, 0), plan.board, count - 1):
-        yield lambda end: spell(True, plan, scene, end)
+    with threads.helped(lambda: run_iterations(False, plan, scene, 0), plan.board, count - 1):
+        yield lambda end: run_iterations(True, plan, scene, end)

@@ -1,13 +1,13 @@
 """Single grains followed from lift-off to rest, for pictures: over a bed that stays as it is."""
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from barchan.bed import Bed
-from barchan.grains.bed import room_for
-from barchan.grains.pool import free_slots, grains_in
+from barchan.grains.pool import Pool, work_space
+from barchan.grains.rules import entrainment_of, rules_of
 from barchan.streams import Stream, derive
 from barchan.wind.segment import Segment
 
@@ -18,7 +18,7 @@ PATH_COLUMNS = 7
 """Columns of a path."""
 
 _TRIES = 20
-"""Cells drawn for a path at most before it is given up."""
+"""Random cells tried for a path at most."""
 
 
 def follow(
@@ -32,28 +32,20 @@ def follow(
     """
     from barchan.kernels.grains.trajectories import trace
 
-    about = _surroundings(model, bed, wind)
+    several_sizes = model.sized_sand is not None
+    ground = model.ground_of(bed, wind.direction, work_space(1, several_sizes))
+    ground.raise_shelter()
+    air, setting = model.blow(ground, wind), model.setting(wind)
+    rules, lifting = rules_of(setting, lifts=False), entrainment_of(setting, probability=1.0)
     path = np.zeros((max(2, round(longest / model.parameters.time_step)), PATH_COLUMNS))
     found: list[NDArray[np.float64]] = []
     for number in range(_TRIES * count):
-        kinds = None if model.sizes is None else np.zeros(1, np.int32)
-        grains = grains_in(*free_slots(1), kinds)
-        places: int = trace(*(np.uint64(derive(stream.key, number)), grains, *about, path))
-        if places:
-            flight = path[:places].copy()
+        scene = model.scene(ground, air, rules, Pool(1, several_sizes))
+        rows: int = trace(np.uint64(derive(stream.key, number)), scene, lifting, path)
+        if rows:
+            flight = path[:rows].copy()
             flight[:, :2] = (flight[:, :2] + 0.5) * model.lattice.cell_size
             found.append(flight)
         if len(found) == count:
             break
     return found
-
-
-def _surroundings(model: "GrainModel", bed: Bed, wind: Segment) -> Any:
-    """Air, bed and rules as the kernel takes them; a lift-off is sure where the wind lifts at all."""
-    ground = model.ground_of(bed, wind.direction, room_for(1, model.sizes is not None))
-    ground.spread_lid()
-    air = model.blow(ground, wind)
-    lifts = model.lift_off(wind)
-    surely = lifts._replace(chance=1.0 if lifts.chance > 0.0 else 0.0)
-    rules = surely, (model.bounce(), model.lift_off(wind, 0.0))
-    return air, ground.arrays, ground.scale, ground.grid, rules, model.splash(wind), ground.events

@@ -1,5 +1,6 @@
 """Configuration files of earlier formats, brought up to date on reading."""
 
+import re
 from collections.abc import Callable
 from typing import Any
 
@@ -9,11 +10,77 @@ Data = dict[str, Any]
 
 RENAMED_SINCE_1: dict[str, str] = {
     "run.until.still": "run.until.idle_steps",
+    "model.load": "model.max_grains_per_cell",
+    "model.entrainment": "model.entrainment.probability",
+    "model.lift_least": "model.entrainment.min_lift_speed",
+    "model.lift_most": "model.entrainment.max_lift_speed",
+    "model.flattest": "model.entrainment.min_lift_angle",
+    "model.steepest": "model.entrainment.max_lift_angle",
+    "model.lift_from_lee": "model.entrainment.from_lee",
+    "model.normal_damping": "model.bounce.normal_damping",
+    "model.tangential_damping": "model.bounce.tangential_damping",
+    "model.stop_speed": "model.bounce.stop_speed",
+    "model.rebound_most": "model.splash.rebound_probability",
+    "model.rebound_rate": "model.splash.rebound_speed_scale",
+    "model.restitution": "model.splash.restitution",
+    "model.rebound_angle": "model.splash.rebound_angle",
+    "model.ejecta": "model.splash.ejecta_per_speed",
+    "model.ejecta_momentum": "model.splash.ejecta_momentum",
+    "model.ejecta_scale": "model.splash.ejecta_speed_scale",
+    "model.ejecta_angle": "model.splash.ejecta_angle",
+    "model.azimuth_spread": "model.splash.azimuth_spread",
+    "model.creep_momentum": "model.creep.momentum",
+    "model.creep_speed": "model.creep.speed",
+    "model.near_bed": "model.feedback.near_bed",
+    "model.focus_height": "model.feedback.focus_height",
+    "model.sharing_width": "model.feedback.length",
+    "model.sharing_across": "model.feedback.width",
+    "model.weight": "model.feedback.momentum_weight",
+    "model.wind_every": "model.feedback.update_every",
+    "model.streamline_height": "model.relief_flow.streamline_height",
+    "model.wave_speedup": "model.relief_flow.speedup",
+    "model.crest_stress": "model.relief_flow.stress_in_phase",
+    "model.stoss_stress": "model.relief_flow.stress_in_quadrature",
+    "model.shelter_angle": "model.shelter.angle",
+    "model.shelter_every": "model.shelter.update_every",
+    "model.sizes": "model.sizes.classes",
+    "model.size_spread": "model.sizes.spread",
+    "model.size_classes": "model.sizes.spread_classes",
+    "model.active_layer": "model.sizes.active_layer",
+    "model.plants": "model.canopy.stands",
+    "model.plant_roughness": "model.canopy.roughness",
+    "model.plant_displacement": "model.canopy.displacement",
 }
 """Keys of format 1 and what they are called now."""
 
 RENAMED_VALUES_SINCE_1: dict[str, dict[str, str]] = {}
 """By keys as they are called now: words of format 1 that a parameter took, and what they are called now."""
+
+
+CONVERTED_SINCE_1: dict[str, Callable[[Any], Any]] = {
+    "model.splash.rebound_speed_scale": lambda rate: 1.0 / rate if isinstance(rate, int | float) else rate,
+}
+"""By keys as they are called now: values of format 1 in another unit, converted."""
+
+
+FIELDS_SINCE_1 = (
+    (re.compile(r"^layer_(\d+)$"), r"surface_\1"),
+    (re.compile(r"^below_(\d+)$"), r"substrate_\1"),
+)
+"""Names of fields of format 1, and what they are called now."""
+
+
+def current_field(name: str) -> str:
+    """The name now of a field of any earlier format."""
+    for old, new in FIELDS_SINCE_1:
+        name = old.sub(new, name)
+    return name
+
+
+def current_value(key: str, value: Any) -> Any:
+    """The value now of a key of format 1, whose name is the one of today."""
+    value = RENAMED_VALUES_SINCE_1.get(key, {}).get(value, value) if isinstance(value, str) else value
+    return CONVERTED_SINCE_1[key](value) if key in CONVERTED_SINCE_1 and value else value
 
 
 def current_key(key: str) -> str:
@@ -25,11 +92,11 @@ def _to_2(data: Data) -> Data:
     """Standard words for keys, and one group of keys for each closure of a grain model."""
     for old, new in RENAMED_SINCE_1.items():
         _move(data, old.split("."), new.split("."))
-    for key, words in RENAMED_VALUES_SINCE_1.items():
+    for key in (*RENAMED_VALUES_SINCE_1, *CONVERTED_SINCE_1):
         *groups, last = key.split(".")
         group = _group(data, groups)
-        if group is not None and isinstance(group.get(last), str):
-            group[last] = words.get(group[last], group[last])
+        if group is not None and last in group:
+            group[last] = current_value(key, group[last])
     return data
 
 

@@ -12,7 +12,7 @@ from pydantic import Field, TypeAdapter, ValidationError, field_validator
 from barchan.errors import Problem, ScenarioError
 from barchan.parameters import declarations, parameter
 from barchan.scenario import Scenario, nearest, validate
-from barchan.scenario.migrations import current_key
+from barchan.scenario.migrations import current_key, current_value
 from barchan.simulation.change import Change, wrong
 from barchan.simulation.strokes import PlantStroke, RockStroke, Stroke
 from barchan.wind import Wind
@@ -94,8 +94,9 @@ class Record:
     def from_data(cls, data: dict[str, Any]) -> "Record":
         """The record that ``data`` holds."""
         data = dict(data)
-        if data.get("kind") == "set":
+        if data.get("kind") == "set" and current_key(data["key"]) != data["key"]:
             data["key"] = current_key(data["key"])
+            data["value"] = current_value(data["key"], data["value"])
         return cls(data.pop("step"), event_from(data))
 
 

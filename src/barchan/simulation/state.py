@@ -6,6 +6,7 @@ from typing import Any
 from numpy.typing import NDArray
 
 from barchan.scenario import FORMAT
+from barchan.scenario.migrations import current_field
 
 
 @dataclass(frozen=True)
@@ -42,5 +43,16 @@ def _from_format_1(state: State) -> State:
     return State(data, arrays)
 
 
+_RENAMED_SINCE_1 = {
+    "model/marks": "model/counters",
+    "model/kinds": "model/size_class",
+    "model/stress": "model/grain_stress",
+}
+"""Arrays of format 1 that models remember, and what they are called now."""
+
+
 def _current_name(name: str) -> str:
-    return f"stop/{name.removeprefix('watch/')}" if name.startswith("watch/") else name
+    kind, _, rest = name.partition("/")
+    if kind == "watch":
+        return f"stop/{rest}"
+    return f"bed/{current_field(rest)}" if kind == "bed" else _RENAMED_SINCE_1.get(name, name)

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from barchan.aeolian.saltation import Saltation
+from barchan.wind.clock import YEAR
 from barchan.wind.records import WindRecord
 from barchan.wind.records.format import UNITS
 
@@ -17,9 +18,6 @@ KNOT = UNITS["kn"]
 
 THRESHOLD = 12.0
 """Threshold speed of drift potential (knots at 10 m): Fryberger & Dean (1979)."""
-
-YEAR = 365.25 * 86400.0
-"""Seconds in a year."""
 
 ENERGY = ((200.0, "low"), (400.0, "intermediate"), (np.inf, "high"))
 """Energy of a wind by drift potential (vector units in knots): Fryberger & Dean (1979)."""

@@ -5,7 +5,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from barchan.kernels.bed.active_layer import put, slide, take
-from barchan.kernels.bed.state import Mixture
+from barchan.kernels.bed.state import ActiveLayer
 from tests.kernels.bed.active_layer_reference import Stacks
 
 CELLS = 3
@@ -25,7 +25,7 @@ def stacks(draw):
 def test_parcels_move_as_in_the_obvious_lists(made, data):
     sizes, slow = made
     layer, deep = (np.array(counts, np.int32) for counts in slow.counts(sizes))
-    fast = Mixture(layer, deep, slow.full, np.array([slow.turn], np.uint64))
+    fast = ActiveLayer(layer, deep, slow.full, np.array([slow.turn], np.uint64))
     for _ in range(data.draw(st.integers(0, 12))):
         cell, other = data.draw(st.permutations(range(CELLS)))[:2]
         kind, parcels = data.draw(st.integers(0, sizes - 1)), data.draw(st.integers(1, 5))
@@ -41,6 +41,6 @@ def test_parcels_move_as_in_the_obvious_lists(made, data):
             slow.slide(cell, other)
             slide(fast, cell, other, 1)
         layer, deep = slow.counts(sizes)
-        np.testing.assert_array_equal(fast.layer, layer)
-        np.testing.assert_array_equal(fast.deep, deep)
-        assert int(fast.turn[0]) == slow.turn
+        np.testing.assert_array_equal(fast.surface, layer)
+        np.testing.assert_array_equal(fast.substrate, deep)
+        assert int(fast.rng_state[0]) == slow.turn

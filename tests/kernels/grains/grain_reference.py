@@ -8,6 +8,7 @@ import math
 import numpy as np
 
 from barchan.directions import downwind
+from barchan.grains.rules import entrainment_of
 from barchan.streams import GOLDEN, MASK, derive, mix
 
 F = np.float32
@@ -26,7 +27,7 @@ def look_up(table, number):
 
 
 class Grain:
-    held = False
+    flies = False
 
 
 class ReferenceFlight:
@@ -38,12 +39,18 @@ class ReferenceFlight:
     def __init__(self, model, bed, wind, stream=None):
         self.stream = stream
         self.model, self.rules, self.bed, self.wind = model, model.parameters, bed, wind
-        self.air = model.air(wind)
+        self.closures = {one.key: one for one in self.rules.closures()}
+        ground = model.ground_of(bed, wind.direction)
+        self.air = model.blow(ground, wind)
         self.friction = self.rules.friction_velocity(model.speed(wind))
-        self.lift_off = model.lift_off(wind)
-        self.grains = [Grain() for _ in range(model.marks.shape[1])]
+        self.lift_off = entrainment_of(model.setting(wind))
+        self.grains = [Grain() for _ in range(model.pool.size)]
         self.left = self.moved = self.capped = 0
         self.travel = [0, 0]
+
+    @property
+    def canopy(self):
+        return self.closures["canopy"]
 
     def height(self, row, col):
         part = self.bed.lattice.thickness / 2**20
@@ -78,9 +85,9 @@ class ReferenceFlight:
         row, north, col, east, _, _ = self.corners(x, y)
         sw, se, nw, ne = (self.height(r, c) for r in (row, north) for c in (col, east))
         mean = F(0.25) * ((sw + se) + (nw + ne))
-        if not self.rules.plants:
+        if not self.canopy.stands:
             return mean
-        return mean + F(max(self.rules.plant_displacement * self.plants(x, y) - self.rules.displacement, 0.0))
+        return mean + F(max(self.canopy.displacement * self.plants(x, y) - self.rules.displacement, 0.0))
 
     def plants(self, x, y):
         """Height of the plants about a place."""
@@ -90,9 +97,9 @@ class ReferenceFlight:
 
     def taken(self, x, y):
         """Wind speed that these take."""
-        if not self.rules.plants:
+        if not self.canopy.stands:
             return F(0.0)
-        ratio = max(self.rules.plant_roughness * self.plants(x, y) / self.rules.roughness_length, 1.0)
+        ratio = max(self.canopy.roughness * self.plants(x, y) / self.rules.roughness_length, 1.0)
         return F(self.friction / 0.4 * np.log(ratio))
 
     def fly(self, grain):
@@ -148,11 +155,11 @@ class ReferenceFlight:
         normal = np.array([-east, -north, 1.0]) / math.sqrt(1.0 + east * east + north * north)
         velocity = np.array([float(grain.u), float(grain.v), float(grain.w)])
         into = velocity[0] * normal[0] + velocity[1] * normal[1] + velocity[2] * normal[2]
-        out = self.rules.normal_damping * abs(into)
-        velocity = self.rules.tangential_damping * (velocity - into * normal) + out * normal
+        out = self.closures["bounce"].normal_damping * abs(into)
+        velocity = self.closures["bounce"].tangential_damping * (velocity - into * normal) + out * normal
         grain.z = F(surface)
         squared = velocity[0] * velocity[0] + velocity[1] * velocity[1] + velocity[2] * velocity[2]
-        if squared < self.rules.stop_speed**2 or grain.bounces >= self.rules.max_bounces:
+        if squared < self.closures["bounce"].stop_speed ** 2 or grain.bounces >= self.rules.max_bounces:
             return False
         grain.bounces += 1
         grain.u, grain.v, grain.w = (F(part) for part in velocity)
@@ -161,7 +168,7 @@ class ReferenceFlight:
     def lift(self, grain, start):
         """The cell that gives a parcel, if one does."""
         rows, cols = self.bed.lattice.shape
-        if draw(start, 1) >= self.lift_off.chance:
+        if draw(start, 1) >= self.lift_off.probability:
             return None
         x, y = F(draw(start, 2) * cols), F(draw(start, 3) * rows)
         row, col = self.nearest(x, y)
@@ -169,13 +176,13 @@ class ReferenceFlight:
             return None
         wind = downwind(self.wind.direction)
         surface, east, north = self.surface(x, y)
-        if not self.rules.lift_from_lee and east * wind[0] + north * wind[1] < 0.0:
+        if not self.lift_off.from_lee and east * wind[0] + north * wind[1] < 0.0:
             return None
         rule = self.lift_off
-        angle = rule.flattest + draw(start, 4) * (rule.steepest - rule.flattest)
-        up = rule.slowest + draw(start, 5) * (rule.fastest - rule.slowest)
+        angle = rule.min_angle + draw(start, 4) * (rule.max_angle - rule.min_angle)
+        up = rule.min_speed + draw(start, 5) * (rule.max_speed - rule.min_speed)
         along = up / math.tan(angle)
-        grain.held, grain.bounces, grain.laps = True, 0, [0, 0]
+        grain.flies, grain.bounces, grain.laps = True, 0, [0, 0]
         grain.x, grain.y, grain.z = x, y, F(surface)
         grain.u, grain.v, grain.w = F(along * wind[0]), F(along * wind[1]), F(up)
         grain.start = x, y
@@ -186,7 +193,7 @@ class ReferenceFlight:
         changes = []
         for slot, grain in enumerate(self.grains):
             rest = None
-            if grain.held:
+            if grain.flies:
                 self.fly(grain)
                 inside = self.over_edges(grain)
                 if inside and grain.z >= self.surface(grain.x, grain.y)[0]:
@@ -195,7 +202,7 @@ class ReferenceFlight:
                     continue
                 rest = self.nearest(grain.x, grain.y) if inside else "out"
                 self.book(grain, inside)
-                grain.held = False
+                grain.flies = False
             changes.append((grain, rest, self.lift(grain, derive(key, slot))))
         for grain, rest, source in changes:
             if rest == "out":
@@ -205,7 +212,7 @@ class ReferenceFlight:
             if source and self.take_up(*source):
                 self.moved += self.rules.carried
             elif source:
-                grain.held = False
+                grain.flies = False
 
     def patch(self, row, col):
         """The stacks about one that a grain's sand may lie on beside it, and how many parcels each."""

@@ -16,8 +16,7 @@ from tests.kernels.grains.grain_reference import smooth
 
 def smoothed(ground):
     """Parcels moved by one pass over a ground."""
-    about = ground.arrays, ground.scale, ground.grid, ground.filter
-    return smooth_slopes(*about, ground.queue, ground.waiting)
+    return smooth_slopes(ground.arrays, ground.filter, ground.slopes.queue, ground.slopes.waiting)
 
 
 @settings(max_examples=60, deadline=None, phases=[Phase.explicit, Phase.generate])
@@ -48,13 +47,13 @@ def test_the_filter_equals_the_obvious_one(seed, shape, boundary_x, boundary_y, 
     level, sand = (part.reshape(shape).copy() for part in (arrays.level, arrays.sand))
     for _ in range(3):
         moved = smoothed(ground)
-        assert moved == smooth(level, sand, ground.filter, ground.scale.parcel, lattice.periodic)
+        assert moved == smooth(level, sand, ground.filter, ground.arrays.scale.parcel, lattice.periodic)
         np.testing.assert_array_equal(arrays.sand.reshape(shape), sand)
         np.testing.assert_array_equal(arrays.level.reshape(shape), level)
-    assert not ground.waiting.any()
+    assert not ground.slopes.waiting.any()
     kept = [part.copy() for part in (arrays.height, arrays.top, arrays.base)]
-    np.testing.assert_array_equal(kept[0], (arrays.level * ground.scale.part).astype(np.float32))
-    renew_mesh(arrays, ground.grid)
+    np.testing.assert_array_equal(kept[0], (arrays.level * ground.arrays.scale.part).astype(np.float32))
+    renew_mesh(arrays)
     np.testing.assert_array_equal(kept[1:], (arrays.top, arrays.base))
 
 

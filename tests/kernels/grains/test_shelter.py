@@ -3,15 +3,15 @@
 import numpy as np
 import pytest
 
-from barchan.kernels.grains.shelter import spread_lid
+from barchan.kernels.grains.shelter import raise_shelter_surface
 
 FALL = 0.001
 
 
-def obvious_lid(height, row_step, weight, wrap_along, wrap_across):
+def obvious_surface(height, row_step, weight, wrap_along, wrap_across):
     """Column by column and row by row, in 32 bits where the kernel's are; ``height`` is [row, column]."""
     rows, cols = height.shape
-    lid = height.copy()
+    surface = height.copy()
     for lap in range(1 + wrap_along):
         for col in range(0 if lap else 1, cols):
             for row in range(rows):
@@ -20,10 +20,10 @@ def obvious_lid(height, row_step, weight, wrap_along, wrap_across):
                     lower, upper = lower % rows, upper % rows
                 elif lower < 0 or upper >= rows:
                     lower = upper = row
-                near, far = float(lid[lower, col - 1]), float(lid[upper, col - 1])
+                near, far = float(surface[lower, col - 1]), float(surface[upper, col - 1])
                 line = np.float32(near + weight * (far - near) - FALL)
-                lid[row, col] = max(lid[row, col], line)
-    return lid
+                surface[row, col] = max(surface[row, col], line)
+    return surface
 
 
 @pytest.mark.parametrize("shape", [(1, 1), (1, 7), (2, 3), (5, 9), (16, 8)])
@@ -32,6 +32,8 @@ def obvious_lid(height, row_step, weight, wrap_along, wrap_across):
 @pytest.mark.parametrize("wrap_across", [False, True])
 def test_lines_fall_downwind_from_all_that_stands_high(shape, row_step, weight, wrap_along, wrap_across):
     height = np.random.default_rng(4).random(shape).astype(np.float32) * np.float32(0.01)
-    lid = np.array(height.T, order="C")
-    spread_lid(FALL, row_step, weight, wrap_along, wrap_across, lid)
-    np.testing.assert_array_equal(lid.T, obvious_lid(height, row_step, weight, wrap_along, wrap_across))
+    surface = np.array(height.T, order="C")
+    raise_shelter_surface(FALL, row_step, weight, wrap_along, wrap_across, surface)
+    np.testing.assert_array_equal(
+        surface.T, obvious_surface(height, row_step, weight, wrap_along, wrap_across)
+    )

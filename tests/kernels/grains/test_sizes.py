@@ -8,10 +8,13 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import barchan
-from barchan.aeolian.flow_over_relief import WindOverWaves
+from barchan.aeolian.flow_over_relief import ReliefWind
 from barchan.bed import Bed
-from barchan.grains.bed import GrainGround, room_for
-from barchan.grains.pool import free_slots, grains_in
+from barchan.grains.air import air_of, drag_table
+from barchan.grains.bed import GrainGround
+from barchan.grains.pool import free_slots, grains_in, work_space
+from barchan.grains.rules import rules_of
+from barchan.grains.splash import splash_by_size
 from barchan.kernels.grains import creep as grain_creep
 from barchan.kernels.grains import splash as grain_splash
 from barchan.kernels.grains.flight import move
@@ -36,8 +39,7 @@ SCENARIO = {
         "name": "ripples",
         "wind_speed": 12.0,
         "footprint": "stack",
-        "sizes": SIZES,
-        "active_layer": 0.5,
+        "sizes": {"classes": SIZES, "active_layer": 0.5},
     },
     "run": {"steps": 10, "seed": 3},
 }
@@ -50,37 +52,37 @@ def simulation():
 def test_grains_of_each_size_fly_as_if_there_were_no_others():
     made = simulation()
     model, wind = made.model, made.forcing.wind_of(0)
-    ground = GrainGround(model.parameters, made.bed, 270.0, room_for(300))
+    ground = GrainGround(model.parameters, made.bed, 270.0, work_space(300))
     random = np.random.default_rng(1)
-    motion, marks = free_slots(300)
+    motion, counters = free_slots(300)
     motion[:2] = random.uniform(1.5, 4.0, (2, 300))
     motion[2] = random.uniform(0.003, 0.05, 300)
     motion[3:6] = random.uniform(-1.0, 2.0, (3, 300))
     kinds = random.integers(0, 3, 300).astype(np.int32)
-    air, alone = model.air(wind), motion.copy()
+    air, alone = air_of(model.setting(wind), None, drag_table(model.parameters)), motion.copy()
     for _ in range(5):
-        move(0, 300, grains_in(motion, marks, kinds), air, ground.grid, ground.arrays, ground.events.near)
+        move(0, 300, grains_in(motion, counters, kinds), air, ground.arrays, ground.landings.candidates)
     size = air.drag.values.size // 3
     for kind in range(3):
         own = air.drag._replace(values=air.drag.values[kind * size : (kind + 1) * size])
         apart = alone.copy()
         for _ in range(5):
-            grains = grains_in(apart, marks, None)
-            move(0, 300, grains, air._replace(drag=own), ground.grid, ground.arrays, ground.events.near)
+            grains = grains_in(apart, counters, None)
+            move(0, 300, grains, air._replace(drag=own), ground.arrays, ground.landings.candidates)
         np.testing.assert_array_equal(motion[:, kinds == kind], apart[:, kinds == kind])
 
 
 def impacts(ground, count, seed):
     """Entries of as many impacts, each followed by free slots, and a slot for each."""
     random = np.random.default_rng(seed)
-    events = ground.events
+    events = ground.landings
     for k in range(count):
-        events.slot[k], events.rest[k], events.source[k] = k, -1, -1
-        events.impact[k] = random.uniform(0.1, 6.0) if k % 4 == 0 else 0.0
+        events.slot[k], events.deposit_cell[k], events.lift_cell[k] = k, -1, -1
+        events.impact_speed[k] = random.uniform(0.1, 6.0) if k % 4 == 0 else 0.0
         events.x[k], events.y[k] = random.uniform(0.0, 7.4), random.uniform(0.0, 5.4)
         events.u[k], events.v[k] = random.uniform(0.1, 4.0), random.uniform(-1.0, 1.0)
         events.start[k] = derive(seed, k)
-        events.kind[k] = random.integers(0, 3)
+        events.size_class[k] = random.integers(0, 3)
     return events
 
 
@@ -88,21 +90,21 @@ class ObviousSplash:
     """Ejecta and creep by size over single stacks, parcel by parcel."""
 
     def __init__(self, rule, ground, shape, wind):
-        mixture = ground.arrays.mixture
+        layer = ground.arrays.active_layer
         self.near, self.stress, self.side_stress = wind
         layers, deeps = (
             [np.repeat(range(3), counts[:, cell]).tolist() for cell in range(counts.shape[1])]
-            for counts in (mixture.layer, mixture.deep)
+            for counts in (layer.surface, layer.substrate)
         )
-        self.stacks = Stacks(layers, deeps, mixture.full, int(mixture.turn[0]))
+        self.stacks = Stacks(layers, deeps, layer.capacity, int(layer.rng_state[0]))
         self.rule, self.ground, self.shape, self.thrown, self.gone = rule, ground, shape, [], 0
 
     def hit(self, k, events, slopes):
         row, col = (math.floor(float(place) + 0.5) for place in (events.y[k], events.x[k]))
-        cell, start, by = row * self.shape[1] + col, int(events.start[k]), int(events.kind[k])
-        layer, number = self.stacks.layers[cell], self.rule.sorting.number[by]
+        cell, start, by = row * self.shape[1] + col, int(events.start[k]), int(events.size_class[k])
+        layer, number = self.stacks.layers[cell], self.rule.by_size.number[by]
         plenty = sum(float(number[s]) * layer.count(s) for s in range(3)) / len(layer) if layer else 0.0
-        count = self.rule.number * float(events.impact[k]) * plenty + draw(start, 20)
+        count = self.rule.number * float(events.impact_speed[k]) * plenty + draw(start, 20)
         for one in range(min(int(count), 8)):
             weights = [float(number[s]) * layer.count(s) for s in range(3)]
             rest = draw(start, 60 + one) * (sum(weights) / len(layer) if layer else 0.0) * len(layer)
@@ -116,9 +118,12 @@ class ObviousSplash:
         self.creep(k, cell, events, slopes())
 
     def wind_along(self, cell):
-        arrays, scale = self.ground.arrays, self.ground.scale
+        arrays, scale = self.ground.arrays, self.ground.arrays.scale
         parcels = len(self.stacks.layers[cell]) + len(self.stacks.deeps[cell])
-        calm = arrays.lid[cell] > np.float32(parcels * scale.parcel * scale.part) + self.rule.creep.shelter
+        calm = (
+            arrays.shelter_surface[cell]
+            > np.float32(parcels * scale.parcel * scale.part) + self.rule.creep.shelter
+        )
         return 0.0 if calm else float(self.near[cell]) * math.sqrt(self.stress[cell])
 
     def stress_toward(self, cell):
@@ -146,7 +151,7 @@ class ObviousSplash:
             longest = min(max(abs(part) for part in way), 1.0)
             share = layer.count(size) / len(layer) if layer else 0.0
             at = 80 + 64 * size
-            number = rule.number[size] * events.impact[k] * share * longest + draw(start, at)
+            number = rule.number[size] * events.impact_speed[k] * share * longest + draw(start, at)
             for one in range(min(int(number), 16)):
                 steps = whole_steps(way, longest, start, at + 1 + 2 * one)
                 if any(steps) and layer.count(size):
@@ -184,37 +189,39 @@ def test_splash_by_size_equals_the_obvious_one(seed):
     model, wind, bed = made.model, made.forcing.wind_of(0), made.bed
     bed.sand[...] = np.random.default_rng(seed).integers(0, 14, bed.sand.shape)
     count = 80
-    ground = GrainGround(model.parameters, bed, 270.0, room_for(count, True), model.sizes.mixture(bed))
-    ground.shuffle_anew(seed)
-    events, rule = impacts(ground, count, seed), model.splash(wind)
+    ground = GrainGround(
+        model.parameters, bed, 270.0, work_space(count, True), model.sized_sand.active_layer(bed)
+    )
+    ground.reseed(seed)
+    events, rule = impacts(ground, count, seed), rules_of(model.setting(wind)).splash
     random = np.random.default_rng(seed)
     near, stress = random.uniform(0.1, 0.6, bed.sand.shape), random.uniform(0.1, 4.0, bed.sand.shape)
     aside = stress * random.uniform(-1, 1, stress.shape)
     ground.slow(near)
-    ground.drag(near, WindOverWaves(stress=stress, side_stress=aside))
-    ground.spread_lid()
+    ground.drag(near, ReliefWind(stress=stress, crosswind_stress=aside))
+    ground.raise_shelter()
     wind_by_cell = [part.reshape(-1).astype(np.float32) for part in (near, stress, aside)]
     slow = ObviousSplash(rule, ground, bed.lattice.shape, wind_by_cell)
     copies = [None if entries is None else entries.copy() for entries in events]
-    motion, marks = free_slots(count)
-    grains = grains_in(motion, marks, np.zeros(count, np.int32))
+    motion, counters = free_slots(count)
+    grains = grains_in(motion, counters, np.zeros(count, np.int32))
     for k in range(0, count, 4):
         # one at a time: the slopes that creep sees are those after the ejecta of the same impact
         for entries, copy in zip(events, copies, strict=True):
             if entries is not None:
                 entries[...] = copy
-        events.impact[...] = 0.0
-        events.impact[k] = copies[type(events)._fields.index("impact")][k]
+        events.impact_speed[...] = 0.0
+        events.impact_speed[k] = copies[type(events)._fields.index("impact_speed")][k]
         eject(count, grains, ground, rule)
         slow.hit(k, events, lambda k=k: slopes_before_creep(slow, made, events, k))
-        layer, deep = slow.stacks.counts(3)
-        np.testing.assert_array_equal(ground.arrays.mixture.layer, layer)
-        np.testing.assert_array_equal(ground.arrays.mixture.deep, deep)
-    assert int(marks[0].sum()) == len(slow.thrown)
-    np.testing.assert_array_equal(grains.kind[marks[0] > 0], slow.thrown)
+        surface, deep = slow.stacks.counts(3)
+        np.testing.assert_array_equal(ground.arrays.active_layer.surface, surface)
+        np.testing.assert_array_equal(ground.arrays.active_layer.substrate, deep)
+    assert int(counters[0].sum()) == len(slow.thrown)
+    np.testing.assert_array_equal(grains.size_class[counters[0] > 0], slow.thrown)
     assert ground.counts[LEFT] == slow.gone
     assert ground.counts[MOVED] >= len(slow.thrown)
-    heights = ground.arrays.mixture.layer.sum(0) + ground.arrays.mixture.deep.sum(0)
+    heights = ground.arrays.active_layer.surface.sum(0) + ground.arrays.active_layer.substrate.sum(0)
     np.testing.assert_array_equal(bed.sand.ravel(), heights)
 
 
@@ -225,34 +232,33 @@ def slopes_before_creep(slow, made, events, k):
     sand = np.array([len(a) + len(b) for a, b in zip(slow.stacks.layers, slow.stacks.deeps, strict=True)])
     bed = Bed(made.lattice, made.bed.ground, sand.reshape(made.lattice.shape))
     ground = GrainGround(made.model.parameters, bed)
-    height = ground.arrays.height
-    return surface_at(events.x[k], events.y[k], height, made.lattice.cell_size, ground.grid)[1:]
+    return surface_at(events.x[k], events.y[k], ground.arrays)[1:]
 
 
 def eject(count, grains, ground, rule):
     """Take and launch ejecta."""
-    events, ejecta = ground.events, ground.ejecta
-    about = grains, ground.arrays, ground.scale, ground.grid, rule, events, ejecta
+    events, ejecta = ground.landings, ground.ejecta
+    about = grains, ground.arrays, rule, events, ejecta
     number = grain_splash.eject(np.array([count]), count, *about, ground.counts)
     grain_splash.throw(0, number, grains, rule, events, ejecta)
 
 
 def test_ejecta_and_speeds_scale_as_published():
     made = simulation()
-    sorting = made.model.splash(made.forcing.wind_of(0)).sorting
+    by_size = splash_by_size(made.model.setting(made.forcing.wind_of(0)))
     ratio = 0.4 / 0.15
     grains_in_a_parcel = ratio**-3
-    assert sorting.number[0, 1] * grains_in_a_parcel == pytest.approx(1 / ratio)
-    assert sorting.number[1, 0] / grains_in_a_parcel == pytest.approx(ratio)
-    assert sorting.number[:, 2].tolist() == [0.0, 0.0, 0.0]
-    momentum = sorting.number * sorting.speed
+    assert by_size.number[0, 1] * grains_in_a_parcel == pytest.approx(1 / ratio)
+    assert by_size.number[1, 0] / grains_in_a_parcel == pytest.approx(ratio)
+    assert by_size.number[:, 2].tolist() == [0.0, 0.0, 0.0]
+    momentum = by_size.number * by_size.speed
     assert momentum.max() == pytest.approx(1.0)
-    assert sorting.speed.max() == 1.0
+    assert by_size.speed.max() == 1.0
 
 
 def test_the_draws_of_sizes_have_places_of_their_own():
     last = grain_splash.EJECTA_DRAWS + grain_splash.MOST_EJECTA * grain_splash.DRAWS_PER_EJECTUM
-    assert last < grain_splash.KIND_DRAWS
-    assert grain_splash.KIND_DRAWS + grain_splash.MOST_EJECTA < grain_creep.CREEP_DRAWS
+    assert last < grain_splash.CLASS_DRAWS
+    assert grain_splash.CLASS_DRAWS + grain_splash.MOST_EJECTA < grain_creep.CREEP_DRAWS
     assert grain_creep.DRAWS_PER_SIZE >= 1 + 2 * grain_creep.MOST_PUSHES
     assert Stream(1, "sizes").key != Stream(1, "transport").key

@@ -22,30 +22,30 @@ def ground_of(shape, boundary):
     random = np.random.default_rng(2)
     bed = Bed(lattice, np.zeros(shape), random.integers(0, 30, shape))
     ground = GrainGround(model("ripples").Parameters(), bed)
-    ground.arrays.lid[:] = ground.arrays.height + random.random(lattice.cells).astype(np.float32)
-    renew_mesh(ground.arrays, ground.grid)
+    ground.arrays.shelter_surface[:] = ground.arrays.height + random.random(lattice.cells).astype(np.float32)
+    renew_mesh(ground.arrays)
     return ground, random
 
 
 def mesh(ground):
-    """The highest corner and the mean lid of each mesh cell, one after the other."""
-    height, lid, cols = ground.arrays.height, ground.arrays.lid, ground.grid.cols
+    """The highest corner and the mean shelter surface of each mesh cell, one after the other."""
+    height, shelter, cols = ground.arrays.height, ground.arrays.shelter_surface, ground.arrays.grid.cols
     found = []
-    for row in range(ground.grid.rows):
+    for row in range(ground.arrays.grid.rows):
         for col in range(cols):
-            north, east = beyond(row, col, ground.grid)
+            north, east = beyond(row, col, ground.arrays.grid)
             sw, se, nw, ne = (r * cols + c for r in (row, north) for c in (col, east))
-            mean = np.float32(0.25) * ((lid[sw] + lid[se]) + (lid[nw] + lid[ne]))
+            mean = np.float32(0.25) * ((shelter[sw] + shelter[se]) + (shelter[nw] + shelter[ne]))
             found.append((height[[sw, se, nw, ne]].max(), mean))
     return np.array(found).T
 
 
 def renew_changed(ground, row, about):
     """Renew the mesh where stacks changed in a row, and in as many about it."""
-    note_stale(row, about, about, ground.arrays, ground.grid)
-    rows = ground.grid.rows
+    note_stale(row, about, about, ground.arrays)
+    rows = ground.arrays.grid.rows
     for first, last in ((rows // 2, rows), (0, rows // 2)):
-        renew_stale(first, last, ground.arrays, ground.grid)
+        renew_stale(first, last, ground.arrays)
     assert not ground.arrays.stale.any()
 
 
@@ -56,7 +56,7 @@ def test_bounds_and_means_follow_the_surface(shape, boundary):
     np.testing.assert_array_equal((ground.arrays.top, ground.arrays.base), mesh(ground))
     rows, cols = shape
     for cell in range(rows * cols):
-        ground.arrays.height[cell] = ground.arrays.lid[cell] = random.random()
+        ground.arrays.height[cell] = ground.arrays.shelter_surface[cell] = random.random()
         renew_changed(ground, cell // cols, 0)
         np.testing.assert_array_equal((ground.arrays.top, ground.arrays.base), mesh(ground))
 

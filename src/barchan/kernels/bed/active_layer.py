@@ -1,9 +1,10 @@
-"""Sand of several sizes: how many parcels of each lie in the active layer of a cell, and below it.
+"""Sand of several sizes: parcels of each size class in the active layer of a cell, and in the substrate.
 
-The layer is what wind and impacts reach (Hirano 1971). It holds as many parcels as it can, fewer only where
-the stack is lower. What is laid down comes into it, and what then is too much goes below; what is taken is
-replaced from below. Which size a parcel has that changes its place is drawn from the mixture that it comes
-from, parcel by parcel. Without a mixture (None) all sand is alike, and nothing is kept.
+The active layer is the part of the bed that wind and impacts reach (Hirano 1971). It holds a fixed number of
+parcels, fewer only where the stack is lower. Deposited parcels enter the layer, and the surplus is buried in
+the substrate; eroded parcels are replaced from the substrate. The size of a parcel that changes its place is
+drawn at random from the mixture that it leaves, parcel by parcel. None in place of a layer is sand of one
+size, and nothing is kept.
 """
 
 import numpy as np
@@ -11,126 +12,126 @@ from numba import njit
 
 from barchan.kernels.core.random import GOLDEN, below, derive, high, mix
 
-_OWN = 4
-"""What draws of sizes have as their number under a key."""
+_OWN_STREAM = 4
+"""Number under a key from which the random sequence of sizes derives."""
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
-def kind_of(kinds, at):
-    """The size at a place of ``kinds``, or the only one."""
-    if kinds is not None:
-        return np.int64(kinds[at])
+def class_at(classes, at):
+    """The size class at a place of ``classes``; 0 for sand of one size."""
+    if classes is not None:
+        return np.int64(classes[at])
     return 0
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
-def set_kind(kinds, at, kind):
-    """Put a size there, where there are several."""
-    if kinds is not None:
-        kinds[at] = kind
+def set_class(classes, at, size_class):
+    """Set the size class at a place of ``classes``; nothing for sand of one size."""
+    if classes is not None:
+        classes[at] = size_class
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
-def available(mixture, sand, kind, cell):
-    """Parcels of a size that a cell can give."""
-    if mixture is not None:
-        return np.int64(mixture.layer[kind, cell])
+def available(layer, sand, size_class, cell):
+    """Parcels of a size class that a cell can give."""
+    if layer is not None:
+        return np.int64(layer.surface[size_class, cell])
     return np.int64(sand[cell])
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
-def amount(counts, cell):
-    """Parcels of all sizes."""
+def parcels_of(counts, cell):
+    """Parcels of all size classes in a cell."""
     total = np.int64(0)
-    for kind in range(counts.shape[0]):
-        total += counts[kind, cell]
+    for size_class in range(counts.shape[0]):
+        total += counts[size_class, cell]
     return total
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
-def nth(counts, cell, at):
-    """The size of the parcel that comes ``at`` many others, sorted by size."""
-    for kind in range(counts.shape[0] - 1):
-        at -= counts[kind, cell]
-        if at < 0:
-            return kind
+def class_of_parcel(counts, cell, number):
+    """Size class of parcel ``number`` of a cell when its parcels are sorted by size."""
+    for size_class in range(counts.shape[0] - 1):
+        number -= counts[size_class, cell]
+        if number < 0:
+            return size_class
     return counts.shape[0] - 1
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
-def shuffle_anew(mixture, key):
-    """Start the draws of sizes anew under a key."""
-    if mixture is not None:
-        mixture.turn[0] = derive(key, _OWN)
+def reseed(layer, key):
+    """Restart the random sequence of sizes under a key."""
+    if layer is not None:
+        layer.rng_state[0] = derive(key, _OWN_STREAM)
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
-def _next(mixture):
-    mixture.turn[0] += GOLDEN
-    return mix(mixture.turn[0])
+def _next(layer):
+    layer.rng_state[0] += GOLDEN
+    return mix(layer.rng_state[0])
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
-def _drawn(counts, cell, total, mixture):
-    return nth(counts, cell, below(high(_next(mixture)), total))
+def _random_class(counts, cell, total, layer):
+    return class_of_parcel(counts, cell, below(high(_next(layer)), total))
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
-def put(mixture, cell, kind, parcels):
-    """Lay parcels of a size on a cell."""
-    if mixture is not None:
-        mixture.layer[kind, cell] += parcels
-        held = amount(mixture.layer, cell)
-        while held > mixture.full:
-            lowered = _drawn(mixture.layer, cell, held, mixture)
-            mixture.layer[lowered, cell] -= 1
-            mixture.deep[lowered, cell] += 1
+def put(layer, cell, size_class, parcels):
+    """Deposit parcels of a size class on a cell."""
+    if layer is not None:
+        layer.surface[size_class, cell] += parcels
+        held = parcels_of(layer.surface, cell)
+        while held > layer.capacity:
+            buried = _random_class(layer.surface, cell, held, layer)
+            layer.surface[buried, cell] -= 1
+            layer.substrate[buried, cell] += 1
             held -= 1
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
-def take(mixture, cell, kind, parcels):
-    """Take parcels of a size, which lie there, from a cell's active layer."""
-    if mixture is not None:
-        mixture.layer[kind, cell] -= parcels
-        held, rest = amount(mixture.layer, cell), amount(mixture.deep, cell)
-        while held < mixture.full and rest > 0:
-            raised = _drawn(mixture.deep, cell, rest, mixture)
-            mixture.deep[raised, cell] -= 1
-            mixture.layer[raised, cell] += 1
+def take(layer, cell, size_class, parcels):
+    """Erode parcels of a size class, which must be there, from a cell's active layer."""
+    if layer is not None:
+        layer.surface[size_class, cell] -= parcels
+        held, rest = parcels_of(layer.surface, cell), parcels_of(layer.substrate, cell)
+        while held < layer.capacity and rest > 0:
+            raised = _random_class(layer.substrate, cell, rest, layer)
+            layer.substrate[raised, cell] -= 1
+            layer.surface[raised, cell] += 1
             held += 1
             rest -= 1
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
-def _take_any(mixture, cell):
-    kind = _drawn(mixture.layer, cell, amount(mixture.layer, cell), mixture)
-    take(mixture, cell, kind, 1)
-    return kind
+def _take_any(layer, cell):
+    size_class = _random_class(layer.surface, cell, parcels_of(layer.surface, cell), layer)
+    take(layer, cell, size_class, 1)
+    return size_class
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
-def slide(mixture, cell, other, parcels):
-    """Let parcels of any size slide from one cell to another."""
-    if mixture is not None:
+def slide(layer, cell, other, parcels):
+    """Move parcels of random size from one cell to another."""
+    if layer is not None:
         for _ in range(parcels):
-            put(mixture, other, _take_any(mixture, cell), 1)
+            put(layer, other, _take_any(layer, cell), 1)
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
-def follow(mixture, sand, shares, entered):
-    """Let the sizes follow a bed that was painted; adds to ``entered`` what came (or went) of each.
+def follow(layer, sand, shares, entered):
+    """Bring the size classes up to date with a painted bed; adds the change of each class to ``entered``.
 
-    Sand that came has the ``shares`` (running sums up to 1), sand that went was in the active layer.
+    Added sand has the ``shares`` of the classes (running sums up to 1); removed sand was in the active layer.
     """
     for cell in range(sand.size):
-        change = sand[cell] - amount(mixture.layer, cell) - amount(mixture.deep, cell)
+        change = sand[cell] - parcels_of(layer.surface, cell) - parcels_of(layer.substrate, cell)
         for _ in range(-change):
-            entered[_take_any(mixture, cell)] -= 1
+            entered[_take_any(layer, cell)] -= 1
         for _ in range(change):
-            part = np.float64(_next(mixture) >> np.uint64(11)) * 2.0**-53
-            kind = 0
-            while kind < shares.size - 1 and part >= shares[kind]:
-                kind += 1
-            put(mixture, cell, kind, 1)
-            entered[kind] += 1
+            part = np.float64(_next(layer) >> np.uint64(11)) * 2.0**-53
+            size_class = 0
+            while size_class < shares.size - 1 and part >= shares[size_class]:
+                size_class += 1
+            put(layer, cell, size_class, 1)
+            entered[size_class] += 1

@@ -24,17 +24,17 @@ MEAN, DEVIATION = range(2)
 """Places in the levels: the surface's mean, and the sum over all cells of their distance from it."""
 
 
-class Mixture(NamedTuple):
-    """Parcels by size and cell."""
+class ActiveLayer(NamedTuple):
+    """Sand of several sizes: parcels by size class and cell, in the active layer and in the substrate."""
 
-    layer: np.ndarray
-    """In the active layer (int32, size by cell)."""
-    deep: np.ndarray
-    """Below it."""
-    full: int
-    """Parcels that the layer holds."""
-    turn: np.ndarray
-    """Where the sequence of draws has come to (one uint64)."""
+    surface: np.ndarray
+    """Parcels in the active layer (int32, size class by cell)."""
+    substrate: np.ndarray
+    """Parcels below the active layer."""
+    capacity: int
+    """Parcels that the active layer of a cell holds."""
+    rng_state: np.ndarray
+    """State of the sequence of random numbers (one uint64)."""
 
 
 EAST, NORTH, WEST, SOUTH, NORTHEAST, NORTHWEST, SOUTHWEST, SOUTHEAST = range(8)

@@ -1,4 +1,4 @@
-"""A grain touches the bed and bounces (Wang & Hu)."""
+"""A grain touches the bed and bounces (Wang & Hu 2012)."""
 
 import math
 
@@ -10,7 +10,7 @@ from barchan.kernels.grains.state import LANDED
 
 @njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
 def bounce(slot, surface, east, north, grains, rule):
-    """Throw a grain back off a surface with slopes, or leave it where it is (seed 003, eq. 3.9)."""
+    """Throw a grain back off a surface with slopes, or leave it where it is (Szabó 2019, eq. 3.9)."""
     length = math.sqrt(1.0 + east * east + north * north)
     normal_x, normal_y, normal_z = -east / length, -north / length, 1.0 / length
     u, v, w = np.float64(grains.u[slot]), np.float64(grains.v[slot]), np.float64(grains.w[slot])
@@ -22,7 +22,7 @@ def bounce(slot, surface, east, north, grains, rule):
     grains.z[slot] = np.float32(surface)
     stops = u * u + v * v + w * w < rule.stop_speed * rule.stop_speed
     if stops or grains.bounces[slot] >= rule.most:
-        grains.held[slot] = LANDED
+        grains.status[slot] = LANDED
         return
     grains.bounces[slot] += 1
     grains.u[slot] = np.float32(u)

@@ -10,7 +10,7 @@ import math
 import numpy as np
 from numba import njit
 
-from barchan.kernels.bed.active_layer import amount
+from barchan.kernels.bed.active_layer import parcels_of
 from barchan.kernels.core.random import draw
 from barchan.kernels.core.state import TRAVEL_UNIT
 from barchan.kernels.grains.exchange import lay_down, take_up
@@ -27,16 +27,16 @@ CREEP_DRAWS, DRAWS_PER_SIZE = 80, 64
 """Where in a slot's sequence the draws of creep begin, and how many each size may take."""
 
 STRIDE = 1024
-"""Draws between those of a way's cells."""
+"""Draws between those of one cell of a displacement and the next."""
 
 _LEAST = 1e-9
-"""Cells; below it a way is none."""
+"""Displacements shorter than this (cells) are treated as zero."""
 
 
 @njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
-def _step(place, way, size, wrap):
-    """The row or column one step along ``way``, and whether that is within the field."""
-    there = place + way
+def _neighbour(place, step, size, wrap):
+    """The row or column a ``step`` away, and whether that is within the field."""
+    there = place + step
     if 0 <= there < size:
         return there, True
     return (there + size if there < 0 else there - size), wrap
@@ -53,23 +53,26 @@ def _whole(part, chance):
 @njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
 def wind_along_bed(creep, cell, ground):
     """Friction velocity (m/s) of the wind along the bed at a cell: none in shelter."""
-    return 0.0 if ground.lid[cell] > ground.height[cell] + creep.shelter else ground.bed_wind[cell]
+    if ground.shelter_surface[cell] > ground.height[cell] + creep.shelter:
+        return 0.0
+    return ground.bed_stress.ustar[cell]
 
 
 @njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
 def along_stress(creep, cell, ground):
-    """Where the stress on the bed at a cell points: 1 along the wind, and a part to the left."""
-    left = ground.bed_turn[cell]
+    """Direction of the stress on the bed at a cell: 1 along the wind, and a part to the left."""
+    left = ground.bed_stress.deflection[cell]
     return creep.wind_x - left * creep.wind_y, creep.wind_y + left * creep.wind_x
 
 
 @njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
-def pushed_way(x, y, east, north, friction, help_x, help_y, reach):
-    """How far (cells) a push along (x, y) takes a grain: until the bed, slope and wind have stopped it.
+def displacement(toward, slope, friction, help_x, help_y, reach):
+    """Displacement (cells) of a grain pushed ``toward`` a unit vector, until bed, slope and wind stop it.
 
-    Slopes and the wind's ``help`` are shares of its weight; what is across its way turns it.
+    Slopes and the wind's ``help`` are shares of the grain's weight; force across its path turns it.
     """
-    force_x, force_y = help_x - east, help_y - north
+    x, y = toward
+    force_x, force_y = help_x - slope[0], help_y - slope[1]
     along = x * force_x + y * force_y
     stopping = max(friction - along, reach)
     length = reach / stopping
@@ -77,65 +80,74 @@ def pushed_way(x, y, east, north, friction, help_x, help_y, reach):
 
 
 @njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
-def _move(cell, kind, way_x, way_y, start, at, creep, ground, scale, grid, counts):
-    """Move a grain's sand on until the wind stops it, or out of the field, if there is enough of its size."""
-    if not take_up(cell, kind, ground, scale, grid):
+def _move(cell, size_class, step, draws, creep, ground, counts):
+    """Move a grain's sand on until it stops, or out of the field, if the cell has enough of its size.
+
+    ``step`` is the first step (columns, rows); ``draws`` are the start of the impact's random numbers and
+    the number of the first of this grain.
+    """
+    if not take_up(cell, size_class, ground):
         return
+    grid, start, at = ground.grid, draws[0], draws[1]
+    step_x, step_y = step
     counts[MOVED] += 1
-    for step in range(1, FARTHEST + 1):
-        row, inside_y = _step(cell // grid.cols, way_y, grid.rows, grid.wrap_across)
-        col, inside_x = _step(cell % grid.cols, way_x, grid.cols, grid.wrap_along)
-        counts[TRAVEL_X] += way_x * TRAVEL_UNIT
-        counts[TRAVEL_Y] += way_y * TRAVEL_UNIT
+    for count in range(1, FARTHEST + 1):
+        row, inside_y = _neighbour(cell // grid.cols, step_y, grid.rows, grid.wrap_across)
+        col, inside_x = _neighbour(cell % grid.cols, step_x, grid.cols, grid.wrap_along)
+        counts[TRAVEL_X] += step_x * TRAVEL_UNIT
+        counts[TRAVEL_Y] += step_y * TRAVEL_UNIT
         if not (inside_x and inside_y):
             counts[LEFT] += 1
-            counts[COUNTS + kind] += 1
+            counts[COUNTS + size_class] += 1
             return
         cell = row * grid.cols + col
-        if wind_along_bed(creep, cell, ground) <= creep.threshold[kind]:
+        if wind_along_bed(creep, cell, ground) <= creep.threshold[size_class]:
             break
         x, y = along_stress(creep, cell, ground)
         longest = max(abs(x), abs(y))
-        way_x = _whole(x / longest, draw(start, at + step * STRIDE))
-        way_y = _whole(y / longest, draw(start, at + step * STRIDE + 1))
-    lay_down(cell, kind, ground, scale, grid)
+        step_x = _whole(x / longest, draw(start, at + count * STRIDE))
+        step_y = _whole(y / longest, draw(start, at + count * STRIDE + 1))
+    lay_down(cell, size_class, ground)
 
 
 @njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
-def _share(mixture, kind, cell):
-    """The part of the sand at the surface of a cell that is of a size; 0 where there is none."""
-    if mixture is None:
+def _share(layer, size_class, cell):
+    """Share of a size class in the active layer of a cell; 0 where there is no sand."""
+    if layer is None:
         return 1.0
-    held = amount(mixture.layer, cell)
-    return mixture.layer[kind, cell] / held if held > 0 else 0.0
+    held = parcels_of(layer.surface, cell)
+    return layer.surface[size_class, cell] / held if held > 0 else 0.0
 
 
 @njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
-def push(creep, k, cell, ground, scale, grid, events, counts):
-    """Push sand along where the impact of entry ``k`` hit the bed.
+def push(creep, k, cell, ground, landings, counts):
+    """Push sand along where the impact of entry ``k`` hit the bed; nothing without ``creep``.
 
-    Sand moves by whole cells, so there are fewer pushes than grains, by as much as their way is shorter.
+    Sand moves by whole cells, so there are fewer pushes than grains, by the factor by which displacements
+    are shorter than a cell.
     """
-    u, v, start = events.u[k], events.v[k], events.start[k]
+    if creep is None:
+        return
+    u, v, start = landings.u[k], landings.v[k], landings.start[k]
     speed = math.sqrt(u * u + v * v)
     if speed == 0.0:
         return
-    _, east, north = surface_at(events.x[k], events.y[k], ground.height, scale.cell_size, grid)
+    _, east, north = surface_at(landings.x[k], landings.y[k], ground)
     wind = wind_along_bed(creep, cell, ground)
     wind_x, wind_y = along_stress(creep, cell, ground)
-    for kind in range(creep.number.size):
-        carried = min(wind / creep.threshold[kind], 1.0)
-        helped = creep.friction * carried * carried
-        way_x, way_y = pushed_way(
-            *(u / speed, v / speed, east, north),
-            *(creep.friction, helped * wind_x, helped * wind_y, creep.reach[kind]),
-        )
-        longest = max(min(max(abs(way_x), abs(way_y)), 1.0), _LEAST)
-        at = CREEP_DRAWS + kind * DRAWS_PER_SIZE
-        number = creep.number[kind] * events.impact[k] * _share(ground.mixture, kind, cell) * longest
+    toward, slope, friction = (u / speed, v / speed), (east, north), creep.friction
+    for size_class in range(creep.number.size):
+        carried = min(wind / creep.threshold[size_class], 1.0)
+        helped = friction * carried * carried
+        reach = creep.reach[size_class]
+        x, y = displacement(toward, slope, friction, helped * wind_x, helped * wind_y, reach)
+        longest = max(min(max(abs(x), abs(y)), 1.0), _LEAST)
+        at = CREEP_DRAWS + size_class * DRAWS_PER_SIZE
+        share = _share(ground.active_layer, size_class, cell)
+        number = creep.number[size_class] * landings.impact_speed[k] * share * longest
         for one in range(min(np.int64(number + draw(start, at)), MOST_PUSHES)):
             draws = at + 1 + 2 * one
-            step_x = _whole(way_x / longest, draw(start, draws))
-            step_y = _whole(way_y / longest, draw(start, draws + 1))
+            step_x = _whole(x / longest, draw(start, draws))
+            step_y = _whole(y / longest, draw(start, draws + 1))
             if step_x != 0 or step_y != 0:
-                _move(cell, kind, step_x, step_y, start, draws, creep, ground, scale, grid, counts)
+                _move(cell, size_class, (step_x, step_y), (start, draws), creep, ground, counts)

@@ -1,13 +1,13 @@
-"""Lift-off from anywhere on the bed (Wang & Hu; seed 003, listing 5.2)."""
+"""Aerodynamic entrainment: the wind lifts grains from anywhere on the bed (Szabó 2019, listing 5.2)."""
 
 import math
 
 import numpy as np
 from numba import njit
 
-from barchan.kernels.bed.active_layer import amount, nth, set_kind
+from barchan.kernels.bed.active_layer import class_of_parcel, parcels_of, set_class
 from barchan.kernels.core.random import draw
-from barchan.kernels.grains.slots import launch
+from barchan.kernels.grains.pool import launch
 from barchan.kernels.grains.state import NOWHERE
 from barchan.kernels.grains.surface import nearest_cell, surface_at
 
@@ -20,33 +20,34 @@ def place(part, size):
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
-def _kind_at(mixture, cell, part, creeps):
-    """The size of a parcel drawn from a cell's active layer; -1: too heavy."""
-    if mixture is None:
+def _random_class(layer, cell, part, creeps):
+    """Size class of a random parcel of a cell's active layer; -1: too heavy."""
+    if layer is None:
         return 0
-    kind = nth(mixture.layer, cell, np.int64(part * amount(mixture.layer, cell)))
-    return -1 if creeps[kind] else kind
+    size_class = class_of_parcel(layer.surface, cell, np.int64(part * parcels_of(layer.surface, cell)))
+    return -1 if creeps[size_class] else size_class
 
 
 @njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
-def lift(slot, start, grains, ground, scale, grid, rule):
-    """Let a slot start from a cell drawn at random, if that can give a parcel; the cell, or ``NOWHERE``."""
-    if draw(start, 1) >= rule.chance:
+def entrain(slot, start, grains, ground, rule):
+    """Launch a grain in a slot from a random cell, if that can give a parcel; the cell, or ``NOWHERE``."""
+    if draw(start, 1) >= rule.probability:
         return NOWHERE
+    grid = ground.grid
     x, y = place(draw(start, 2), grid.cols), place(draw(start, 3), grid.rows)
     cell = nearest_cell(x, y, grid)
-    if ground.sand[cell] == 0 or ground.lid[cell] > ground.height[cell]:
+    if ground.sand[cell] == 0 or ground.shelter_surface[cell] > ground.height[cell]:
         return NOWHERE
-    kind = _kind_at(ground.mixture, cell, draw(start, 6), rule.creeps)
-    if kind < 0:
+    size_class = _random_class(ground.active_layer, cell, draw(start, 6), rule.creeps)
+    if size_class < 0:
         return NOWHERE
-    surface, east, north = surface_at(x, y, ground.height, scale.cell_size, grid)
+    surface, east, north = surface_at(x, y, ground)
     if not rule.from_lee and east * rule.wind_x + north * rule.wind_y < 0.0:
         return NOWHERE
-    angle = rule.flattest + draw(start, 4) * (rule.steepest - rule.flattest)
-    up = rule.slowest + draw(start, 5) * (rule.fastest - rule.slowest)
+    angle = rule.min_angle + draw(start, 4) * (rule.max_angle - rule.min_angle)
+    up = rule.min_speed + draw(start, 5) * (rule.max_speed - rule.min_speed)
     along = up / math.tan(angle)
-    u, v = np.float32(along * rule.wind_x), np.float32(along * rule.wind_y)
-    launch(slot, x, y, np.float32(surface), u, v, np.float32(up), grains)
-    set_kind(grains.kind, slot, kind)
+    velocity = np.float32(along * rule.wind_x), np.float32(along * rule.wind_y), np.float32(up)
+    launch(slot, x, y, np.float32(surface), velocity, grains)
+    set_class(grains.size_class, slot, size_class)
     return cell

@@ -1,9 +1,9 @@
 """Wang & Hu's collapse: slopes that are too steep are smoothed by a filter over the eight neighbours.
 
-Seed 003, eq. 3.10: h += G Δh where T Δh reaches the slope of repose, Δh being the weighted mean of the
-neighbours less h. That makes or takes sand; here whole parcels go between a cell and each neighbour
-instead, as many as its share of G Δh, and once between two cells that both are too steep: what the one gains
-by its rule the other loses by its own.
+Szabó 2019, eq. 3.10: h += G Δh where T Δh reaches the slope of repose, Δh being the weighted mean of the
+neighbours less h. That rule makes or takes sand. Here whole parcels go between a cell and each neighbour
+instead: their number is the neighbour's share of G Δh, and between two cells that both are too steep they
+go once, for the gain by the rule of one cell is the loss by the rule of the other.
 """
 
 import math
@@ -24,7 +24,7 @@ _MOVES = 2
 """Mark of cells that may move sand; 1 of those that are too steep, and move less than a parcel."""
 
 _PARCEL = 0.99
-"""From so much on it may be a parcel, however numbers are rounded."""
+"""Parcels from which on an exchange may be one parcel, however numbers are rounded."""
 
 
 @njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
@@ -75,8 +75,9 @@ def _mark_row(row, level, grid, factors, least, marks):
 
 
 @njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
-def _exchange(cell, before, marks, ground, scale, grid, rule):
-    """Let a cell exchange parcels with its neighbours; how many moved."""
+def _exchange(cell, before, marks, ground, rule):
+    """Exchange parcels between a cell and its neighbours; the number that moved."""
+    grid = ground.grid
     moved = 0
     row, col = cell // grid.cols, cell % grid.cols
     for k in range(8):
@@ -85,22 +86,22 @@ def _exchange(cell, before, marks, ground, scale, grid, rule):
         if marks[other] and other <= cell:
             continue
         weight = FACE_WEIGHT if k < 4 else CORNER_WEIGHT
-        flow = rule.gain * weight * np.float64(before[other] - before[cell]) / scale.parcel
+        flow = rule.gain * weight * np.float64(before[other] - before[cell]) / ground.scale.parcel
         parcels = np.int64(flow)
         parcels = min(max(parcels, -np.int64(ground.sand[cell])), np.int64(ground.sand[other]))
         if parcels != 0:
-            pile_up(cell, parcels, ground, scale)
-            pile_up(other, -parcels, ground, scale)
-            note_stale(row, 0, 0, ground, grid)
-            note_stale(r, 0, 0, ground, grid)
-            slide(ground.mixture, other, cell, parcels)
-            slide(ground.mixture, cell, other, -parcels)
+            pile_up(cell, parcels, ground)
+            pile_up(other, -parcels, ground)
+            note_stale(row, 0, 0, ground)
+            note_stale(r, 0, 0, ground)
+            slide(ground.active_layer, other, cell, parcels)
+            slide(ground.active_layer, cell, other, -parcels)
             moved += abs(parcels)
     return moved
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
-def smooth_slopes(ground, scale, grid, rule, before, marks):
+def smooth_slopes(ground, rule, before, marks):
     """Smooth the surface once where it bends too sharply; returns how many parcels moved.
 
     Where the filter works is found on the surface as it was; sand then moves cell by cell from the southwest
@@ -108,10 +109,11 @@ def smooth_slopes(ground, scale, grid, rule, before, marks):
     space; ``marks`` is all zero afterwards.
     """
     ground, before, marks = lent((ground, before, marks))
+    grid, parcel = ground.grid, ground.scale.parcel
     cols = grid.cols
     before[:] = ground.level
     highest = np.empty(grid.rows, np.uint8)
-    factors = rule.gain * FACE_WEIGHT / scale.parcel, rule.gain * CORNER_WEIGHT / scale.parcel
+    factors = rule.gain * FACE_WEIGHT / parcel, rule.gain * CORNER_WEIGHT / parcel
     for row in range(grid.rows):
         here = marks[row * cols : (row + 1) * cols]
         highest[row] = _mark_row(row, before, grid, factors, rule.least, here)
@@ -120,8 +122,8 @@ def smooth_slopes(ground, scale, grid, rule, before, marks):
         if highest[row] == _MOVES:
             for cell in range(row * cols, (row + 1) * cols):
                 if marks[cell] == _MOVES:
-                    moved += _exchange(cell, before, marks, ground, scale, grid, rule)
+                    moved += _exchange(cell, before, marks, ground, rule)
     if moved > 0:
-        renew_stale(0, grid.rows, ground, grid)
+        renew_stale(0, grid.rows, ground)
     marks[:] = 0
     return moved

@@ -39,38 +39,49 @@ def _find_mesh(start, count, grains, cols, cell):
 
 
 @njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
-def _find_near(count, near, cell, slowed):
-    """Put the friction velocity near the bed at each grain of a block into ``slowed``, if it has places."""
-    if near is not None:
+def _find_near_bed(count, feedback, cell, ustar):
+    """Put the near-bed friction velocity at each grain of a block into ``ustar``, if it varies in space."""
+    if feedback is not None:
+        near_bed = feedback.near_bed_ustar
         for j in range(count):
-            slowed[j] = near[np.uint64(cell[j])]
+            ustar[j] = near_bed[np.uint64(cell[j])]
 
 
 @njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
-def _slow_wind(count, near, above, cell, slowed, value):
-    """Make wind speeds of those for a friction velocity of 1 m/s near the bed, if it has places."""
-    if near is not None:
+def _slow_wind(count, feedback, above, cell, ustar, value):
+    """Make wind speeds of those for a near-bed friction velocity of 1 m/s, if it varies in space."""
+    if feedback is not None:
         for j in range(count):
-            value[j] = slowed[j] * value[j] + above.values[np.uint64(cell[j])]
+            value[j] = ustar[j] * value[j] + above.values[np.uint64(cell[j])]
 
 
 @njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
-def _speed_up(start, count, grains, gain, aside, cols, wind, cell, turn):
-    """Speed the wind up where it is faster, and find how fast it blows to the left, if it does."""
-    if gain is not None:
+def _speed_up_by(speedup, block, grains, cols, wind, cell, sideways):
+    if speedup is not None:
+        start, count = block
+        factor, crosswind_ratio = speedup.factor, speedup.crosswind_ratio
         _find_mesh(start, count, grains, cols, cell)
         for j in range(count):
-            wind[j] *= gain[np.uint64(cell[j])]
-            turn[j] = aside[np.uint64(cell[j])] * wind[j]
+            wind[j] *= factor[np.uint64(cell[j])]
+            sideways[j] = crosswind_ratio[np.uint64(cell[j])] * wind[j]
 
 
 @njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
-def _find_climb(start, count, grains, rise, cols, wind, cell, climb):
+def _speed_up(block, grains, flow, cols, wind, cell, sideways):
+    """Speed the wind up over waves, and find how fast it blows to the left, if it does."""
+    if flow is not None:
+        _speed_up_by(flow.speedup, block, grains, cols, wind, cell, sideways)
+
+
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+def _find_climb(block, grains, flow, cols, wind, cell, climb):
     """Find how fast the air rises at each grain of a block, if it follows the bed."""
-    if rise is not None:
+    if flow is not None:
+        start, count = block
+        slope = flow.streamline_slope
         _find_mesh(start, count, grains, cols, cell)
         for j in range(count):
-            climb[j] = rise[np.uint64(cell[j])] * wind[j]
+            climb[j] = slope[np.uint64(cell[j])] * wind[j]
 
 
 @njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
@@ -80,66 +91,83 @@ def _shift(count, numbers, part, by):
 
 
 @njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
-def _enter_stream(start, count, rise, aside, air, grains, climb, turn):
-    """Make velocities of a block of grains those relative to air that rises and turns, where it does."""
-    end = start + count
-    if rise is not None:
-        _shift(count, grains.w[start:end], _MINUS, climb)
-    if aside is not None:
-        _shift(count, grains.u[start:end], air.wind_y, turn)
-        _shift(count, grains.v[start:end], -air.wind_x, turn)
+def _enter_crosswind(block, speedup, air, grains, sideways):
+    if speedup is not None:
+        start, count = block
+        end = start + count
+        _shift(count, grains.u[start:end], air.wind_y, sideways)
+        _shift(count, grains.v[start:end], -air.wind_x, sideways)
 
 
 @njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
-def _leave_stream(start, count, rise, aside, air, grains, climb, turn):
-    """Make them velocities over ground again, and carry the grains along with the air."""
-    end = start + count
-    if rise is not None:
+def _enter_stream(block, flow, air, grains, climb, sideways):
+    """Make velocities of a block of grains those relative to air that rises and turns, where it does."""
+    if flow is not None:
+        start, count = block
+        _shift(count, grains.w[start : start + count], _MINUS, climb)
+        _enter_crosswind(block, flow.speedup, air, grains, sideways)
+
+
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+def _leave_crosswind(block, speedup, air, grains, sideways):
+    if speedup is not None:
+        start, count = block
+        end = start + count
+        length = air.before + air.after
+        _shift(count, grains.x[start:end], -length * air.wind_y, sideways)
+        _shift(count, grains.y[start:end], length * air.wind_x, sideways)
+        _shift(count, grains.u[start:end], -air.wind_y, sideways)
+        _shift(count, grains.v[start:end], air.wind_x, sideways)
+
+
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+def _leave_stream(block, flow, air, grains, climb, sideways):
+    """Make velocities those over ground again, and carry the grains along with the air."""
+    if flow is not None:
+        start, count = block
+        end = start + count
         _shift(count, grains.z[start:end], air.rise_before + air.rise_after, climb)
         _shift(count, grains.w[start:end], _PLUS, climb)
-    if aside is not None:
-        length = air.before + air.after
-        _shift(count, grains.x[start:end], -length * air.wind_y, turn)
-        _shift(count, grains.y[start:end], length * air.wind_x, turn)
-        _shift(count, grains.u[start:end], -air.wind_y, turn)
-        _shift(count, grains.v[start:end], air.wind_x, turn)
+        _leave_crosswind(block, flow.speedup, air, grains, sideways)
 
 
 @njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
-def _take_wind(start, count, grains, taken, cols, cell, value):
-    """Take off the wind what plants below each grain of a block take, at most all of it."""
-    if taken is not None:
+def _take_deficit(block, grains, canopy, cols, cell, value):
+    """Reduce the wind by the speed deficit over plants below each grain of a block, to 0 at least."""
+    if canopy is not None:
+        start, count = block
+        deficit = canopy.speed_deficit
         _find_mesh(start, count, grains, cols, cell)
         for j in range(count):
-            value[j] -= min(taken[np.uint64(cell[j])], max(value[j], _ZERO))
+            value[j] -= min(deficit[np.uint64(cell[j])], max(value[j], _ZERO))
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
-def _find_wind(start, count, grains, air, ground, cols, cell, value, slowed):
-    """Put the wind speed at each grain of a block into ``value``."""
-    base = ground.base
+def find_wind(start, count, grains, air, ground, cell, value, ustar):
+    """Put the wind speed (m/s) at each grain of a block into ``value``."""
+    base, cols = ground.base, ground.grid.cols
     first, last = air.wind.first, air.wind.last
     z, w = grains.z[start : start + count], grains.w[start : start + count]
     ahead = air.rise_before
     _find_mesh(start, count, grains, cols, cell)
     for j in range(count):
         value[j] = base[np.uint64(cell[j])]
-    _find_near(count, ground.near, cell, slowed)
+    _find_near_bed(count, ground.feedback, cell, ustar)
     for j in range(count):
         cell[j] = entry(z[j] + ahead * w[j] - value[j], first, last)
     for j in range(count):
         value[j] = air.wind.values[np.uint64(cell[j])]
-    _slow_wind(count, ground.near, air.above, cell, slowed, value)
-    _take_wind(start, count, grains, ground.taken, cols, cell, value)
+    _slow_wind(count, ground.feedback, air.above, cell, ustar, value)
+    _take_deficit((start, count), grains, ground.canopy, cols, cell, value)
 
 
 @njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
-def _turn_to_sizes(start, count, kinds, size, cell):
-    """Move the entries ``cell`` of the first of several tables to those of each grain's size."""
-    if kinds is not None:
-        kinds = kinds[start : start + count]
+def _to_class_tables(start, count, size_class, size, cell):
+    """Move entries ``cell`` of the first of several tables to the table of each grain's size class."""
+    if size_class is not None:
+        part = size_class[start : start + count]
         for j in range(count):
-            cell[j] += kinds[j] * size
+            cell[j] += part[j] * size
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
@@ -154,7 +182,7 @@ def _find_drag(start, count, grains, air, wind, cell, share):
         lag_y = wind[j] * wind_y - v[j]
         fall = w[j] - early_fall
         cell[j] = entry(lag_x * lag_x + lag_y * lag_y + fall * fall, first, last)
-    _turn_to_sizes(start, count, grains.kind, last + np.int32(1), cell)
+    _to_class_tables(start, count, grains.size_class, last + np.int32(1), cell)
     for j in range(count):
         share[j] = air.drag.values[np.uint64(cell[j])]
 
@@ -172,7 +200,7 @@ def _push_along(count, place, velocity, part, wind, share, air):
 
 @njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
 def _push_up(count, z, w, share, air):
-    """The same upwards."""
+    """Move a block of grains by one time step upwards."""
     fall, early_fall = air.fall, air.early_fall
     before, after = air.rise_before, air.rise_after
     for j in range(count):
@@ -212,43 +240,45 @@ def _find_low(start, count, grains, grid, top, cell, value):
 
 @njit(cache=True, nogil=True, error_model="numpy")
 def work_space():
-    """What a thread needs to move grains block by block."""
+    """Work space of a thread that moves grains block by block."""
     cell = np.empty(BLOCK, np.int32)
     wind = np.empty(BLOCK, np.float32)
     share = np.empty(BLOCK, np.float32)
     climb = np.empty(BLOCK, np.float32)
-    turn = np.empty(BLOCK, np.float32)
-    return cell, wind, share, climb, turn
+    sideways = np.empty(BLOCK, np.float32)
+    return cell, wind, share, climb, sideways
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
-def move_blocks(first, last, grains, air, grid, ground, near, work):
-    """Let the slots from ``first`` to before ``last`` fly for one time step.
+def move_blocks(first, last, grains, air, ground, candidates, work):
+    """Move the slots from ``first`` to before ``last`` by one time step.
 
-    Writes those that left the field or lie below the highest corner of their mesh cell into ``near``, from
-    ``first`` on, and returns how many they are. The rest is for ``land``.
+    Writes those that left the field or lie below the highest corner of their mesh cell into ``candidates``,
+    from ``first`` on, and returns their number. ``land`` handles them.
     """
-    cell, wind, share, climb, turn = work
+    cell, wind, share, climb, sideways = work
+    cols, flow = ground.grid.cols, ground.flow
     found = first
     for start in range(first, last, BLOCK):
         count = min(last - start, BLOCK)
-        _find_wind(start, count, grains, air, ground, grid.cols, cell, wind, share)
-        _speed_up(start, count, grains, ground.gain, ground.aside, grid.cols, wind, cell, turn)
-        _find_climb(start, count, grains, ground.rise, grid.cols, wind, cell, climb)
-        _enter_stream(start, count, ground.rise, ground.aside, air, grains, climb, turn)
+        block = start, count
+        find_wind(start, count, grains, air, ground, cell, wind, share)
+        _speed_up(block, grains, flow, cols, wind, cell, sideways)
+        _find_climb(block, grains, flow, cols, wind, cell, climb)
+        _enter_stream(block, flow, air, grains, climb, sideways)
         _find_drag(start, count, grains, air, wind, cell, share)
         _push(start, count, grains, air, wind, share)
-        _leave_stream(start, count, ground.rise, ground.aside, air, grains, climb, turn)
-        _find_low(start, count, grains, grid, ground.top, cell, share)
+        _leave_stream(block, flow, air, grains, climb, sideways)
+        _find_low(start, count, grains, ground.grid, ground.top, cell, share)
         for j in range(count):
-            # written whether it counts or not: a branch here would be foretold wrongly again and again
-            near[found] = start + j
+            # written whether it counts or not: the processor would mispredict a branch here again and again
+            candidates[found] = start + j
             found += cell[j]
     return found - first
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
-def move(first, last, grains, air, grid, ground, near):
-    """The same with work space of its own."""
-    grains, air, ground, near = lent((grains, air, ground, near))
-    return move_blocks(first, last, grains, air, grid, ground, near, work_space())
+def move(first, last, grains, air, ground, candidates):
+    """Move slots by one time step with work space of its own; see ``move_blocks``."""
+    grains, air, ground, candidates = lent((grains, air, ground, candidates))
+    return move_blocks(first, last, grains, air, ground, candidates, work_space())

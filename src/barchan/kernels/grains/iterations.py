@@ -1,4 +1,4 @@
-"""A spell of iterations: all grains fly, land, change the bed and start, again and again, in one call.
+"""A batch of iterations: all grains fly, land, change the bed and start, again and again, in one call.
 
 Several threads may make it together, one of which leads (``board``). They share pieces of the slots, let them
 fly and land; the exchange of sand, in the order of slots, is the leader's; then they share the ejecta to be
@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 from numba import njit
 
-from barchan.kernels.bed.active_layer import shuffle_anew
+from barchan.kernels.bed.active_layer import reseed
 from barchan.kernels.core import work_queue
 from barchan.kernels.core.borrow import lent
 from barchan.kernels.core.random import derive
@@ -33,21 +33,21 @@ _CELLS = 4096
 
 
 class Plan(NamedTuple):
-    """What threads that share iterations agree on."""
+    """The division of iterations among threads."""
 
     key: np.uint64
     slots: int
     piece: int
     board: np.ndarray
     found: np.ndarray
-    """Events of each piece."""
-    now: np.ndarray
-    """How far they have come: see ``ITERATION``."""
+    """Entries of each piece."""
+    progress: np.ndarray
+    """See ``ITERATION``."""
 
 
-ITERATION, TURN, OFFERED, THROWN = range(4)
-"""What ``now`` holds: the iteration, the round (even: flight, odd: what follows), pieces offered so far, and
-parcels thrown out in this iteration."""
+ITERATION, ROUND, OFFERED, THROWN = range(4)
+"""Entries of the progress: the iteration, the round (even: flight, odd: the exchange of sand and what follows
+it), pieces offered since the start, and parcels thrown out in this iteration."""
 
 
 def plan_of(key: int, slots: int, first: int) -> Plan:
@@ -55,31 +55,32 @@ def plan_of(key: int, slots: int, first: int) -> Plan:
     piece = PIECE
     while slots > piece * work_queue.MOST_PIECES:
         piece *= 2
-    found, now = np.zeros(-(-slots // piece), np.int64), np.array([first - 1, -1, 0, 0])
-    return Plan(np.uint64(key), slots, piece, work_queue.new_board(), found, now)
+    found, progress = np.zeros(-(-slots // piece), np.int64), np.array([first - 1, -1, 0, 0])
+    return Plan(np.uint64(key), slots, piece, work_queue.new_board(), found, progress)
 
 
 @njit(inline="always")
 def _fly(number, plan, scene, work):
-    """Let the slots of a piece fly and land."""
+    """Move the slots of a piece by one time step, and handle those that may have landed."""
     first = number * plan.piece
     last = min(first + plan.piece, plan.slots)
-    about = scene.grains, scene.air, scene.grid, scene.ground
-    count = move_blocks(first, last, *about, scene.events.near, work)
-    rules = scene.scale, scene.rules, scene.splash, scene.events
-    plan.found[number] = land(first, count, derive(plan.key, plan.now[ITERATION]), *about, *rules)
+    grains, air, ground, landings = scene.grains, scene.air, scene.ground, scene.landings
+    count = move_blocks(first, last, grains, air, ground, landings.candidates, work)
+    key = derive(plan.key, plan.progress[ITERATION])
+    plan.found[number] = land(first, count, key, grains, air, ground, scene.rules, landings)
 
 
 @njit(inline="always")
 def _exchange(plan, scene):
-    """Let the sand change places, of grains that flew and of ejecta."""
-    about = scene.grains, scene.ground, scene.scale, scene.grid
-    shuffle_anew(scene.ground.mixture, derive(derive(plan.key, plan.now[ITERATION]), plan.slots))
+    """Exchange the sand of grains that flew and of ejecta."""
+    grains, ground, landings, counts = scene.grains, scene.ground, scene.landings, scene.counts
+    reseed(ground.active_layer, derive(derive(plan.key, plan.progress[ITERATION]), plan.slots))
     for number in range(plan.found.size):
-        exchange(number * plan.piece, plan.found[number], *about, scene.events, scene.counts)
-    about_splash = scene.splash, scene.events, scene.ejecta, scene.counts
-    plan.now[THROWN] = eject(plan.found, plan.piece, *about, *about_splash)
-    scene.counts[FLOWN] += plan.slots
+        exchange(number * plan.piece, plan.found[number], grains, ground, landings, counts)
+    splash, ejecta = scene.rules.splash, scene.ejecta
+    thrown = eject(plan.found, plan.piece, grains, ground, splash, landings, ejecta, counts)
+    plan.progress[THROWN] = thrown
+    counts[FLOWN] += plan.slots
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
@@ -96,37 +97,39 @@ def _rows(grid):
 @njit(inline="always")
 def _finish(number, plan, scene):
     """Launch a piece of the ejecta, or after those renew a piece of the mesh."""
-    thrown, rows = plan.now[THROWN], _rows(scene.grid)
+    thrown, rows = plan.progress[THROWN], _rows(scene.ground.grid)
     others = _pieces(thrown, _EJECTA)
     if number < others:
         last = min((number + 1) * _EJECTA, thrown)
-        throw(number * _EJECTA, last, scene.grains, scene.splash, scene.events, scene.ejecta)
+        throw(number * _EJECTA, last, scene.grains, scene.rules.splash, scene.landings, scene.ejecta)
     else:
         first = (number - others) * rows
-        renew_stale(first, min(first + rows, scene.grid.rows), scene.ground, scene.grid)
+        renew_stale(first, min(first + rows, scene.ground.grid.rows), scene.ground)
 
 
 @njit(inline="always")
 def _next_round(plan, scene, end):
     """Once this round is done, offer the next one; its number, or ``NOTHING`` before iteration ``end``."""
-    turn = plan.now[TURN]
-    await_done(plan.board, plan.now[OFFERED])
-    if turn % 2 == 1 and plan.now[ITERATION] + 1 == end:
+    done = plan.progress[ROUND]
+    await_done(plan.board, plan.progress[OFFERED])
+    if done % 2 == 1 and plan.progress[ITERATION] + 1 == end:
         return NOTHING
-    plan.now[TURN] = turn + 1
-    if turn % 2 == 1:
-        plan.now[ITERATION] += 1
+    plan.progress[ROUND] = done + 1
+    if done % 2 == 1:
+        plan.progress[ITERATION] += 1
         pieces = plan.found.size
     else:
         _exchange(plan, scene)
-        pieces = _pieces(plan.now[THROWN], _EJECTA) + _pieces(scene.grid.rows, _rows(scene.grid))
-    plan.now[OFFERED] += pieces
-    offer(plan.board, turn + 1, pieces)
-    return turn + 1
+        pieces = _pieces(plan.progress[THROWN], _EJECTA) + _pieces(
+            scene.ground.grid.rows, _rows(scene.ground.grid)
+        )
+    plan.progress[OFFERED] += pieces
+    offer(plan.board, done + 1, pieces)
+    return done + 1
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
-def spell(leads, plan, scene, end):
+def run_iterations(leads, plan, scene, end):
     """Make iterations up to before ``end``; or, as a thread that does not lead, help until the board closes.
 
     There is one place where pieces are done, whoever does them, and functions that it calls are made part of
@@ -135,16 +138,16 @@ def spell(leads, plan, scene, end):
     plan, scene, work = lent((plan, scene, work_space()))
     while True:
         if leads:
-            turn, number = plan.now[TURN], take_first(plan.board)
+            this_round, number = plan.progress[ROUND], take_first(plan.board)
             if number == NOTHING:
                 if _next_round(plan, scene, end) == NOTHING:
                     return
                 continue
         else:
-            turn, number = await_last(plan.board)
+            this_round, number = await_last(plan.board)
             if number == NOTHING:
                 return
-        if turn % 2 == 0:
+        if this_round % 2 == 0:
             _fly(number, plan, scene, work)
         else:
             _finish(number, plan, scene)

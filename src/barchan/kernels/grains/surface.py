@@ -1,7 +1,7 @@
 """The surface that grains meet: stacks stand at the corners of a mesh, and between four it is interpolated.
 
 The mesh cell of a stack reaches from it to its neighbours in the east and north; places are counted from the
-southwesternmost stack. At an open edge the last mesh cell goes on level. A bound and a mean for each mesh
+southwesternmost stack. At an open edge the last mesh cell goes on level. The top and the base of each mesh
 cell let flight leave the interpolation to grains that are about to land.
 """
 
@@ -36,8 +36,9 @@ def nearest_cell(x, y, grid):
 
 
 @njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
-def surface_at(x, y, height, cell_size, grid):
+def surface_at(x, y, ground):
     """Height (m) of the surface at a place, and its slopes eastwards and northwards."""
+    height, grid, cell_size = ground.height, ground.grid, ground.scale.cell_size
     row, col = np.int64(y), np.int64(x)
     north, east = beyond(row, col, grid)
     part_x, part_y = np.float64(x) - col, np.float64(y) - row
@@ -50,8 +51,9 @@ def surface_at(x, y, height, cell_size, grid):
 
 
 @njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
-def height_at(x, y, height, grid):
-    """The height alone, by the same arithmetic as ``surface_at``."""
+def height_at(x, y, ground):
+    """Height (m) of the surface at a place, by the same arithmetic as ``surface_at``."""
+    height, grid = ground.height, ground.grid
     row, col = np.int64(np.int32(y)), np.int64(np.int32(x))
     north, east = beyond(row, col, grid)
     part_x, part_y = np.float64(x) - col, np.float64(y) - row
@@ -66,81 +68,86 @@ def height_at(x, y, height, grid):
 
 
 @njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
-def _lifted(base, lift, cell):
-    """The base of a mesh cell, lifted by plants, if there are any."""
-    if lift is None:
+def _displaced(base, canopy, cell):
+    """Zero of the wind's height over a mesh cell, displaced by plants, if there are any."""
+    if canopy is None:
         return base
-    return base + lift[cell]
+    return base + canopy.displacement_height[cell]
 
 
 @njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
-def _renew(row, col, ground, grid):
+def _renew(row, col, ground):
+    """Recompute top and base of one mesh cell."""
+    grid = ground.grid
     north, east = beyond(row, col, grid)
     sw, se = row * grid.cols + col, row * grid.cols + east
     nw, ne = north * grid.cols + col, north * grid.cols + east
-    height, lid = ground.height, ground.lid
+    height, shelter = ground.height, ground.shelter_surface
     ground.top[sw] = max(max(height[sw], height[se]), max(height[nw], height[ne]))
-    mean = _QUARTER * ((lid[sw] + lid[se]) + (lid[nw] + lid[ne]))
-    ground.base[sw] = _lifted(mean, ground.lift, sw)
+    mean = _QUARTER * ((shelter[sw] + shelter[se]) + (shelter[nw] + shelter[ne]))
+    ground.base[sw] = _displaced(mean, ground.canopy, sw)
 
 
 @njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
-def _lift_span(base, first, count, lift):
-    """Lift the bases of some mesh cells by plants, if there are any."""
-    if lift is not None:
-        part = lift[first : first + count]
+def _displace_span(base, first, count, canopy):
+    """Displace the bases of some mesh cells by plants, if there are any."""
+    if canopy is not None:
+        part = canopy.displacement_height[first : first + count]
         for k in range(count):
             base[k] += part[k]
 
 
 @njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
 def _renew_span(south, north, count, ground):
-    """The same of ``count`` mesh cells side by side, from the stack ``south`` and the one north of it on."""
+    """Recompute ``count`` mesh cells in a row; ``south`` and ``north`` are the stacks of the first one."""
     low, high = ground.height[south : south + count + 1], ground.height[north : north + count + 1]
     top = ground.top[south : south + count]
     for k in range(count):
         top[k] = max(max(low[k], low[k + 1]), max(high[k], high[k + 1]))
-    low, high = ground.lid[south : south + count + 1], ground.lid[north : north + count + 1]
+    shelter = ground.shelter_surface
+    low, high = shelter[south : south + count + 1], shelter[north : north + count + 1]
     base = ground.base[south : south + count]
     for k in range(count):
         base[k] = _QUARTER * ((low[k] + low[k + 1]) + (high[k] + high[k + 1]))
-    _lift_span(base, south, count, ground.lift)
+    _displace_span(base, south, count, ground.canopy)
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
-def _renew_row(row, ground, grid):
+def _renew_row(row, ground):
+    grid = ground.grid
     last = grid.cols - 1
     north, _ = beyond(row, last, grid)
     _renew_span(row * grid.cols, north * grid.cols, last, ground)
-    _renew(row, last, ground, grid)
+    _renew(row, last, ground)
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
-def renew_mesh(ground, grid):
-    """Compute bound and mean of every mesh cell."""
-    for row in range(grid.rows):
-        _renew_row(row, ground, grid)
+def renew_mesh(ground):
+    """Compute top and base of every mesh cell."""
+    for row in range(ground.grid.rows):
+        _renew_row(row, ground)
 
 
 @njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
-def note_stale(row, before, after, ground, grid):
-    """Note that stacks have changed from ``before`` rows south of a row to as many as ``after`` north of it.
+def note_stale(row, before, after, ground):
+    """Note that stacks have changed from ``before`` rows south of a row to ``after`` rows north of it.
 
     The row of mesh cells south of the first of them has corners there too.
     """
+    grid = ground.grid
     for step in range(-before - 1, after + 1):
         r = row + step
         ground.stale[r + grid.rows if r < 0 else (r - grid.rows if r >= grid.rows else r)] = 1
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
-def renew_stale(first, last, ground, grid):
-    """Compute bound and mean of mesh cells anew in those rows, of some, of which stacks have changed."""
+def renew_stale(first, last, ground):
+    """Recompute top and base of mesh cells in the stale rows from ``first`` to before ``last``."""
     ground = lent(ground)
     for row in range(first, last):
         if ground.stale[row]:
             ground.stale[row] = 0
-            _renew_row(row, ground, grid)
+            _renew_row(row, ground)
 
 
 @njit(cache=True, nogil=True, error_model="numpy", forceinline=True)

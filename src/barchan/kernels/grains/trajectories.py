@@ -1,62 +1,68 @@
-"""Grains followed one at a time from lift-off to rest (seed 000, Alg. 8)."""
+"""Grains followed one at a time from lift-off to rest (Prague thesis, Alg. 8)."""
 
 import numpy as np
 from numba import njit
 
 from barchan.kernels.core.random import derive
-from barchan.kernels.grains.entrainment import lift
-from barchan.kernels.grains.exchange import exchange, settle_about
+from barchan.kernels.grains.collapse import settle_about
+from barchan.kernels.grains.entrainment import entrain
+from barchan.kernels.grains.exchange import exchange
 from barchan.kernels.grains.landing import fly
 from barchan.kernels.grains.state import FLOWN, FLYING, NOWHERE
 from barchan.kernels.grains.surface import renew_stale
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
-def _exchange_one(grains, ground, scale, grid, events, counts):
-    """Exchange the sand of the only entry, and let the mesh follow at once."""
-    exchange(0, 1, grains, ground, scale, grid, events, counts)
-    renew_stale(0, grid.rows, ground, grid)
+def _exchange_one(scene):
+    """Exchange the sand of the only entry, and recompute the mesh at once."""
+    exchange(0, 1, scene.grains, scene.ground, scene.landings, scene.counts)
+    renew_stale(0, scene.ground.grid.rows, scene.ground)
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
-def trajectories(count, key, grains, air, ground, scale, grid, rules, splash, slopes, events, counts):
+def _fly_one(key, scene):
+    """Move the grain in the first slot by one time step; the number of entries."""
+    return fly(0, 1, key, scene.grains, scene.air, scene.ground, scene.rules, scene.landings)
+
+
+@njit(cache=True, nogil=True, error_model="numpy")
+def trajectories(count, key, scene, lifting, slopes):
     """``count`` complete trajectories, one after the other, in the first slot; the bed relaxes after each.
 
-    ``rules`` are those of lift-off and those of ``fly``, without lift-off; ``slopes`` are the order of
-    neighbours, the limits, and the work space of ``settle_steep``.
+    ``lifting`` is the entrainment that starts a trajectory; that of the scene's rules has no chance.
     """
-    lift_rule, in_flight = rules
-    sequences, repose, queue, waiting = slopes
+    landings, counts, ground = scene.landings, scene.counts, scene.ground
     for number in range(count):
         start = derive(key, number)
-        source = lift(0, start, grains, ground, scale, grid, lift_rule)
+        source = entrain(0, start, scene.grains, ground, lifting)
         if source == NOWHERE:
             continue
-        events.slot[0], events.rest[0], events.source[0] = 0, NOWHERE, source
-        _exchange_one(grains, ground, scale, grid, events, counts)
-        while grains.held[0] == FLYING:
+        landings.slot[0], landings.deposit_cell[0], landings.lift_cell[0] = 0, NOWHERE, source
+        _exchange_one(scene)
+        while scene.grains.status[0] == FLYING:
             counts[FLOWN] += 1
-            if fly(0, 1, start, grains, air, grid, ground, scale, in_flight, splash, events):
-                _exchange_one(grains, ground, scale, grid, events, counts)
-        end = events.rest[0] if events.rest[0] >= 0 else source
-        settle_about(source, end, ground, scale, sequences, start, grid, repose, queue, waiting)
+            if _fly_one(start, scene):
+                _exchange_one(scene)
+        end = landings.deposit_cell[0] if landings.deposit_cell[0] >= 0 else source
+        settle_about(source, end, ground, slopes, start)
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
-def trace(key, grains, air, ground, scale, grid, rules, splash, events, path):
-    """Follow one grain from lift-off to rest over a bed that stays as it is; how many places were written.
+def trace(key, scene, lifting, path):
+    """Follow one grain from lift-off to rest over a bed that stays as it is; the number of rows of ``path``.
 
-    ``path`` takes, for each time step, place (cells; laps round the field added), height (m), velocity (m/s)
-    and bounces so far. The flight ends where it is when ``path`` is full. No place: nothing was lifted.
+    A row of ``path`` holds, for one time step, place (cells; laps round the field added), height (m),
+    velocity (m/s) and bounces since lift-off. The flight ends where it is when ``path`` is full. 0: nothing
+    was lifted.
     """
-    lift_rule, in_flight = rules
-    if lift(0, key, grains, ground, scale, grid, lift_rule) == NOWHERE:
+    grains, grid = scene.grains, scene.ground.grid
+    if entrain(0, key, grains, scene.ground, lifting) == NOWHERE:
         return 0
     for k in range(path.shape[0]):
-        path[k, 0] = np.float64(grains.x[0]) + np.float64(grains.laps_x[0]) * grid.cols
-        path[k, 1] = np.float64(grains.y[0]) + np.float64(grains.laps_y[0]) * grid.rows
+        path[k, 0] = np.float64(grains.x[0]) + np.float64(grains.wraps_x[0]) * grid.cols
+        path[k, 1] = np.float64(grains.y[0]) + np.float64(grains.wraps_y[0]) * grid.rows
         path[k, 2], path[k, 3], path[k, 4] = grains.z[0], grains.u[0], grains.v[0]
         path[k, 5], path[k, 6] = grains.w[0], grains.bounces[0]
-        if fly(0, 1, derive(key, k), grains, air, grid, ground, scale, in_flight, splash, events):
+        if _fly_one(derive(key, k), scene):
             return k + 1
     return path.shape[0]
