@@ -152,11 +152,11 @@ def _starts_somewhere(data: dict[str, Any]) -> dict[str, Any]:
 
 
 def _timeless(data: dict[str, Any]) -> dict[str, Any]:
-    """A scenario without a clock, which would ask more of its parts than can be drawn one by one."""
+    """A scenario without clock and influx, which would ask more of its parts than can be drawn one by one."""
     wind = data.get("wind")
     if wind is not None and wind.get("kind") == "record":
         data = {**data, "wind": {"kind": "steady"}}
-    return {**data, "clock": None}
+    return {**data, "clock": None, "influx": None}
 
 
 def _crosses(data: dict[str, Any]) -> dict[str, Any]:
