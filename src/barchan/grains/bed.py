@@ -12,7 +12,7 @@ from barchan.grains.pool import work_space
 from barchan.grains.shelter import Shelter
 from barchan.grains.sized_sand import reseed
 from barchan.heights import FRACTION_BITS
-from barchan.kernels.bed.state import ActiveLayer, Grid
+from barchan.kernels.bed.state import ActiveLayer, Grid, Stacks
 from barchan.kernels.core.state import TRAVEL_UNIT
 from barchan.kernels.grains.state import (
     CAPPED,
@@ -144,17 +144,20 @@ class GrainGround:
 
         self.reseed(derive(key, 0))
         if self.rules.collapse == "filter":
-            smooth_slopes(self.arrays, self.filter, self.slopes.queue, self.slopes.waiting)
+            unstable = self.slopes.unstable
+            smooth_slopes(self.arrays, self.filter, unstable.queue, unstable.waiting)
         else:
             settle_steep(self.arrays, self.slopes, np.uint64(key))
 
     def settle_where(self, where: NDArray[np.bool_]) -> int:
         """Relax slopes about some cells until all hold; returns the number of parcels that slid."""
-        from barchan.kernels.bed.relax import settle_field
+        from barchan.kernels.bed.relax import relax_field
 
-        ground, slopes, upset = self.arrays, self.slopes, where.copy()
-        level, sand, grid, layer = ground.level, ground.sand, ground.grid, ground.active_layer
-        return int(settle_field(level, sand, None, upset, slopes.sequences, grid, slopes.repose, layer))
+        ground, slopes, changed = self.arrays, self.slopes, where.copy()
+        stacks = Stacks(ground.level, ground.sand)
+        return int(
+            relax_field(stacks, changed, slopes.orders, ground.grid, slopes.repose, ground.active_layer)
+        )
 
     def tally(self, airborne: int) -> Tally:
         """The tally of a step, with a number of parcels in the air at its end."""

@@ -2,10 +2,8 @@
 
 import math
 
-import numpy as np
-
 from barchan.grains.parameters import GrainFlight
-from barchan.kernels.bed.state import Repose, settling_sequences
+from barchan.kernels.bed.state import relaxation_orders, repose_rule, unstable_cells
 from barchan.kernels.grains.rules import Filter
 from barchan.kernels.grains.state import Slopes
 from barchan.lattice import Lattice
@@ -19,22 +17,8 @@ def repose_limits(angle: float, lattice: Lattice) -> tuple[int, int]:
 
 def slopes_of(rules: GrainFlight, lattice: Lattice, parcel: int) -> Slopes:
     """Limits of slopes, for levels with ``parcel`` parts of a parcel."""
-    face, corner = repose_limits(rules.repose_angle, lattice)
-    repose = Repose(
-        slab=parcel,
-        face_limit=face * parcel,
-        corner_limit=corner * parcel,
-        corner_weight=math.sqrt(0.5),
-        corners=True,
-        random_order=False,
-        firm_face_limit=face * parcel,
-        firm_corner_limit=corner * parcel,
-        firm_below=-1,
-        release_face=0,
-        release_corner=0,
-    )
-    queue, waiting = np.zeros(lattice.cells, np.int64), np.zeros(lattice.cells, np.uint8)
-    return Slopes(repose, settling_sequences(True), queue, waiting)
+    repose = repose_rule(parcel, repose_limits(rules.repose_angle, lattice))
+    return Slopes(repose, relaxation_orders(True), unstable_cells(lattice.cells))
 
 
 def filter_of(rules: GrainFlight, lattice: Lattice, parcel: int) -> Filter:

@@ -50,6 +50,9 @@ RENAMED_SINCE_1: dict[str, str] = {
     "model.plants": "model.canopy.stands",
     "model.plant_roughness": "model.canopy.roughness",
     "model.plant_displacement": "model.canopy.displacement",
+    "model.release_angle": "model.static_repose_angle",
+    "model.firm_repose_angle": "model.stabilised_repose_angle",
+    "model.firm_cover": "model.stabilised_cover",
 }
 """Keys of format 1 and what they are called now."""
 

@@ -16,7 +16,8 @@ from tests.kernels.grains.grain_reference import smooth
 
 def smoothed(ground):
     """Parcels moved by one pass over a ground."""
-    return smooth_slopes(ground.arrays, ground.filter, ground.slopes.queue, ground.slopes.waiting)
+    unstable = ground.slopes.unstable
+    return smooth_slopes(ground.arrays, ground.filter, unstable.queue, unstable.waiting)
 
 
 @settings(max_examples=60, deadline=None, phases=[Phase.explicit, Phase.generate])
@@ -50,7 +51,7 @@ def test_the_filter_equals_the_obvious_one(seed, shape, boundary_x, boundary_y, 
         assert moved == smooth(level, sand, ground.filter, ground.arrays.scale.parcel, lattice.periodic)
         np.testing.assert_array_equal(arrays.sand.reshape(shape), sand)
         np.testing.assert_array_equal(arrays.level.reshape(shape), level)
-    assert not ground.slopes.waiting.any()
+    assert not ground.slopes.unstable.waiting.any()
     kept = [part.copy() for part in (arrays.height, arrays.top, arrays.base)]
     np.testing.assert_array_equal(kept[0], (arrays.level * ground.arrays.scale.part).astype(np.float32))
     renew_mesh(arrays)

@@ -4,7 +4,8 @@ import numpy as np
 from numba import njit
 
 from barchan.kernels.bed.grid import neighbour
-from barchan.kernels.bed.relax import CHECKED, let_go, upset
+from barchan.kernels.bed.relax import CHECKED, enqueue, enqueue_about, relax_queue
+from barchan.kernels.bed.state import Stacks
 from barchan.kernels.core.borrow import lent
 from barchan.kernels.grains.surface import renew_mesh
 
@@ -42,9 +43,9 @@ def _find_steep(level, rows, cols, repose, grid, steep):
 
 @njit(cache=True, nogil=True, error_model="numpy")
 def _relax(ground, slopes, key, length):
-    level, sand, queue, waiting = ground.level, ground.sand, slopes.queue, slopes.waiting
-    grid, repose, layer, sequences = ground.grid, slopes.repose, ground.active_layer, slopes.sequences
-    slid = let_go(level, sand, None, None, sequences, queue, waiting, length, key, grid, None, repose, layer)
+    stacks, layer = Stacks(ground.level, ground.sand, None, None), ground.active_layer
+    grid, repose, orders, unstable = ground.grid, slopes.repose, slopes.orders, slopes.unstable
+    slid = relax_queue(stacks, orders, unstable, length, key, grid, repose, layer)
     if slid > 0:
         renew_surface(ground)
     return slid
@@ -54,7 +55,7 @@ def _relax(ground, slopes, key, length):
 def settle_steep(ground, slopes, key):
     """Let every slope slide that is too steep, until all hold; the number of parcels that slid."""
     ground, slopes = lent((ground, slopes))
-    queue, waiting = slopes.queue, slopes.waiting
+    queue, waiting = slopes.unstable.queue, slopes.unstable.waiting
     _find_steep(ground.level, ground.grid.rows, ground.grid.cols, slopes.repose, ground.grid, waiting)
     length = 0
     for cell in range(waiting.size):
@@ -68,12 +69,8 @@ def settle_steep(ground, slopes, key):
 @njit(cache=True, nogil=True, error_model="numpy")
 def _upset_about(cell, grid, slopes, length):
     """Put a cell and its neighbours into the queue of cells to be checked; the queue's length."""
-    queue, waiting = slopes.queue, slopes.waiting
-    length = upset(cell, CHECKED, queue, waiting, 0, length)
-    for k in range(8):
-        r, c = neighbour(cell // grid.cols, cell % grid.cols, k, grid)
-        length = upset(r * grid.cols + c, CHECKED, queue, waiting, 0, length)
-    return length
+    length = enqueue(slopes.unstable, cell, CHECKED, 0, length)
+    return enqueue_about(slopes.unstable, cell // grid.cols, cell % grid.cols, 0, 0, length, grid)
 
 
 @njit(cache=True, nogil=True, error_model="numpy")

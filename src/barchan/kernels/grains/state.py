@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from barchan.kernels.bed.state import ActiveLayer, Grid, Repose
+from barchan.kernels.bed.state import ActiveLayer, Grid, Repose, Unstable
 from barchan.kernels.grains.rules import Rules
 
 FREE, FLYING, LANDED, GONE = (np.int32(number) for number in range(4))
@@ -255,12 +255,10 @@ class Slopes(NamedTuple):
     """Limits of slopes, and work space of their collapse."""
 
     repose: Repose
-    sequences: np.ndarray
+    orders: np.ndarray
     """Orders in which neighbours are checked."""
-    queue: np.ndarray
-    """Cells to be checked (over the cells)."""
-    waiting: np.ndarray
-    """Marks of cells in the queue (over the cells); all zero before and after."""
+    unstable: Unstable
+    """Cells whose slopes have still to be checked."""
 
 
 class Scene(NamedTuple):

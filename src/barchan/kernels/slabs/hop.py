@@ -27,7 +27,8 @@ def wrapped(place, size, wrap):
 @njit(cache=True, forceinline=True)
 def hop_cells(height, levels, speedup):
     """Hop (cells, negative: against the wind) from a cell of this height."""
-    reference = np.float64(levels[MEAN]) - speedup.share * np.float64(levels[DEVIATION])
+    deviation = speedup.deviation_weight * np.float64(levels.values[DEVIATION])
+    reference = np.float64(levels.values[MEAN]) - deviation
     rise = np.float64(height) * speedup.slabs - reference * (1.0 / (1 << LEVEL_BITS))
     hop = speedup.base + speedup.linear * rise
     if rise > 0.0:

@@ -33,22 +33,22 @@ def count_polls_by_row(polls, first, count, key):
 
 
 @njit(cache=True)
-def polls_in_band(polls, first_row, rows):
-    """How many polls fall on ``rows`` rows from ``first_row`` on."""
+def polls_in_band(polls, band):
+    """Number of polls that fall on the rows of a band."""
     total = 0
-    for row in range(first_row, first_row + rows):
+    for row in range(band.first_row, band.first_row + band.rows):
         total += polls.row_polls[row]
     return total
 
 
 @njit(cache=True)
-def draw_cells(polls, first, count, first_row, rows, cols, key):
+def draw_cells(polls, first, count, band, cols, key):
     """Prepare ``count`` polls, from poll ``first`` on, of cells drawn at random within a band."""
     for k in range(count):
         draw = derive(key, first + k)
         polls.states[k] = draw
         polls.cols[k] = below(high(draw), cols)
-        polls.rows[k] = first_row + below(low(draw), rows)
+        polls.rows[k] = band.first_row + below(low(draw), band.rows)
 
 
 @njit(cache=True)
