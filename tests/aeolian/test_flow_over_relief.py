@@ -6,7 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import barchan
-from barchan.aeolian.flow_over_relief import LinearFlow, wind_over_relief
+from barchan.aeolian.flow_over_relief import LinearFlow, stress_coefficients, wind_over_relief
 from barchan.lattice import Lattice
 from barchan.models import model
 from barchan.simulation import Simulation
@@ -132,6 +132,18 @@ def test_stress_is_highest_ahead_of_crests(direction):
     assert (wind.streamline_slope, wind.speedup, wind.crosswind_ratio) == (None, None, None)
     along = wind_over_relief(bed, field, 180.0, None, 0.0, (4.0, 2.0), ROUGHNESS)
     np.testing.assert_allclose(along.stress, 1.0, atol=1e-12)
+
+
+@pytest.mark.parametrize("waves", [1, 4, 12])
+def test_stress_follows_from_the_wavelength_over_the_roughness(waves):
+    field = lattice()
+    number = 2 * np.pi * waves / (64 * WIDTH)
+    x = np.arange(64) * WIDTH
+    bed = np.tile(1e-4 * np.cos(number * x), (24, 1))
+    a, b = stress_coefficients(2 * np.pi / (number * ROUGHNESS))
+    expected = 1.0 + 1e-4 * number * (a * np.cos(number * x) - b * np.sin(number * x))
+    wind = wind_over_relief(bed, field, 270.0, None, 0.0, (None, None), ROUGHNESS)
+    np.testing.assert_allclose(wind.stress, np.tile(expected, (24, 1)), atol=1e-12)
 
 
 def test_stress_turns_across_oblique_crests():

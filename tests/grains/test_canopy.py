@@ -11,7 +11,8 @@ from barchan.errors import ScenarioError
 from barchan.figures.layers import layers_of
 from barchan.grains.canopy import TALLEST, Canopy
 from barchan.grains.pool import free_slots, grains_in
-from barchan.kernels.grains.flight import BLOCK, find_wind
+from barchan.kernels.grains.flight import BLOCK
+from barchan.kernels.grains.wind import find_wind
 from barchan.models import model
 from barchan.simulation import PlantStroke, SetParameter, Simulation
 from barchan.studio.server.gallery import colours

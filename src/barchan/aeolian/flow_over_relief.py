@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.fft import irfft2, rfft2
 
+from barchan.aeolian.edges import mirrored
 from barchan.aeolian.mesh import following, over_mesh
 from barchan.directions import downwind
 from barchan.lattice import Lattice
@@ -48,11 +49,11 @@ class WaveNumbers:
 
     def __init__(self, lattice: Lattice, direction: float) -> None:
         """Find them, and the unit vector along the wind."""
-        mirrored = [
+        shape = [
             size if wraps else 2 * size for size, wraps in zip(lattice.shape, lattice.periodic, strict=True)
         ]
-        self.rows, self.columns = mirrored
-        across, along = (2 * np.pi * np.fft.fftfreq(size, lattice.cell_size) for size in mirrored)
+        self.rows, self.columns = shape
+        across, along = (2 * np.pi * np.fft.fftfreq(size, lattice.cell_size) for size in shape)
         across, along = across[:, None], np.abs(along[: self.columns // 2 + 1])
         self.number = np.hypot(across, along)
         self.east, self.north = downwind(direction)
@@ -109,13 +110,7 @@ class LinearFlow:
         """Take the ``surface`` apart."""
         self.lattice, self.direction = lattice, direction
         self.numbers = _wave_numbers(lattice, direction)
-        bed = np.asarray(surface, np.float64)
-        if not all(lattice.periodic):
-            mirrored = [
-                (0, 0 if wraps else size) for wraps, size in zip(lattice.periodic, lattice.shape, strict=True)
-            ]
-            bed = np.pad(bed, mirrored, mode="symmetric")
-        self.waves = rfft2(bed)
+        self.waves = rfft2(mirrored(np.asarray(surface, np.float64), lattice))
 
     def field(self, factor: NDArray) -> NDArray[np.float64]:
         """The sum over all waves, each times its ``factor``."""

@@ -6,6 +6,7 @@ take. A model names its closures; what it does not name does not happen.
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
+from functools import cache
 from typing import TYPE_CHECKING, Any, ClassVar, Self, TypeVar
 
 from pydantic import Field, ValidationError, create_model, model_validator
@@ -34,6 +35,15 @@ class Closure(Parameters):
 Part = TypeVar("Part", bound=Closure)
 
 
+@cache
+def _key_of(composition: type[Parameters], kind: type[Closure]) -> str | None:
+    """The key of the closure of a kind among composed parameters; None where there is none."""
+    for key, field in composition.model_fields.items():
+        if isinstance(field.annotation, type) and issubclass(field.annotation, kind):
+            return key
+    return None
+
+
 class Composition(Parameters):
     """Parameters of which some are closures."""
 
@@ -43,7 +53,9 @@ class Composition(Parameters):
 
     def part(self, kind: type[Part]) -> Part | None:
         """The closure of a kind; None where the model has none."""
-        return next((one for one in self.closures() if isinstance(one, kind)), None)
+        key = _key_of(type(self), kind)
+        found: Part | None = None if key is None else getattr(self, key)
+        return found
 
     @model_validator(mode="after")
     def _closures_fit(self) -> Self:

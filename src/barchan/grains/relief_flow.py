@@ -36,24 +36,25 @@ class ReliefFlow(Closure):
         "height h and wave number k (Fourrière et al. 2010)",
     )
     stress_in_phase: float | None = parameter(
-        4.0,
+        None,
         unit="-",
         ge=0,
         le=20,
         live=True,
         meaning="Excess of the wind's stress on the bed on crests of waves, and deficit in troughs, over "
-        "their height times wave number (A); it helps pushed grains along. 0: the stress is the same there.",
-        source="Fourrière et al. 2010, from memory: about 4",
+        "their height times wave number (A); it helps pushed grains along. null: by the wavelength over the "
+        "roughness length, some 4.4 for ripples; 0: the stress is the same there.",
+        source="Fourrière et al. 2010",
     )
     stress_in_quadrature: float | None = parameter(
-        2.0,
+        None,
         unit="-",
         ge=0,
         le=20,
         live=True,
         meaning="Excess of that stress on faces that look upwind, over their slope (B); with it the stress "
-        "is highest ahead of crests.",
-        source="Fourrière et al. 2010, from memory: about 2",
+        "is highest ahead of crests. null: by wavelength over roughness length, some 2.3 for ripples.",
+        source="Fourrière et al. 2010",
     )
 
     def over(self, surface: NDArray, setting: Setting) -> ReliefWind:

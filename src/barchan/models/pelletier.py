@@ -7,10 +7,10 @@ from typing import ClassVar, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from barchan.aeolian.edges import ramped_to_mean
 from barchan.aeolian.flow_over_relief import stress_coefficients
 from barchan.bed import Bed
 from barchan.directions import downwind
-from barchan.lattice import Lattice
 from barchan.model import Derived, ModelMeasure
 from barchan.parameters import parameter
 from barchan.slabs.model import SlabModel
@@ -147,7 +147,7 @@ class Pelletier(SlabModel):
         """Shear stress over that on a flat bed, for a wind from ``direction`` (degrees)."""
         from scipy.fft import irfft2, rfft2
 
-        surface, inside = _continued(bed.elevation, self.lattice)
+        surface, inside = ramped_to_mean(bed.elevation, self.lattice)
         size = self.lattice.cell_size
         response, slope = _response(surface.shape, size, direction, self.parameters)
         spectrum = rfft2(surface)
@@ -156,21 +156,6 @@ class Pelletier(SlabModel):
         steepest = math.tan(math.radians(self.parameters.saturation_angle))
         stress: NDArray[np.float64] = 1.0 + change * steepest / np.maximum(rise, steepest)
         return np.maximum(stress, 0.0, out=stress)
-
-
-def _continued(
-    elevation: NDArray[np.float64], lattice: Lattice
-) -> tuple[NDArray[np.float64], tuple[slice, slice]]:
-    """The surface, led on to its mean level and back beyond open edges, and where the field lies in it."""
-    widths = [
-        0 if boundary == "periodic" else size // 2
-        for boundary, size in ((lattice.boundary_y, lattice.rows), (lattice.boundary_x, lattice.columns))
-    ]
-    inside = slice(widths[0], widths[0] + lattice.rows), slice(widths[1], widths[1] + lattice.columns)
-    if not any(widths):
-        return elevation, inside
-    mean = float(elevation.mean())
-    return np.pad(elevation, [(w, w) for w in widths], mode="linear_ramp", end_values=mean), inside
 
 
 @lru_cache(maxsize=16)

@@ -60,7 +60,8 @@ class Ripples(GrainModel):
     * near the bed, below the focus, the wind is slowed by the momentum that grains take from it;
     * over waves the air rises and falls along the streamlines of ``streamline_height``; with
       ``speedup`` it is faster over crests too, and turns across oblique ones;
-    * its stress on the bed is higher on crests and on faces that look upwind (Fourrière et al. 2010);
+    * its stress on the bed is higher on crests and on faces that look upwind, by factors that follow from the
+      wavelength over the roughness length (Fourrière et al. 2010);
     * behind crests the wind blows above a line that falls at the shelter's ``angle``;
     * a grain that hits the bed rebounds with a probability that grows with its speed, or stays;
     * it throws others out, the more and the faster the faster it was;

@@ -134,7 +134,7 @@ def test_bits_do_not_depend_on_how_iterations_are_cut_into_batches(monkeypatch, 
     monkeypatch.setattr(thread_pool, "thread_count", lambda: threads)
     beds = []
     for most in (256, 3):
-        monkeypatch.setattr(grain_iterations, "MOST_ITERATIONS", most)
+        monkeypatch.setattr("barchan.grains.iterations.MOST_ITERATIONS", most)
         lattice = Lattice(rows=30, columns=40, cell_size=0.01, slab_height=0.15e-3)
         bed = Bed(lattice, np.zeros(lattice.shape), np.full(lattice.shape, 20))
         flight = model(name)(model(name).Parameters(max_grains_per_cell=1.0), lattice)

@@ -54,7 +54,7 @@ export class Panel {
       root,
       change: (path, value, live) => this.change(path, value, live),
       variant: (path, key, name) => void this.variant(path, key, name),
-      live: (path, schema) => path[0] === "model" && path.length === 2 && schema.live === true,
+      live: (path, schema) => path[0] === "model" && !path.some(Number.isInteger) && schema.live === true,
     };
     const look = String(this.scenario.look_for ?? "");
     const about = h(
