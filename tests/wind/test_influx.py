@@ -16,8 +16,8 @@ def test_a_profile_is_a_straight_line_between_its_factors_from_the_south_end_on(
 
 
 def test_saturated_influx_is_a_share_of_the_flux_and_counted_influx_is_not():
-    assert SaturatedInflux(share=0.25).slabs_per_row(8.0) == 2.0
-    assert CountedInflux(slabs_per_step=0.5).slabs_per_row(8.0) == 0.5
+    assert SaturatedInflux(share=0.25).slabs_per_row(8.0, 0.5) == 2.0
+    assert CountedInflux(slabs_per_step=0.5).slabs_per_row(8.0, 0.5) == 0.25
 
 
 def test_influx_needs_an_open_edge_across_which_a_wind_blows_in():

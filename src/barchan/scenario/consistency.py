@@ -51,6 +51,11 @@ def _influx_problems(scenario: "Scenario", model: Model) -> list[Found]:
             "is given, but no wind blows in across an open edge; open boundary_x or boundary_y of the lattice"
         )
         return [(("influx",), text)]
+    if scenario.influx.kind == "saturation":
+        try:
+            model.step_volume()
+        except ValueError as error:
+            return [(("influx",), str(error))]
     return []
 
 

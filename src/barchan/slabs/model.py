@@ -13,6 +13,7 @@ from barchan.kernels.bed.state import Stacks, relaxation_orders, unstable_cells
 from barchan.kernels.core.state import LANES, TRAVEL_UNIT
 from barchan.kernels.slabs.state import (
     CAPPED,
+    ENTERED,
     EXHAUSTED,
     LEFT,
     MOBILE,
@@ -28,10 +29,11 @@ from barchan.kernels.slabs.state import (
 from barchan.lattice import Lattice
 from barchan.model import Derived, Model, Tally
 from barchan.slabs.arguments import SlabArguments, build, levels_over
+from barchan.slabs.influx import INFLUX, edge_influx
 from barchan.slabs.obstacles import ClearDistances
 from barchan.slabs.parameters import SlabTransport
 from barchan.slabs.rules import Rules
-from barchan.streams import Stream
+from barchan.streams import Stream, derive
 from barchan.wind.frame import WindFrame
 from barchan.wind.segment import Segment
 
@@ -42,6 +44,7 @@ _MOST_MOBILE = 2**30
 class SlabModel(Model):
     """A model that moves slabs of sand one at a time (Werner 1995 and its descendants)."""
 
+    takes_influx = True
     Parameters = SlabTransport
     parameters: SlabTransport
     derived: tuple[Derived, ...] = (
@@ -97,6 +100,7 @@ class SlabModel(Model):
     def _transport(self, bed: Bed, segment: Segment, stream: Stream) -> Tally:
         if segment.polls == 0:
             return Tally(steps=segment.steps)
+        from barchan.kernels.slabs.influx import let_enter
         from barchan.kernels.slabs.step import run_steps
 
         frame = WindFrame.of(segment.direction)
@@ -115,7 +119,14 @@ class SlabModel(Model):
         counts = np.zeros(TALLY_SIZE, np.int64)
         work = work_space(rules, schedule)
         steps, polls = (segment.step, segment.steps), (segment.first, segment.polls)
-        run_steps(stacks, rules, work, schedule, np.uint64(stream.key), *steps, *polls, counts)
+        if segment.influx is None:
+            run_steps(stacks, rules, work, schedule, np.uint64(stream.key), *steps, *polls, counts)
+        else:
+            influx = edge_influx(segment, self.saturated_influx(segment), self.lattice, frame)
+            for step in range(segment.step, segment.step + segment.steps):
+                key = np.uint64(derive(derive(derive(stream.key, step), INFLUX), segment.first))
+                let_enter(stacks, rules, work, influx, key, counts)
+                run_steps(stacks, rules, work, schedule, np.uint64(stream.key), step, 1, *polls, counts)
         self._leave(bed, frame, stacks)
         return _tally(counts, segment, frame)
 
@@ -126,19 +137,25 @@ class SlabModel(Model):
         return self.parameters.hop_length
 
     def step_volume(self) -> float:
-        """Volume (m² per step) that goes through a line across the wind on a flat bed of sand.
+        """Volume (m² per step) that goes through a line across the wind on a flat bed of sand."""
+        return self._crossing(self.parameters.hop_length) * self.lattice.cell_size * self.lattice.thickness
+
+    def saturated_influx(self, segment: Segment) -> float:
+        """Slabs that cross each row in a step of a wind on a flat bed of sand, the row along the wind."""
+        return self._crossing(self.hop_length(segment)) * segment.polls / self.lattice.cells
+
+    def _crossing(self, hop_length: float) -> float:
+        """Slabs that cross a cell's width in a step that polls as many cells as there are, on flat sand.
 
         Each poll finds sand and gives it with the chance of erosion; a slab hops 1 / ``p_s`` times on the
-        average.
+        average. Raises ValueError where that is no number.
         """
-        parameters = self.parameters
         erosion = self.rules().erosion
         given = min(max(erosion.factor + erosion.offset, 0.0), 1.0)
-        if parameters.p_s == 0.0 or given == 0.0:
+        if self.parameters.p_s == 0.0 or given == 0.0:
             reason = "p_s 0 keeps every slab in the air" if given else "no cell gives sand"
             raise ValueError(f"is given, but {reason}: a step of no known volume has no duration")
-        cell = self.lattice.cell_size
-        return given * parameters.hop_length / parameters.p_s * cell * self.lattice.thickness
+        return given * hop_length / self.parameters.p_s
 
     def slope_limits(self) -> dict[str, tuple[int, ...]]:
         """The repose limits (slabs) towards faces and corners, of bare cells and of stabilised ones."""
@@ -252,6 +269,7 @@ def _tally(counts: NDArray[np.int64], segment: Segment, frame: WindFrame) -> Tal
         capped=int(counts[CAPPED]),
         travel_x=float(travel_x),
         travel_y=float(travel_y),
+        entered=int(counts[ENTERED]),
         exhausted=int(counts[EXHAUSTED]),
     )
 

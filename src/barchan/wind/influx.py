@@ -25,10 +25,10 @@ class Influx(Parameters):
         source="ours",
     )
 
-    def slabs_per_row(self, _saturated: float) -> float:
-        """Slabs that enter in a step across each cell of an edge that lies square to the wind.
+    def slabs_per_row(self, saturated: float, share: float) -> float:
+        """Slabs that enter across each cell of an edge square to a wind that blows for a share of a step.
 
-        ``saturated`` is the number that cross it on a wide flat bed of sand.
+        ``saturated`` is the number that this wind takes across it on a wide flat bed of sand.
         """
         raise NotImplementedError
 
@@ -55,8 +55,8 @@ class SaturatedInflux(Influx):
         source="ours: AeoLiS states the flux at its upwind edge in the same way",
     )
 
-    def slabs_per_row(self, saturated: float) -> float:
-        """Slabs that enter in a step across each cell of an edge that lies square to the wind."""
+    def slabs_per_row(self, saturated: float, share: float) -> float:  # noqa: ARG002
+        """The stated share of the saturated flux."""
         return self.share * saturated
 
 
@@ -73,9 +73,9 @@ class CountedInflux(Influx):
         source="ours",
     )
 
-    def slabs_per_row(self, _saturated: float) -> float:
-        """The number that is stated."""
-        return self.slabs_per_step
+    def slabs_per_row(self, saturated: float, share: float) -> float:  # noqa: ARG002
+        """The stated number, in proportion to the share of the step."""
+        return self.slabs_per_step * share
 
 
 AnyInflux = Annotated[SaturatedInflux | CountedInflux, Field(discriminator="kind")]

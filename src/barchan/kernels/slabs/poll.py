@@ -174,7 +174,7 @@ def _first_hop(speedup, levels, wind, height):
 
 
 @njit(cache=True, forceinline=True)
-def _next_hop(speedup, levels, wind, height, hop_along, hop_across, stays):
+def next_hop(speedup, levels, wind, height, hop_along, hop_across, stays):
     """The hop from where a slab landed, and whether it stays there because that hop is zero."""
     if speedup is not None:
         if speedup.every_hop and not stays:
@@ -186,7 +186,7 @@ def _next_hop(speedup, levels, wind, height, hop_along, hop_across, stays):
 
 
 @njit(cache=True, forceinline=True)
-def _has_fractions(speedup, hop_along, hop_across):
+def has_fractions(speedup, hop_along, hop_across):
     """Whether hops may end between cells, so that slabs start anywhere within theirs."""
     fractions = (hop_along | hop_across) & (CELL - 1) != 0
     if speedup is not None:
@@ -195,7 +195,7 @@ def _has_fractions(speedup, hop_along, hop_across):
 
 
 @njit(cache=True, forceinline=True)
-def _hop(obstacles, surface, sand, heights, along, across, hop_along, hop_across, grid, repose):
+def hop_once(obstacles, surface, sand, heights, along, across, hop_along, hop_across, grid, repose):
     """One hop: the new position (negative: left the field), the distance, and whether a wall stopped it."""
     if obstacles is not None:
         if not way_is_clear(heights, along, across, hop_along, hop_across, grid, obstacles):
@@ -209,7 +209,7 @@ def _hop(obstacles, surface, sand, heights, along, across, hop_along, hop_across
 
 
 @njit(cache=True, forceinline=True)
-def _sticks(mobility, sandy, wind, cell, chance):
+def sticks(mobility, sandy, wind, cell, chance):
     """Whether the chance of deposition holds a slab where it landed."""
     deposit = wind.deposit_on_sand if sandy else wind.deposit_on_ground
     if mobility is None:
@@ -219,7 +219,7 @@ def _sticks(mobility, sandy, wind, cell, chance):
 
 
 @njit(cache=True, forceinline=True)
-def _sticks_in_shadow(axis, ray, grid, sticks, heights, row, col, here, peak):
+def sticks_in_shadow(axis, ray, grid, sticks, heights, row, col, here, peak):
     """Whether a slab stays where it landed, by chance or because it landed in shadow.
 
     The test along an axis is so short that it is made in any case: there is no branch to mispredict.
@@ -241,7 +241,7 @@ def carry(stacks, rules, heights, row, col, hop_along, hop_across, state, peak):
     surface, sand = stacks.surface, stacks.sand
     along = col << 32
     across = row << 32
-    if _has_fractions(rules.speedup, hop_along, hop_across):
+    if has_fractions(rules.speedup, hop_along, hop_across):
         state += GOLDEN
         draw = mix(state)
         along |= np.int64(high(draw))
@@ -254,7 +254,7 @@ def carry(stacks, rules, heights, row, col, hop_along, hop_across, state, peak):
     while not ends:
         # 4 hop
         hops += 1
-        along, across, hopped_along, hopped_across, stopped = _hop(
+        along, across, hopped_along, hopped_across, stopped = hop_once(
             rules.obstacles, surface, sand, heights, along, across, hop_along, hop_across, grid, rules.repose
         )
         travel_along += hopped_along >> 16
@@ -268,9 +268,9 @@ def carry(stacks, rules, heights, row, col, hop_along, hop_across, state, peak):
         cell = np.uint64(row * grid.cols + col)
         here = surface[cell]
         sandy = has_sand(surface, sand, cell)
-        stays = _sticks(stacks.mobility, sandy, wind, cell, high(mix(state))) | stopped
-        stays = _sticks_in_shadow(rules.axis, rules.ray, grid, stays, heights, row, col, here, peak)
-        hop_along, hop_across, stays = _next_hop(
+        stays = sticks(stacks.mobility, sandy, wind, cell, high(mix(state))) | stopped
+        stays = sticks_in_shadow(rules.axis, rules.ray, grid, stays, heights, row, col, here, peak)
+        hop_along, hop_across, stays = next_hop(
             rules.speedup, stacks.levels, wind, here, hop_along, hop_across, stays
         )
         ends = stays | (hops == wind.max_hops)

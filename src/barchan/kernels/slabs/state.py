@@ -170,6 +170,15 @@ class Polls(NamedTuple):
     """The cells of a band, shuffled."""
 
 
+class EdgeInflux(NamedTuple):
+    """Mean number of slabs that enter in a step at each cell of the upwind edges, in the wind's frame."""
+
+    along: NDArray[np.float64]
+    """Across the edge where columns begin, by row; empty where that is joined to the other end."""
+    across: NDArray[np.float64]
+    """Across the edge where rows begin (end, if the wind blows towards lower rows), by column; or empty."""
+
+
 class Work(NamedTuple):
     """Work space of the slab kernel."""
 
@@ -192,8 +201,8 @@ def prepared_polls(rows: int, cols: int, schedule: Schedule) -> Polls:
     )
 
 
-MOVED, LEFT, CAPPED, TRAVEL_ALONG, TRAVEL_ACROSS, EXHAUSTED = range(6)
+MOVED, LEFT, CAPPED, TRAVEL_ALONG, TRAVEL_ACROSS, EXHAUSTED, ENTERED = range(7)
 """Places in a tally: slabs moved, slabs that left, slabs put down after ``max_hops``, distances
-travelled on the wind, and steps cut short because no cell could erode."""
+travelled on the wind, steps cut short because no cell could erode, and slabs that entered."""
 
-TALLY_SIZE = 6
+TALLY_SIZE = 7

@@ -1,0 +1,99 @@
+"""Influx: slabs that the wind brings in across open edges, by rules 4 to 6 of ``docs/slabs.md``.
+
+A slab starts its first hop anywhere within a hop's length upwind of the edge, so the first landings are
+spread evenly over the hop's length within the field, as they are on a bed that goes on upwind.
+"""
+
+import numpy as np
+from numba import njit
+
+from barchan.kernels.bed.slopes import has_sand
+from barchan.kernels.core.borrow import lent
+from barchan.kernels.core.random import derive, draw, high, mix
+from barchan.kernels.slabs.hop import wrapped
+from barchan.kernels.slabs.poll import (
+    has_fractions,
+    hop_once,
+    lay_down,
+    next_hop,
+    sticks,
+    sticks_in_shadow,
+)
+from barchan.kernels.slabs.state import CAPPED, CELL, ENTERED, LEFT, TRAVEL_ACROSS, TRAVEL_ALONG
+
+_ALONG, _ACROSS = range(2)
+"""Numbers of the random sequences of the two edges."""
+
+
+@njit(cache=True)
+def _bring_in(stacks, rules, work, along, across, state, peak, tally):
+    """Carry a slab from where it first lands until it stays or leaves; returns a height no cell exceeds."""
+    heights = stacks.surface.ctypes.data
+    wind, grid, surface, sand = rules.wind, rules.grid, stacks.surface, stacks.sand
+    hop_along, hop_across = wind.hop_along, wind.hop_across
+    tally[ENTERED] += 1
+    stopped = False
+    hops = 1
+    while along >= 0 and across >= 0:
+        # 5 settle?
+        row = across >> 32
+        col = along >> 32
+        state = mix(state + np.uint64(hops))
+        cell = np.uint64(row * grid.cols + col)
+        here = surface[cell]
+        sandy = has_sand(surface, sand, cell)
+        stays = sticks(stacks.mobility, sandy, wind, cell, high(state)) | stopped
+        stays = sticks_in_shadow(rules.axis, rules.ray, grid, stays, heights, row, col, here, peak)
+        hop_along, hop_across, stays = next_hop(
+            rules.speedup, stacks.levels, wind, here, hop_along, hop_across, stays
+        )
+        if stays or hops == wind.max_hops:
+            # 6 lay it down
+            tally[CAPPED] += not stays
+            return max(peak, lay_down(work.unstable, stacks, rules, row, col, state))
+        # 4 hop
+        hops += 1
+        along, across, hopped_along, hopped_across, stopped = hop_once(
+            rules.obstacles, surface, sand, heights, along, across, hop_along, hop_across, grid, rules.repose
+        )
+        tally[TRAVEL_ALONG] += hopped_along >> 16
+        tally[TRAVEL_ACROSS] += hopped_across >> 16
+    tally[LEFT] += 1
+    return peak
+
+
+@njit(cache=True)
+def _first_landing(edge, cell, state, rules):
+    """Where a slab first lands that enters at a cell of the edge where columns begin, or of the other edge."""
+    wind, grid = rules.wind, rules.grid
+    inside = draw(state, 1)
+    along = np.int64(inside * wind.hop_along)
+    across = np.int64(inside * wind.hop_across)
+    place = np.int64(0)
+    if has_fractions(rules.speedup, wind.hop_along, wind.hop_across):
+        place = np.int64(draw(state, 2) * CELL)
+    if edge == _ALONG:
+        return along, wrapped(across + (cell << 32) + place, grid.rows, grid.wrap_across)
+    if wind.hop_across < 0:
+        across += (grid.rows << 32) - 1
+    return wrapped(along + (cell << 32) + place, grid.cols, grid.wrap_along), across
+
+
+@njit(cache=True)
+def let_enter(stacks, rules, work, influx, key, tally):
+    """Let a step's slabs enter, cell by cell along the upwind edges; counts are added to ``tally``.
+
+    ``influx`` holds the mean number for each cell of the edge across the columns' axis, and of the edge along
+    it; a number is rounded up or down at random so that its mean is exact.
+    """
+    stacks, rules, work, influx = lent((stacks, rules, work, influx))
+    peak = np.int64(stacks.surface.max())
+    for edge in range(2):
+        means = influx.along if edge == _ALONG else influx.across
+        for cell in range(means.size):
+            start = derive(derive(key, edge), cell)
+            count = np.int64(means[cell] + draw(start, 1))
+            for number in range(count):
+                state = derive(start, number + 1)
+                along, across = _first_landing(edge, cell, state, rules)
+                peak = _bring_in(stacks, rules, work, along, across, state, peak, tally)

@@ -1,0 +1,36 @@
+"""Influx of slab models: from a share of the flux, or a number of slabs, to means by cell of an edge."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from barchan.directions import downwind
+from barchan.kernels.slabs.state import EdgeInflux
+from barchan.lattice import Lattice
+from barchan.wind.frame import WindFrame
+from barchan.wind.segment import Segment
+
+INFLUX = 5
+"""Number of the random sequences of influx under the key of a step."""
+
+_NONE: NDArray[np.float64] = np.zeros(0)
+
+
+def edge_influx(segment: Segment, saturated: float, lattice: Lattice, frame: WindFrame) -> EdgeInflux:
+    """Mean number of slabs that enter in a step at each cell of the open upwind edges, in the wind's frame.
+
+    ``saturated`` is the number that crosses a cell's width square to the wind on a flat bed of sand. An edge
+    that lies obliquely to the wind is crossed by less of it, in proportion to the cosine.
+    """
+    assert segment.influx is not None, "asked only where there is influx"
+    number = segment.influx.slabs_per_row(saturated, segment.share)
+    x, y = downwind(segment.direction)
+    at_x, at_y = np.zeros((2, *lattice.shape))
+    at_x[:, 0 if x > 0 else -1] = number * abs(x) * segment.influx.along_edge(lattice.rows)
+    at_y[0 if y > 0 else -1, :] = number * abs(y) * segment.influx.along_edge(lattice.columns)
+    open_y, open_x = (not joined for joined in lattice.periodic)
+    first, second = (at_y, at_x) if frame.crossed else (at_x, at_y)
+    first_open, second_open = (open_y, open_x) if frame.crossed else (open_x, open_y)
+    row = 0 if frame.angle > 0.0 else -1
+    along = frame.enter(first)[:, 0] if first_open else _NONE
+    across = frame.enter(second)[row, :] if second_open and frame.angle != 0.0 else _NONE
+    return EdgeInflux(np.ascontiguousarray(along), np.ascontiguousarray(across))
