@@ -64,7 +64,7 @@ def _bring_in(stacks, rules, work, along, across, state, peak, tally):
 
 @njit(cache=True)
 def _first_landing(edge, cell, state, rules):
-    """Where a slab first lands that enters at a cell of the edge where columns begin, or of the other edge."""
+    """Where a slab first lands that enters at a cell of one of the two upwind edges (fixed-point cells)."""
     wind, grid = rules.wind, rules.grid
     inside = draw(state, 1)
     along = np.int64(inside * wind.hop_along)
