@@ -46,12 +46,12 @@ def test_a_stated_number_of_slabs_enters_in_each_step():
 def test_slabs_land_first_within_a_hop_of_the_edge_that_they_enter_across(direction, edge):
     scenario = tiny(**OPEN, model__p_s=1.0, model__p_ns=1.0, run__seed=1)
     model, bed = scenario.new_model(), scenario.first_bed()
-    wind = Segment(0, 1, 0, 1, direction, influx=CountedInflux(slabs_per_step=30.0))
+    wind = Segment(0, 1, 0, 1, direction, influx=CountedInflux(slabs_per_step=3.0))
     tally = model.advance(bed, wind, Stream(1, "transport"))
     landed = bed.sand[edge]
-    assert landed.sum() >= bed.units - 1 == tally.entered - 1 == 32 * 30 - 1
+    assert landed.sum() >= bed.units - 1 == tally.entered - 1 == 32 * 3 - 1
     columns = landed.sum(axis=0)
-    assert abs(columns - 32 * 30 / 5).max() < 5 * np.sqrt(32 * 30 * 0.2 * 0.8)
+    assert abs(columns - 32 * 3 / 5).max() < 5 * np.sqrt(32 * 3 * 0.2 * 0.8)
 
 
 def test_an_oblique_wind_brings_slabs_across_both_edges_in_proportion_to_the_cosine():
