@@ -87,7 +87,9 @@ def test_sand_that_dying_plants_held_slides():
         "curve": [{"balance": -9.0, "change": -1.0}, {"balance": 9.0, "change": -1.0}],
     }
     simulation = Simulation(
-        planted(steep, steps_per_year=5, grass=deadly, mesquite=FIXED, shrub=FIXED, stabilised_repose_angle=60.0)
+        planted(
+            steep, steps_per_year=5, grass=deadly, mesquite=FIXED, shrub=FIXED, stabilised_repose_angle=60.0
+        )
     )
     simulation.bed.sand[:, 3] += 3
     simulation.bed.arrays["year_start"][...] = simulation.bed.sand

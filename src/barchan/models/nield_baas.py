@@ -113,9 +113,9 @@ class NieldBaas(SlabModel):
     A polled cell gives a slab with probability p_e = ``erosion_chance`` - rho, and a slab settles with
     p_d = p + rho (1 - p), where p is ``p_s`` on sand and ``p_ns`` on bare ground; both are held within 0
     and 1.
-    From ``stabilised_cover`` on, sand rests at ``stabilised_repose_angle``. After each year, ``steps_per_year`` steps
-    or by the clock, every species changes by its curve of growth at the cell's sediment balance of the
-    year, within its range.
+    From ``stabilised_cover`` on, sand rests at ``stabilised_repose_angle``. After each year,
+    ``steps_per_year`` steps or by the clock, every species changes by its curve of growth at the
+    cell's sediment balance of the year, within its range.
 
     Known deviations: seed 000 prints p_d with the sign of rho reversed; plants increase deposition. The
     curve of mesquite is assumed. An oblique wind is exact here, where the paper polls a third of the slabs

@@ -184,8 +184,8 @@ class SlabTransport(Parameters):
     def _starts_to_slide_above_rest(self) -> Self:
         if self.static_repose_angle is not None and self.static_repose_angle < self.repose_angle:
             raise ValueError(
-                f"static_repose_angle {self.static_repose_angle} degrees is below repose_angle {self.repose_angle}; "
-                "sand cannot start to slide on a slope where it comes to rest"
+                f"static_repose_angle {self.static_repose_angle} degrees is below repose_angle "
+                f"{self.repose_angle}; sand cannot start to slide on a slope where it comes to rest"
             )
         return self
 

@@ -75,7 +75,9 @@ def test_ground_that_rises_gently_is_no_wall_anywhere(turn):
     )
     surface = (ramp.astype(np.int64) << 20).ravel()
     clear = np.zeros(60, np.uint8)
-    clear_distance(surface, np.zeros(60, np.int32), turn, Grid(5, 12, False, True), arguments.rules.repose, clear)
+    clear_distance(
+        surface, np.zeros(60, np.int32), turn, Grid(5, 12, False, True), arguments.rules.repose, clear
+    )
     assert (clear == FARTHEST).all()
 
 

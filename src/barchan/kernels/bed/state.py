@@ -40,7 +40,7 @@ def new_levels(shift: int) -> Levels:
 
 
 class Stacks(NamedTuple):
-    """The stacks of slabs (or parcels) on all cells, flat, in the wind's frame; kernels change them in place."""
+    """Stacks of slabs (or parcels) on all cells, flat, in the wind's frame; changed in place."""
 
     surface: NDArray[np.integer]
     """Height of each stack, ground included, in whole units."""

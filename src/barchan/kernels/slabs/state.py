@@ -96,7 +96,7 @@ class ObstacleRule(NamedTuple):
     width: int
     """Bytes of one height."""
     clear: int = 0
-    """Address of the clear distance of each cell: cells that a slab may pass before ground can stop it (uint8)."""
+    """Address of each cell's clear distance: cells passed before ground can stop a slab (uint8)."""
     clear_back: int = 0
     """The same against the wind, last cell first."""
 
@@ -175,7 +175,7 @@ class Work(NamedTuple):
 
     polls: Polls
     unstable: Unstable | None
-    """For avalanches that go on until every slope stands; None where sand at rest slides at the repose angle."""
+    """For avalanches until every slope stands; None where sand at rest slides at the repose angle."""
 
 
 def prepared_polls(rows: int, cols: int, schedule: Schedule) -> Polls:
