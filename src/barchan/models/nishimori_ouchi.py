@@ -78,8 +78,8 @@ class NishimoriOuchi(Model):
     All cells hop at once, then all creep at once. Known deviations: the paper moves real numbers; here whole
     parcels move, each share rounded up or down by a random number so that it is right in the mean, and no
     cell gives more than it has. Hops are rounded likewise. Heights count from the mean and in widths of a
-    cell, so that results depend neither on the depth of the sand nor on the parcels. Creep crosses no open edge. The
-    paper was not at hand; its rules and values were taken from public programs.
+    cell, so that results depend neither on the depth of the sand nor on the parcels. Creep crosses no open
+    edge. The paper was not at hand; its rules and values were taken from public programs.
     """
 
     name = "nishimori_ouchi"

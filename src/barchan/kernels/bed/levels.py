@@ -1,12 +1,12 @@
 """The mean height of a surface and how far cells lie from it, followed as cells change."""
 
 import numpy as np
-from numba import njit
 
 from barchan.kernels.bed.state import DEVIATION, MEAN
+from barchan.kernels.core.internal import internal
 
 
-@njit(cache=True)
+@internal()
 def measure_levels(surface, levels):
     """Compute the levels from the whole surface (None: they are not kept)."""
     if levels is not None:
@@ -21,7 +21,7 @@ def measure_levels(surface, levels):
         levels.values[DEVIATION] = deviation
 
 
-@njit(cache=True, forceinline=True)
+@internal(forceinline=True)
 def move_level(levels, before, after):
     """Follow one cell from one height to another (None: levels are not kept)."""
     if levels is not None:

@@ -15,13 +15,14 @@ from barchan.kernels.bed.slopes import has_sand, steepest
 from barchan.kernels.bed.state import STABLE, Unstable
 from barchan.kernels.core.borrow import lent
 from barchan.kernels.core.inlining import never_inline
+from barchan.kernels.core.internal import internal
 from barchan.kernels.core.random import mix
 
 CHECKED, MOVING = 1, 2
 """Why a cell waits to be looked at: a neighbour changed, or an avalanche moved its sand."""
 
 
-@njit(cache=True, forceinline=True)
+@internal(forceinline=True)
 def enqueue(unstable, cell, why, at, length):
     """Put a cell on the queue that starts ``at`` if the cell does not wait yet; the queue's new length."""
     if unstable.waiting[cell] == 0:
@@ -31,7 +32,7 @@ def enqueue(unstable, cell, why, at, length):
     return length
 
 
-@njit(cache=True)
+@internal()
 def enqueue_about(unstable, row, col, first, at, length, grid):
     """Put the neighbours of a cell on the queue, from direction ``first`` on; the queue's new length."""
     unstable = lent(unstable)
@@ -41,7 +42,7 @@ def enqueue_about(unstable, row, col, first, at, length, grid):
     return length
 
 
-@njit(cache=True, forceinline=True)
+@internal(forceinline=True)
 def _move_slab(surface, sand, levels, cell, lower, slab):
     """Move one slab of sand from a cell to a lower one."""
     here, there = np.int64(surface[cell]), np.int64(surface[lower])
@@ -54,7 +55,7 @@ def _move_slab(surface, sand, levels, cell, lower, slab):
         sand[lower] += 1
 
 
-@njit(cache=True)
+@internal()
 def relax_queue(stacks, orders, unstable, length, key, grid, repose, mixture):
     """Let the first ``length`` cells of the queue slide, and all that they upset, until every slope stands.
 

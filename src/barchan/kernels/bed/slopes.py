@@ -8,11 +8,11 @@ on up the slope; laying one down lets it slide to the steepest neighbour that li
 from typing import NamedTuple
 
 import numpy as np
-from numba import njit
 
 from barchan.kernels.bed.grid import neighbour
 from barchan.kernels.bed.state import (
     BARRED,
+    DOWNSLOPE,
     EAST,
     NORTH,
     NORTHEAST,
@@ -22,9 +22,11 @@ from barchan.kernels.bed.state import (
     SOUTHEAST,
     SOUTHWEST,
     STABLE,
+    UPSLOPE,
     WEST,
 )
 from barchan.kernels.core.inlining import never_inline
+from barchan.kernels.core.internal import internal
 from barchan.kernels.core.random import GOLDEN, below, derive, high, mix
 
 
@@ -36,7 +38,7 @@ class StepLimit(NamedTuple):
     stabilised_below: int
 
 
-@njit(cache=True, forceinline=True)
+@internal(forceinline=True)
 def has_sand(surface, sand, cell):
     """Whether a cell holds a slab; over flat ground (``sand`` None) the surface counts the slabs."""
     if sand is None:
@@ -44,7 +46,7 @@ def has_sand(surface, sand, cell):
     return sand[cell] > 0
 
 
-@njit(cache=True, forceinline=True)
+@internal(forceinline=True)
 def _limit_of(mobility, cell, sign, limit):
     """The limit that the step's height is compared with once the steepest neighbour is known.
 
@@ -57,7 +59,7 @@ def _limit_of(mobility, cell, sign, limit):
     return limit.stabilised if mobility[cell] <= limit.stabilised_below else limit.bare
 
 
-@njit(cache=True, forceinline=True)
+@internal(forceinline=True)
 def _sorting_key(surface, sand, mobility, cell, here, sign, code, limit):
     """A number that sorts neighbours by their step from ``here`` and, at equal steps, by their order."""
     step = (np.int64(surface[cell]) - here) * sign
@@ -71,7 +73,7 @@ def _sorting_key(surface, sand, mobility, cell, here, sign, code, limit):
     return (step << 6) + code
 
 
-@njit(cache=True, forceinline=True)
+@internal(forceinline=True)
 def steepest(stacks, orders, order, row, col, here, sign, at_rest, grid, repose):
     """Direction of the steepest step up (``sign`` 1) or down (-1) from ``here`` that does not stand.
 
@@ -147,7 +149,7 @@ def steepest(stacks, orders, order, row, col, here, sign, at_rest, grid, repose)
     return face & 7 if steep else STABLE
 
 
-@njit(cache=True)
+@internal()
 def shuffle_order(orders, order, key):
     """Put a random order into ``orders[SHUFFLED]``: faces among themselves, corners likewise."""
     never_inline()
@@ -164,23 +166,22 @@ def shuffle_order(orders, order, key):
             orders[SHUFFLED, k] = code if orders[order, k] >= 0 else BARRED
 
 
-@njit(cache=True, forceinline=True)
-def end_of_slope(stacks, orders, order, row, col, state, sign, grid, repose):
-    """The cell that changes height when a slab is taken (``sign`` 1) from a cell or laid on it (-1).
+@internal(forceinline=True)
+def next_on_slope(stacks, orders, order, row, col, state, sign, grid, repose):
+    """One step towards the cell that changes height when a slab is taken (``sign`` 1) or laid down (-1).
 
-    Follows the steepest steps that do not stand, up or down the slope. Returns its row and column, and the
-    advanced random state.
+    Goes to the steepest neighbour up or down the slope, unless every step stands. A random order is drawn
+    when a slope does not stand, and the neighbours are compared again. Returns row, column, the order to
+    compare neighbours in, the random state, and whether the search goes on.
     """
-    drawn = order
-    direction = 0
-    while direction != STABLE:
-        here = np.int64(stacks.surface[np.uint64(row * grid.cols + col)]) - sign * repose.slab
-        direction = steepest(stacks, orders, drawn, row, col, here, sign, False, grid, repose)
-        if repose.random_order and direction != STABLE and drawn == order:
-            state += GOLDEN
-            shuffle_order(orders, order, mix(state))
-            drawn = SHUFFLED
-        elif direction != STABLE:
-            row, col = neighbour(row, col, direction, grid)
-            drawn = order
-    return row, col, state
+    plain = UPSLOPE if sign > 0 else DOWNSLOPE
+    here = np.int64(stacks.surface[np.uint64(row * grid.cols + col)]) - sign * repose.slab
+    direction = steepest(stacks, orders, order, row, col, here, sign, False, grid, repose)
+    if direction == STABLE:
+        return row, col, order, state, False
+    if repose.random_order and order == plain:
+        state += GOLDEN
+        shuffle_order(orders, plain, mix(state))
+        return row, col, SHUFFLED, state, True
+    row, col = neighbour(row, col, direction, grid)
+    return row, col, plain, state, True

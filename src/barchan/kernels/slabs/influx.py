@@ -10,15 +10,15 @@ from numba import njit
 from barchan.kernels.bed.slopes import has_sand
 from barchan.kernels.core.borrow import lent
 from barchan.kernels.core.random import derive, draw, high, mix
-from barchan.kernels.slabs.hop import wrapped
-from barchan.kernels.slabs.poll import (
+from barchan.kernels.slabs.carry import (
     has_fractions,
     hop_once,
-    lay_down,
     next_hop,
-    sticks,
+    sticks_by_chance,
     sticks_in_shadow,
 )
+from barchan.kernels.slabs.hop import wrapped
+from barchan.kernels.slabs.poll import lay_down
 from barchan.kernels.slabs.state import CAPPED, CELL, ENTERED, LEFT, TRAVEL_ACROSS, TRAVEL_ALONG
 
 _ALONG, _ACROSS = range(2)
@@ -42,7 +42,7 @@ def _bring_in(stacks, rules, work, along, across, state, peak, tally):
         cell = np.uint64(row * grid.cols + col)
         here = surface[cell]
         sandy = has_sand(surface, sand, cell)
-        stays = sticks(stacks.mobility, sandy, wind, cell, high(state)) | stopped
+        stays = sticks_by_chance(stacks.mobility, sandy, wind, cell, high(state)) | stopped
         stays = sticks_in_shadow(rules.axis, rules.ray, grid, stays, heights, row, col, here, peak)
         hop_along, hop_across, stays = next_hop(
             rules.speedup, stacks.levels, wind, here, hop_along, hop_across, stays

@@ -10,17 +10,16 @@ column between two cells and the height there is interpolated linearly between t
 import numpy as np
 from numba import njit
 
-from barchan.kernels.core.inlining import never_inline
+from barchan.kernels.core.internal import internal
 from barchan.kernels.core.simd import any_above, any_of_last_above, load_at
 from barchan.kernels.core.state import LANES
 
 _BLOCK = np.int64(LANES)
 
 
-@njit(cache=True, error_model="numpy")
+@internal(error_model="numpy")
 def _across_edge(surface, row, col, here, count, grid, axis):
     """The test of ``count`` cells upwind where the field's upwind edge is among them."""
-    never_inline()
     stride = _BLOCK * axis.width
     for far in range(2 if grid.wrap_along else 1):
         start = grid.cols if far else col
@@ -38,7 +37,7 @@ def _across_edge(surface, row, col, here, count, grid, axis):
     return False
 
 
-@njit(cache=True, error_model="numpy", forceinline=True)
+@internal(error_model="numpy")
 def _in_axis_shadow(surface, row, col, here, peak, grid, axis):
     rise = ((peak - here) >> axis.shift) + 1
     count = min((((rise * axis.reach) >> 16) + _BLOCK) & -_BLOCK, axis.size)
@@ -57,7 +56,7 @@ def _in_axis_shadow(surface, row, col, here, peak, grid, axis):
     return False
 
 
-@njit(cache=True, error_model="numpy")
+@internal(error_model="numpy")
 def _in_ray_shadow(surface, row, col, here, peak, grid, ray):
     rise = np.float64(peak - here)
     for k in range(ray.size):
@@ -86,7 +85,7 @@ def _in_ray_shadow(surface, row, col, here, peak, grid, ray):
     return False
 
 
-@njit(cache=True, error_model="numpy", forceinline=True)
+@njit(cache=True, error_model="numpy")
 def in_shadow(surface, row, col, here, peak, grid, axis, ray):
     """Whether a cell of height ``here`` at (``row``, ``col``) lies in shadow.
 

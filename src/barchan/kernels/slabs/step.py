@@ -9,6 +9,7 @@ from numba import njit
 
 from barchan.kernels.bed.levels import measure_levels
 from barchan.kernels.core.inlining import never_inline
+from barchan.kernels.core.internal import internal
 from barchan.kernels.core.random import derive
 from barchan.kernels.slabs.poll import run_polls
 from barchan.kernels.slabs.polling import (
@@ -22,7 +23,7 @@ from barchan.kernels.slabs.polling import (
 from barchan.kernels.slabs.state import BLOCK, EXHAUSTED, MOVED, Band, Round
 
 
-@njit(cache=True)
+@internal()
 def _run_round(stacks, rules, work, schedule, part, tally):
     """Run one round of polls, band by band.
 
@@ -64,7 +65,7 @@ def _run_round(stacks, rules, work, schedule, part, tally):
             at += n
 
 
-@njit(cache=True)
+@internal()
 def _walk(stacks, rules, work, schedule, step_key, first, count, tally):
     """Run rounds through all cells until ``count`` slabs have moved or a whole round has moved none."""
     cells = rules.grid.rows * rules.grid.cols
@@ -82,7 +83,7 @@ def _walk(stacks, rules, work, schedule, step_key, first, count, tally):
             tally[EXHAUSTED] += 1
 
 
-@njit(cache=True)
+@internal()
 def _run_rounds(stacks, rules, work, schedule, step_key, first, count, tally):
     """Run the polls ``first`` to ``first + count`` of a step that polls each cell once a round."""
     cells = rules.grid.rows * rules.grid.cols
