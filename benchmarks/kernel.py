@@ -65,7 +65,7 @@ CASES = (
     Case("Nield & Baas, hops of one cell", model="nield_baas"),
     Case("after Pelletier, 20 slabs a cell", model="pelletier", depth=20),
     Case("Werner, 20 slabs a cell", depth=20),
-    Case("release above 45°", variants=(("release_angle", 45.0),)),
+    Case("release above 45°", variants=(("static_repose_angle", 45.0),)),
     Case("Momiji among rocks, no path test", model="momiji", rocks=True),
     Case("Momiji among rocks, path test", model="momiji", rocks=True, variants=(("path_test", "hard"),)),
     Case(

@@ -87,7 +87,9 @@ def test_sand_that_dying_plants_held_slides():
         "curve": [{"balance": -9.0, "change": -1.0}, {"balance": 9.0, "change": -1.0}],
     }
     simulation = Simulation(
-        planted(steep, steps_per_year=5, grass=deadly, mesquite=FIXED, shrub=FIXED, firm_repose_angle=60.0)
+        planted(
+            steep, steps_per_year=5, grass=deadly, mesquite=FIXED, shrub=FIXED, stabilised_repose_angle=60.0
+        )
     )
     simulation.bed.sand[:, 3] += 3
     simulation.bed.arrays["year_start"][...] = simulation.bed.sand
@@ -99,7 +101,7 @@ def test_sand_that_dying_plants_held_slides():
 
 def test_firm_cells_stand_steeper():
     limits = Simulation(planted()).model.slope_limits()
-    assert limits["firm"][0] > limits["bare"][0]
+    assert limits["stabilised"][0] > limits["bare"][0]
 
 
 def test_the_year_survives_an_interruption():
@@ -115,8 +117,8 @@ def test_the_year_survives_an_interruption():
 
 def test_plants_can_be_told_to_hold_less_during_a_run():
     simulation = Simulation(planted({"kind": "uniform", "grass": 0.5}))
-    simulation.apply(SetParameter(key="model.firm_repose_angle", value=30.0))
-    assert simulation.model.slope_limits()["firm"] == simulation.model.slope_limits()["bare"]
+    simulation.apply(SetParameter(key="model.stabilised_repose_angle", value=30.0))
+    assert simulation.model.slope_limits()["stabilised"] == simulation.model.slope_limits()["bare"]
 
 
 def test_curves_are_those_of_the_parameters_and_say_what_is_assumed():
@@ -142,7 +144,7 @@ def heaped(**changes):
 def test_sand_slides_where_plants_are_told_to_hold_it_no_more():
     simulation = heaped()
     before = simulation.bed.sand.copy()
-    simulation.apply(SetParameter(key="model.firm_cover", value=0.9))
+    simulation.apply(SetParameter(key="model.stabilised_cover", value=0.9))
     assert (simulation.bed.sand != before).any()
     assert simulation.model.settle(simulation.bed) == 0
 

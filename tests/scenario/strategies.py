@@ -110,8 +110,8 @@ def _one_height(lattice: dict[str, Any]) -> dict[str, Any]:
 
 def _lets_go_above_rest(data: dict[str, Any]) -> dict[str, Any]:
     rest = data.get("repose_angle", LEAST_REST)
-    if (data.get("release_angle") or rest) < rest:
-        return {**data, "release_angle": rest}
+    if (data.get("static_repose_angle") or rest) < rest:
+        return {**data, "static_repose_angle": rest}
     return data
 
 

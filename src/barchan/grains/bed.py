@@ -13,7 +13,7 @@ from barchan.grains.canopy import Hold
 from barchan.grains.parameters import GrainFlight
 from barchan.grains.sizes import shuffle_anew
 from barchan.heights import FRACTION_BITS
-from barchan.kernels.bed.state import Grid, Repose, settling_sequences
+from barchan.kernels.bed.state import Grid, Stacks, relaxation_orders, repose_rule
 from barchan.kernels.core.state import TRAVEL_UNIT
 from barchan.kernels.grains.state import (
     CAPPED,
@@ -68,9 +68,9 @@ class GrainGround:
         self.grid = Grid(*lattice.shape, periodic_x, periodic_y)
         one = 1 << FRACTION_BITS
         self.scale = Scale(one, lattice.thickness / one, lattice.cell_size, rules.carried)
-        self.repose = _repose(rules, lattice, one)
+        self.repose = repose_rule(one, repose_limits(rules.repose_angle, lattice))
         self.filter = _filter(rules, lattice, one)
-        self.sequences = settling_sequences(True)
+        self.sequences = relaxation_orders(True)
         level = _levels(bed, one)
         height = (level * self.scale.part).astype(np.float32)
         lid = height if rules.shelter_angle is None else height.copy()
@@ -180,16 +180,12 @@ class GrainGround:
 
     def settle_where(self, where: NDArray[np.bool_]) -> int:
         """Relax slopes about some cells until all hold; returns how many parcels slid."""
-        from barchan.kernels.bed.relax import settle_field
+        from barchan.kernels.bed.relax import relax_field
 
         arrays = self.arrays
-        upset = where.copy()
-        return int(
-            settle_field(
-                *(arrays.level, arrays.sand, None, upset, self.sequences, self.grid, self.repose),
-                arrays.mixture,
-            )
-        )
+        stacks = Stacks(arrays.level, arrays.sand)
+        orders, changed = self.sequences, where.copy()
+        return int(relax_field(stacks, changed, orders, self.grid, self.repose, arrays.mixture))
 
     def tally(self, airborne: int) -> Tally:
         """What happened in a step, with so many parcels in the air at its end."""
@@ -227,24 +223,6 @@ def _levels(bed: Bed, one: int) -> NDArray[np.int64]:
     """Elevation of the surface over the lowest ground, in parts of a parcel."""
     ground = (bed.ground - bed.ground.min()) / bed.lattice.thickness * one
     return (np.rint(ground).astype(np.int64) + bed.sand.astype(np.int64) * one).reshape(-1)
-
-
-def _repose(rules: GrainFlight, lattice: Lattice, one: int) -> Any:
-
-    face, corner = repose_limits(rules.repose_angle, lattice)
-    return Repose(
-        slab=one,
-        face_limit=face * one,
-        corner_limit=corner * one,
-        corner_weight=math.sqrt(0.5),
-        corners=True,
-        random_order=False,
-        firm_face_limit=face * one,
-        firm_corner_limit=corner * one,
-        firm_below=-1,
-        release_face=0,
-        release_corner=0,
-    )
 
 
 def _filter(rules: GrainFlight, lattice: Lattice, one: int) -> Any:

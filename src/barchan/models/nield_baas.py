@@ -14,7 +14,7 @@ from barchan.plants.layouts import UniformPlants, Vegetation
 from barchan.plants.species import SPECIES, Grass, Mesquite, Shrub, Species
 from barchan.slabs.model import SlabModel
 from barchan.slabs.parameters import SlabTransport
-from barchan.slabs.rules import Giving, Rules
+from barchan.slabs.rules import ErosionChance, Rules
 from barchan.streams import Stream
 from barchan.wind.clock import YEAR, spoken
 from barchan.wind.segment import Segment
@@ -47,7 +47,7 @@ class NieldBaasParameters(SlabTransport):
         meaning="Chance that a polled cell without plants gives a slab; plants take their effectiveness off.",
         source="Nield & Baas 2008; seed 000, eq. 4.4",
     )
-    firm_repose_angle: float = parameter(
+    stabilised_repose_angle: float = parameter(
         40.0,
         unit="degrees",
         ge=1,
@@ -57,7 +57,7 @@ class NieldBaasParameters(SlabTransport):
         meaning="Angle of repose where plants hold the sand.",
         source="Nield & Baas 2008; seed 000, §4.7",
     )
-    firm_cover: float = parameter(
+    stabilised_cover: float = parameter(
         0.3,
         unit="-",
         ge=-10,
@@ -113,9 +113,9 @@ class NieldBaas(SlabModel):
     A polled cell gives a slab with probability p_e = ``erosion_chance`` - rho, and a slab settles with
     p_d = p + rho (1 - p), where p is ``p_s`` on sand and ``p_ns`` on bare ground; both are held within 0
     and 1.
-    From ``firm_cover`` on, sand rests at ``firm_repose_angle``. After each year, ``steps_per_year`` steps
-    or by the clock, every species changes by its curve of growth at the cell's sediment balance of the
-    year, within its range.
+    From ``stabilised_cover`` on, sand rests at ``stabilised_repose_angle``. After each year,
+    ``steps_per_year`` steps or by the clock, every species changes by its curve of growth at the
+    cell's sediment balance of the year, within its range.
 
     Known deviations: seed 000 prints p_d with the sign of rho reversed; plants increase deposition. The
     curve of mesquite is assumed. An oblique wind is exact here, where the paper polls a third of the slabs
@@ -173,9 +173,9 @@ class NieldBaas(SlabModel):
     def rules(self) -> Rules:
         """Chances that plants change, and where they hold the sand."""
         return Rules(
-            giving=Giving(shift=self.parameters.erosion_chance - 1.0),
-            firm_angle=self.parameters.firm_repose_angle,
-            firm_mobility=1.0 - self.parameters.firm_cover,
+            erosion=ErosionChance(offset=self.parameters.erosion_chance - 1.0),
+            stabilised_angle=self.parameters.stabilised_repose_angle,
+            stabilised_mobility=1.0 - self.parameters.stabilised_cover,
         )
 
     def problems(self, step_seconds: float | None) -> list[tuple[str, str]]:
@@ -212,12 +212,12 @@ class NieldBaas(SlabModel):
 
     def _grow(self, bed: Bed) -> None:
         balance = (bed.sand - bed.arrays["year_start"]) * self.lattice.thickness
-        was_firm = self.effectiveness(bed) >= self.parameters.firm_cover
+        was_stabilised = self.effectiveness(bed) >= self.parameters.stabilised_cover
         for name in SPECIES:
             cover = bed.arrays[name]
             cover[...] = getattr(self.parameters, name).grown(cover, balance)
         bed.arrays["balance"][...] = balance
-        loosened = was_firm & (self.effectiveness(bed) < self.parameters.firm_cover)
+        loosened = was_stabilised & (self.effectiveness(bed) < self.parameters.stabilised_cover)
         if loosened.any():
             self.settle(bed, loosened)
         bed.arrays["year_start"][...] = bed.sand

@@ -14,7 +14,7 @@ from barchan.model import Derived, OwnMeasure
 from barchan.parameters import parameter
 from barchan.slabs.model import SlabModel
 from barchan.slabs.parameters import SlabTransport
-from barchan.slabs.rules import Giving, Rules
+from barchan.slabs.rules import ErosionChance, Rules
 from barchan.wind.segment import Segment
 
 
@@ -128,8 +128,8 @@ class Pelletier(SlabModel):
     )
 
     def rules(self) -> Rules:
-        """Giving in proportion to the excess stress."""
-        return Rules(giving=Giving(share=self.parameters.erosion_chance))
+        """Erosion in proportion to the excess stress."""
+        return Rules(erosion=ErosionChance(factor=self.parameters.erosion_chance))
 
     def spell(self, segment: Segment) -> int:
         """The stress is sought anew before each step."""

@@ -9,6 +9,9 @@ Data = dict[str, Any]
 
 RENAMED_SINCE_1: dict[str, str] = {
     "run.until.still": "run.until.idle_steps",
+    "model.release_angle": "model.static_repose_angle",
+    "model.firm_repose_angle": "model.stabilised_repose_angle",
+    "model.firm_cover": "model.stabilised_cover",
 }
 """Keys of format 1 and what they are called now."""
 

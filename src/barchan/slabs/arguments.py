@@ -1,8 +1,7 @@
-"""From a slab model's parameters to the numbers and tables that the kernels read."""
+"""From a slab model's parameters to the structs that its kernels read."""
 
 import math
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,19 +9,31 @@ from numpy.typing import NDArray
 from barchan.bed import Lattice
 from barchan.heights import FRACTION_BITS
 from barchan.kernels.bed.state import (
-    CLOSED,
-    FEED,
+    BARRED,
+    DOWNSLOPE,
     LEVEL_BITS,
-    SLIDE,
+    UPSLOPE,
     Grid,
+    Levels,
     Repose,
-    settling_sequences,
-    turn_code,
+    neighbour_code,
+    new_levels,
+    relaxation_orders,
+    repose_rule,
 )
 from barchan.kernels.core.state import LANES
-from barchan.kernels.slabs.state import CELL, MOBILE, AxisShadow, Path, RayShadow, Speedup, Wind
+from barchan.kernels.slabs.state import (
+    CELL,
+    MOBILE,
+    AxisShadow,
+    ObstacleRule,
+    RayShadow,
+    SlabRules,
+    Speedup,
+    Wind,
+)
 from barchan.slabs.parameters import SlabTransport
-from barchan.slabs.rules import Giving, HopRule, Rules
+from barchan.slabs.rules import ErosionChance, HopRule, Rules
 from barchan.wind.frame import WindFrame
 
 _FAR = 1 << 30
@@ -33,57 +44,53 @@ _DIRECTIONS = ((0, 1), (1, 0), (0, -1), (-1, 0), (1, 1), (1, -1), (-1, -1), (-1,
 
 
 @dataclass(frozen=True)
-class SlabTables:
+class SlabArguments:
     """A slab model's rules for one wind, as the kernels take them."""
 
-    grid: Any
-    wind: Any
-    speedup: Any
-    path: Any
-    repose: Any
-    axis: Any
-    ray: Any
-    turns: NDArray[np.int64]
-    sequences: NDArray[np.int64]
-    """Orders in which neighbours are checked by avalanches that run until all holds."""
+    rules: SlabRules
     memory: tuple[NDArray, ...]
-    """The arrays whose addresses ``axis`` and ``ray`` hold."""
+    """The arrays whose addresses the shadow structs hold."""
 
 
 def build(
     parameters: SlabTransport, rules: Rules, lattice: Lattice, frame: WindFrame, hop: float, flat: bool
-) -> SlabTables:
-    """The tables for a wind in ``frame`` with hops of ``hop`` cells, over flat ground or not."""
+) -> SlabArguments:
+    """The structs for a wind in ``frame`` with hops of ``hop`` cells, over flat ground or not."""
     rows, cols = reversed(lattice.shape) if frame.crossed else lattice.shape
     across, along = reversed(lattice.periodic) if frame.crossed else lattice.periodic
     grid = Grid(rows, cols, along, across)
     moore = parameters.neighbourhood == "moore"
-    turns = turn_table(frame.angle, moore, parameters.upwind_avalanches)
+    orders = order_table(frame.angle, moore, parameters.upwind_avalanches)
     passes = parameters.path_test == "off" or (parameters.path_test == "hard" and flat)
     fall = math.tan(math.radians(parameters.shadow_angle)) / lattice.aspect
     start = 0.5 if parameters.shadow_from == "edge" else 0.0
     repose = _repose(parameters, rules, lattice, 1 if flat else 1 << FRACTION_BITS)
-    axis, ray = None, None
+    axis: AxisShadow | None = None
+    ray: RayShadow | None = None
     if frame.angle == 0.0:
         axis, memory = _axis_shadow(cols, fall, start, flat)
     else:
         ray, memory = _ray_shadow(grid, frame.angle, fall, start, flat)
-    return SlabTables(
+    found = SlabRules(
         grid=grid,
-        wind=_wind(parameters, rules.giving, frame, hop),
-        speedup=rules.hop and _speedup(rules.hop, grid, hop, flat),
-        path=None if passes else _path(parameters, repose, flat),
+        wind=_wind(parameters, rules.erosion, frame, hop),
+        speedup=None if rules.hop is None else _speedup(rules.hop, grid, hop, flat),
+        obstacles=None if passes else _obstacles(parameters, repose, flat),
         repose=repose,
         axis=axis,
         ray=ray,
-        turns=turns,
-        sequences=_sequences(parameters, turns),
-        memory=memory,
+        orders=orders,
+        relaxation_orders=_relaxation_orders(parameters, orders),
     )
+    return SlabArguments(found, memory)
 
 
-def _wind(parameters: SlabTransport, giving: Giving, frame: WindFrame, hop: float) -> Any:
+def levels_over(flat: bool) -> Levels:
+    """Room for the mean height of the surface, over flat ground or not."""
+    return new_levels(LEVEL_BITS if flat else LEVEL_BITS - FRACTION_BITS)
 
+
+def _wind(parameters: SlabTransport, erosion: ErosionChance, frame: WindFrame, hop: float) -> Wind:
     unit = math.cos(frame.angle) * CELL, math.sin(frame.angle) * CELL
     return Wind(
         lee_erosion=parameters.lee_erosion,
@@ -91,84 +98,73 @@ def _wind(parameters: SlabTransport, giving: Giving, frame: WindFrame, hop: floa
         hop_across=round(hop * unit[1]),
         unit_along=unit[0],
         unit_across=unit[1],
-        settle_on_sand=np.uint64(round(parameters.p_s * 2**32)),
-        settle_on_ground=np.uint64(round(parameters.p_ns * 2**32)),
-        give_share=round(giving.share * 2**32),
-        give_shift=round(giving.shift * 2**32),
+        deposit_on_sand=np.uint64(round(parameters.p_s * 2**32)),
+        deposit_on_ground=np.uint64(round(parameters.p_ns * 2**32)),
+        erosion_factor=round(erosion.factor * 2**32),
+        erosion_offset=round(erosion.offset * 2**32),
         max_hops=parameters.max_hops,
     )
 
 
-def _speedup(rule: HopRule, grid: Any, hop: float, flat: bool) -> Any:
-
+def _speedup(rule: HopRule, grid: Grid, hop: float, flat: bool) -> Speedup:
     return Speedup(
         linear=rule.linear,
         quadratic=rule.quadratic,
         base=float(hop),
         longest=float(grid.cols),
         slabs=1.0 if flat else 2.0**-FRACTION_BITS,
-        shift=LEVEL_BITS if flat else LEVEL_BITS - FRACTION_BITS,
-        share=0.5 / (grid.rows * grid.cols) if rule.follows_relief else 0.0,
+        deviation_weight=0.5 / (grid.rows * grid.cols) if rule.follows_relief else 0.0,
         whole=rule.whole,
         every_hop=rule.every_hop,
     )
 
 
-def _path(parameters: SlabTransport, repose: Any, flat: bool) -> Any:
-
+def _obstacles(parameters: SlabTransport, repose: Repose, flat: bool) -> ObstacleRule:
     height = np.dtype(np.int32 if flat else np.int64)
-    return Path(parameters.path_test == "surface", height.type(repose.face_limit), height.itemsize)
+    return ObstacleRule(parameters.path_test == "surface", height.type(repose.face_limit), height.itemsize)
 
 
-def _repose(parameters: SlabTransport, rules: Rules, lattice: Lattice, one: int) -> Any:
-
-    face, corner = parameters.limits(lattice)
-    firm_face, firm_corner = parameters.limits(lattice, rules.firm_angle)
-    let_face, let_corner = parameters.limits(lattice, parameters.release_angle)
-    return Repose(
-        slab=one,
-        face_limit=face * one,
-        corner_limit=corner * one,
-        corner_weight=1.0 if parameters.corner_limit == "face" else math.sqrt(0.5),
+def _repose(parameters: SlabTransport, rules: Rules, lattice: Lattice, one: int) -> Repose:
+    return repose_rule(
+        one,
+        parameters.limits(lattice),
         corners=parameters.neighbourhood == "moore",
+        corner_weight=1.0 if parameters.corner_limit == "face" else math.sqrt(0.5),
         random_order=parameters.neighbour_order == "random",
-        firm_face_limit=firm_face * one,
-        firm_corner_limit=firm_corner * one,
-        firm_below=round(rules.firm_mobility * MOBILE),
-        release_face=(let_face - face) * one,
-        release_corner=(let_corner - corner) * one,
+        stabilised=parameters.limits(lattice, rules.stabilised_angle),
+        stabilised_below=round(rules.stabilised_mobility * MOBILE),
+        static=parameters.limits(lattice, parameters.static_repose_angle),
     )
 
 
-def _sequences(parameters: SlabTransport, turns: NDArray[np.int64]) -> NDArray[np.int64]:
-    """The wind's own order, or a choice of orders to draw from."""
+def _relaxation_orders(parameters: SlabTransport, orders: NDArray[np.int64]) -> NDArray[np.int64]:
+    """The wind's own order, or several orders to draw from."""
     if parameters.neighbour_order == "wind":
-        return turns[SLIDE : SLIDE + 1].copy()
+        return orders[DOWNSLOPE : DOWNSLOPE + 1].copy()
+    drawn = relaxation_orders(parameters.neighbourhood == "moore")
+    return np.where(orders[DOWNSLOPE] < 0, orders[DOWNSLOPE], drawn)
 
-    drawn = settling_sequences(parameters.neighbourhood == "moore")
-    return np.where(turns[SLIDE] < 0, turns[SLIDE], drawn)
 
-
-def turn_table(angle: float, moore: bool, upwind: bool) -> NDArray[np.int64]:
+def order_table(angle: float, moore: bool, upwind: bool) -> NDArray[np.int64]:
     """Codes of the neighbours, in the order in which a wind at ``angle`` has them checked.
 
-    A slab slides downwind first, one falls in from upwind first, faces before corners; of two that lie
-    alike to the wind the one on its left comes first. Without ``upwind`` nothing moves against the wind.
+    A slab slides down to the downwind side first and slides in from the upwind side first, faces before
+    corners; of two neighbours that lie alike to the wind the one on its left comes first. Without ``upwind``
+    nothing slides against the wind.
     """
     downwind = [c * math.cos(angle) + a * math.sin(angle) for a, c in _DIRECTIONS]
     left = [a * math.cos(angle) - c * math.sin(angle) for a, c in _DIRECTIONS]
-    turns = np.full((3, 8), CLOSED, np.int64)
-    for table, sign in ((SLIDE, 1), (FEED, -1)):
+    orders = np.full((3, 8), BARRED, np.int64)
+    for row, sign in ((DOWNSLOPE, 1), (UPSLOPE, -1)):
         for faces in (range(4), range(4, 8) if moore else ()):
-            order = sorted(faces, key=lambda d: (-round(sign * downwind[d], 9), -round(left[d], 9)))
-            for place, direction in enumerate(order, start=min(faces, default=0)):
+            sides = sorted(faces, key=lambda d: (-round(sign * downwind[d], 9), -round(left[d], 9)))
+            for place, direction in enumerate(sides, start=min(faces, default=0)):
                 if upwind or sign * downwind[direction] > -1e-9:
-                    turns[table, direction] = turn_code(direction, place)
-    return turns
+                    orders[row, direction] = neighbour_code(direction, place)
+    return orders
 
 
-def _axis_shadow(cols: int, fall: float, start: float, flat: bool) -> tuple[Any, tuple[NDArray, ...]]:
-
+def _axis_shadow(cols: int, fall: float, start: float, flat: bool) -> tuple[AxisShadow, tuple[NDArray, ...]]:
     shift = 0 if flat else FRACTION_BITS
     size = -(-cols // LANES) * LANES + LANES
     distance = np.arange(1, size + 1) - start
@@ -180,9 +176,8 @@ def _axis_shadow(cols: int, fall: float, start: float, flat: bool) -> tuple[Any,
 
 
 def _ray_shadow(
-    grid: Any, angle: float, fall: float, start: float, flat: bool
-) -> tuple[Any, tuple[NDArray, ...]]:
-
+    grid: Grid, angle: float, fall: float, start: float, flat: bool
+) -> tuple[RayShadow, tuple[NDArray, ...]]:
     columns = np.arange(1, grid.cols + 1)
     offset = -columns * math.tan(angle)
     lower = np.floor(offset + 1e-9)

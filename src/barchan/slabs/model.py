@@ -5,11 +5,11 @@ from functools import lru_cache
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import DTypeLike, NDArray
 
 from barchan.bed import Bed, Lattice
 from barchan.heights import FRACTION_BITS, above_lowest, check_heights
-from barchan.kernels.bed.state import settling_sequences
+from barchan.kernels.bed.state import Stacks, relaxation_orders, unstable_cells
 from barchan.kernels.core.state import LANES, TRAVEL_UNIT
 from barchan.kernels.slabs.state import (
     CAPPED,
@@ -21,11 +21,13 @@ from barchan.kernels.slabs.state import (
     TRAVEL_ACROSS,
     TRAVEL_ALONG,
     Schedule,
-    work_space,
+    SlabRules,
+    Work,
+    prepared_polls,
 )
 from barchan.model import Derived, Model, Tally
-from barchan.slabs.arguments import SlabTables, build
-from barchan.slabs.obstacles import Ways
+from barchan.slabs.arguments import SlabArguments, build, levels_over
+from barchan.slabs.obstacles import ClearDistances
 from barchan.slabs.parameters import SlabTransport
 from barchan.slabs.rules import Rules
 from barchan.streams import Stream
@@ -53,7 +55,7 @@ class SlabModel(Model):
     def __init__(self, parameters: Any, lattice: Lattice) -> None:
         """Set the model up for a lattice."""
         super().__init__(parameters, lattice)
-        self._ways = Ways()
+        self._clear_distances = ClearDistances()
 
     def prepare(self, bed: Bed, seed: int) -> None:
         """Refuse a bed whose heights cannot be counted; raises ScenarioError."""
@@ -94,42 +96,27 @@ class SlabModel(Model):
     def _transport(self, bed: Bed, segment: Segment, stream: Stream) -> Tally:
         if segment.polls == 0:
             return Tally(steps=segment.steps)
-        from barchan.kernels.slabs.step import transport
+        from barchan.kernels.slabs.step import run_steps
 
         frame = WindFrame.of(segment.direction)
         mobility = self.mobility(bed, segment.direction)
-        tables, surface, sand, mobile = self._enter(bed, frame, self.hop_length(segment), mobility)
-        path = self._ways.path(bed.ground, tables, frame, surface, sand)
+        arguments, stacks = self._enter(bed, frame, self.hop_length(segment), mobility)
+        rules = arguments.rules
+        if rules.speedup:
+            stacks = stacks._replace(levels=levels_over(flat=stacks.sand is None))
+        obstacles = self._clear_distances.obstacles(bed.ground, rules, frame, stacks)
+        rules = rules._replace(obstacles=obstacles, orders=rules.orders.copy())
         schedule = Schedule(
             self.parameters.polling == "non_repeated",
             self.parameters.forced_erosion,
             self.parameters.band_rows,
         )
         counts = np.zeros(TALLY_SIZE, np.int64)
-        releases = tables.repose.release_face or tables.repose.release_corner
-        transport(
-            *(surface, sand, mobile, np.zeros(2, np.int64) if tables.speedup else None),
-            *(tables.turns.copy(), tables.sequences),
-            np.zeros(self.lattice.cells, np.int64) if releases else None,
-            np.zeros(self.lattice.cells, np.uint8) if releases else None,
-            *(tables.grid, tables.wind, tables.speedup, path, tables.repose, tables.axis, tables.ray),
-            *(work_space(tables.grid.rows, tables.grid.cols, schedule), schedule),
-            *(np.uint64(stream.key), segment.step, segment.steps, segment.first, segment.polls, counts),
-        )
-        self._leave(bed, frame, surface if sand is None else sand)
-        unit = TRAVEL_UNIT
-        travel = counts[TRAVEL_ALONG] / unit, counts[TRAVEL_ACROSS] / unit
-        travel_x, travel_y = frame.to_map(*travel)
-        return Tally(
-            steps=segment.steps,
-            polls=segment.steps * segment.polls,
-            moved=int(counts[MOVED]),
-            left=int(counts[LEFT]),
-            capped=int(counts[CAPPED]),
-            travel_x=float(travel_x),
-            travel_y=float(travel_y),
-            exhausted=int(counts[EXHAUSTED]),
-        )
+        work = work_space(rules, schedule)
+        steps, polls = (segment.step, segment.steps), (segment.first, segment.polls)
+        run_steps(stacks, rules, work, schedule, np.uint64(stream.key), *steps, *polls, counts)
+        self._leave(bed, frame, stacks)
+        return _tally(counts, segment, frame)
 
     def hop_length(self, segment: Segment) -> float:
         """Hop length (cells) under this wind."""
@@ -140,12 +127,12 @@ class SlabModel(Model):
     def step_volume(self) -> float:
         """Volume (m² per step) that goes through a line across the wind on a flat bed of sand.
 
-        Each poll finds sand and gives it with the chance of giving; a slab hops 1 / ``p_s`` times on the
+        Each poll finds sand and gives it with the chance of erosion; a slab hops 1 / ``p_s`` times on the
         average.
         """
         parameters = self.parameters
-        giving = self.rules().giving
-        given = min(max(giving.share + giving.shift, 0.0), 1.0)
+        erosion = self.rules().erosion
+        given = min(max(erosion.factor + erosion.offset, 0.0), 1.0)
         if parameters.p_s == 0.0 or given == 0.0:
             reason = "p_s 0 keeps every slab in the air" if given else "no cell gives sand"
             raise ValueError(f"is given, but {reason}: a step of no known volume has no duration")
@@ -153,30 +140,31 @@ class SlabModel(Model):
         return given * parameters.hop_length / parameters.p_s * cell * self.lattice.thickness
 
     def slope_limits(self) -> dict[str, tuple[int, ...]]:
-        """The repose limits (slabs) towards faces and corners, of bare cells and of firm ones."""
-        angles = {"bare": self.parameters.release_angle, "firm": self.rules().firm_angle}
-        ways = 2 if self.parameters.neighbourhood == "moore" else 1
+        """The repose limits (slabs) towards faces and corners, of bare cells and of stabilised ones."""
+        angles = {"bare": self.parameters.static_repose_angle, "stabilised": self.rules().stabilised_angle}
+        kinds = 2 if self.parameters.neighbourhood == "moore" else 1
         return {
-            kind: self.parameters.limits(self.lattice, angle)[:ways]
-            for kind, angle in angles.items()
-            if kind == "bare" or angle is not None
+            cells: self.parameters.limits(self.lattice, angle)[:kinds]
+            for cells, angle in angles.items()
+            if cells == "bare" or angle is not None
         }
 
     def slope_rules(self) -> Hashable:
-        """The limits, and from which mobility down a cell is firm."""
-        return tuple(self.slope_limits().items()), self.rules().firm_mobility
+        """The limits, and the mobility up to which a cell is stabilised."""
+        return tuple(self.slope_limits().items()), self.rules().stabilised_mobility
 
     def settle(self, bed: Bed, where: NDArray[np.bool_] | None = None) -> int:
         """Relax slopes to the repose limits."""
-        from barchan.kernels.bed.relax import settle_field
+        from barchan.kernels.bed.relax import relax_field
 
         frame = WindFrame(0, 0.0)
-        mobility = None if self.rules().firm_angle is None else self.mobility(bed, 270.0)
-        tables, surface, sand, mobile = self._enter(bed, frame, self.parameters.hop_length, mobility)
-        sequences = settling_sequences(self.parameters.neighbourhood == "moore")
-        upset = np.ones(bed.sand.size, np.bool_) if where is None else where.ravel().copy()
-        moved = int(settle_field(surface, sand, mobile, upset, sequences, tables.grid, tables.repose, None))
-        self._leave(bed, frame, surface if sand is None else sand)
+        mobility = None if self.rules().stabilised_angle is None else self.mobility(bed, 270.0)
+        arguments, stacks = self._enter(bed, frame, self.parameters.hop_length, mobility)
+        rules = arguments.rules
+        orders = relaxation_orders(self.parameters.neighbourhood == "moore")
+        changed = np.ones(bed.sand.size, np.bool_) if where is None else where.ravel().copy()
+        moved = int(relax_field(stacks, changed, orders, rules.grid, rules.repose, None))
+        self._leave(bed, frame, stacks)
         return moved
 
     def shadow_zone(self, bed: Bed, direction: float) -> NDArray[np.bool_]:
@@ -184,10 +172,11 @@ class SlabModel(Model):
         from barchan.kernels.slabs.shadow import shadow_zone
 
         frame = WindFrame.of(direction)
-        tables, surface, _, _ = self._enter(bed, frame, self.parameters.hop_length, None)
+        arguments, stacks = self._enter(bed, frame, self.parameters.hop_length, None)
+        rules = arguments.rules
         zone = np.zeros(self.lattice.cells, np.bool_)
-        shadow_zone(surface, tables.grid, tables.axis, tables.ray, zone)
-        return frame.leave(zone.reshape(tables.grid.rows, tables.grid.cols)).copy()
+        shadow_zone(stacks.surface, rules.grid, rules.axis, rules.ray, zone)
+        return frame.leave(zone.reshape(rules.grid.rows, rules.grid.cols)).copy()
 
     def unsheltered(self, field: NDArray[np.float64], bed: Bed, direction: float) -> NDArray[np.float64]:
         """A field of the wind, 0 on cells that give nothing because they lie in shadow."""
@@ -199,8 +188,8 @@ class SlabModel(Model):
         """The angles of repose that whole slabs really hold."""
         named = {
             "effective repose angle": self.parameters.repose_angle,
-            "effective release angle": self.parameters.release_angle,
-            "effective repose angle of firm cells": self.rules().firm_angle,
+            "effective static repose angle": self.parameters.static_repose_angle,
+            "effective repose angle of stabilised cells": self.rules().stabilised_angle,
         }
         return {name: self._angles(angle) for name, angle in named.items() if angle is not None}
 
@@ -222,30 +211,51 @@ class SlabModel(Model):
 
     def _enter(
         self, bed: Bed, frame: WindFrame, hop: float, mobility: NDArray[np.float64] | None
-    ) -> tuple[SlabTables, NDArray, NDArray[np.int32] | None, NDArray[np.int32] | None]:
-        """Tables, surface, sand (None over flat ground) and mobility in the wind's frame, flat.
-
-        The surface has room before it for the shadow test.
-        """
+    ) -> tuple[SlabArguments, Stacks]:
+        """Arguments and stacks in the wind's frame; the surface has room before it for the shadow test."""
         flat = bool((bed.ground == bed.ground.flat[0]).all())
-        tables = _tables(self.parameters, self.rules(), self.lattice, frame, hop, flat)
+        arguments = _arguments(self.parameters, self.rules(), self.lattice, frame, hop, flat)
         mobile = None
         if mobility is not None:
             whole = np.clip(np.rint(mobility * MOBILE), -_MOST_MOBILE, _MOST_MOBILE).astype(np.int32)
             mobile = np.ascontiguousarray(frame.enter(whole)).ravel()
         sand = frame.enter(bed.sand)
         if flat:
-            return tables, _with_room(sand, np.int32), None, mobile
+            return arguments, Stacks(_with_room(sand, np.int32), None, mobile)
         surface = frame.enter(above_lowest(bed.ground, self.lattice.thickness))
         surface = surface + (sand.astype(np.int64) << FRACTION_BITS)
-        return tables, _with_room(surface, np.int64), np.ascontiguousarray(sand).ravel().copy(), mobile
+        sand = np.ascontiguousarray(sand).ravel().copy()
+        return arguments, Stacks(_with_room(surface, np.int64), sand, mobile)
 
-    def _leave(self, bed: Bed, frame: WindFrame, sand: NDArray) -> None:
-        rows, cols = frame.enter(bed.sand).shape
-        bed.sand[...] = frame.leave(sand.reshape(rows, cols))
+    def _leave(self, bed: Bed, frame: WindFrame, stacks: Stacks) -> None:
+        sand = stacks.surface if stacks.sand is None else stacks.sand
+        bed.sand[...] = frame.leave(sand.reshape(frame.enter(bed.sand).shape))
 
 
-def _with_room(field: NDArray, dtype: Any) -> NDArray:
+def work_space(rules: SlabRules, schedule: Schedule) -> Work:
+    """Work space of the kernel for these rules."""
+    grid, repose = rules.grid, rules.repose
+    avalanches = repose.static_face or repose.static_corner
+    unstable = unstable_cells(grid.rows * grid.cols) if avalanches else None
+    return Work(prepared_polls(grid.rows, grid.cols, schedule), unstable)
+
+
+def _tally(counts: NDArray[np.int64], segment: Segment, frame: WindFrame) -> Tally:
+    travel = counts[TRAVEL_ALONG] / TRAVEL_UNIT, counts[TRAVEL_ACROSS] / TRAVEL_UNIT
+    travel_x, travel_y = frame.to_map(*travel)
+    return Tally(
+        steps=segment.steps,
+        polls=segment.steps * segment.polls,
+        moved=int(counts[MOVED]),
+        left=int(counts[LEFT]),
+        capped=int(counts[CAPPED]),
+        travel_x=float(travel_x),
+        travel_y=float(travel_y),
+        exhausted=int(counts[EXHAUSTED]),
+    )
+
+
+def _with_room(field: NDArray, dtype: DTypeLike) -> NDArray:
     """A flat copy of a field with as much memory before it as one vector read may touch."""
     buffer = np.zeros(LANES + field.size, dtype)
     buffer[LANES:] = field.ravel()
@@ -253,7 +263,7 @@ def _with_room(field: NDArray, dtype: Any) -> NDArray:
 
 
 @lru_cache(maxsize=64)
-def _tables(
-    parameters: SlabTransport, rules: Rules, lattice: Any, frame: WindFrame, hop: float, flat: bool
-) -> SlabTables:
+def _arguments(
+    parameters: SlabTransport, rules: Rules, lattice: Lattice, frame: WindFrame, hop: float, flat: bool
+) -> SlabArguments:
     return build(parameters, rules, lattice, frame, hop, flat)

@@ -1,61 +1,55 @@
-"""How far walls of ground are from each cell, kept from one call of the kernel to the next."""
+"""Distances to walls of ground, kept from one call of the kernel to the next."""
 
-from typing import Any
+from collections.abc import Hashable
 
 import numpy as np
 from numpy.typing import NDArray
 
-from barchan.slabs.arguments import SlabTables
+from barchan.kernels.bed.state import Stacks
+from barchan.kernels.slabs.state import ObstacleRule, SlabRules
 from barchan.wind.frame import WindFrame
 
 MOST_KEPT = 4
-"""Winds whose ways are kept: winds that blow in turn need not be looked at anew each time."""
+"""Winds whose distances are kept: winds that alternate need no new search each time."""
 
 
-class Ways:
-    """What stops slabs on their way over one ground, under the winds that came last."""
+class ClearDistances:
+    """Cells that a slab may pass before ground can stop it, on one ground under the most recent winds."""
 
     def __init__(self) -> None:
-        """Nothing known yet."""
+        """Start without any distances."""
         self._ground: NDArray[np.float64] | None = None
-        self._known: dict[Any, NDArray[np.uint8]] = {}
+        self._known: dict[Hashable, NDArray[np.uint8]] = {}
 
-    def path(
-        self,
-        ground: NDArray[np.float64],
-        tables: SlabTables,
-        frame: WindFrame,
-        surface: NDArray,
-        sand: NDArray[np.int32] | None,
-    ) -> Any:
-        """The tables' ``Path``, with addresses of what is known; they hold until this is asked again.
+    def obstacles(
+        self, ground: NDArray[np.float64], rules: SlabRules, frame: WindFrame, stacks: Stacks
+    ) -> ObstacleRule | None:
+        """The obstacle rule with the addresses of the distances, which hold until the next call.
 
-        ``surface`` and ``sand`` lie flat in the wind's frame.
+        The ``stacks`` lie flat in the wind's frame.
         """
-        if tables.path is None or tables.path.sand:
-            return tables.path
+        if rules.obstacles is None or rules.obstacles.sand:
+            return rules.obstacles
         if self._ground is None or not np.array_equal(self._ground, ground):
             self._ground = ground.copy()
             self._known.clear()
-        turn = int(np.sign(frame.angle))
-        key = frame.turns, turn, tables.repose, tables.speedup is not None
+        side = int(np.sign(frame.angle))
+        key = frame.turns, side, rules.repose, rules.speedup is not None
         if key not in self._known:
             if len(self._known) == MOST_KEPT:
                 self._known.clear()
-            self._known[key] = _look(tables, turn, surface, sand)
-        ahead, back = (way.ctypes.data for way in self._known[key])
-        return tables.path._replace(clear=ahead, clear_back=back)
+            self._known[key] = _measure(rules, side, stacks)
+        ahead, back = (distances.ctypes.data for distances in self._known[key])
+        return rules.obstacles._replace(clear=ahead, clear_back=back)
 
 
-def _look(
-    tables: SlabTables, turn: int, surface: NDArray, sand: NDArray[np.int32] | None
-) -> NDArray[np.uint8]:
-    """How many cells are clear with the wind and, where hops may go against it, last cell first, back."""
-    from barchan.kernels.slabs.obstacles import clear_way
+def _measure(rules: SlabRules, side: int, stacks: Stacks) -> NDArray[np.uint8]:
+    """Clear distances with the wind and, where hops may go against it, against it (last cell first)."""
+    from barchan.kernels.slabs.obstacles import clear_distance
 
-    ways = np.empty((2, surface.size), np.uint8)
-    for way, order in ((0, 1), (1, -1)) if tables.speedup else ((0, 1),):
-        turned = np.ascontiguousarray(surface[::order])
-        slabs = None if sand is None else np.ascontiguousarray(sand[::order])
-        clear_way(turned, slabs, turn, tables.grid, tables.repose, ways[way])
-    return ways
+    distances = np.empty((2, stacks.surface.size), np.uint8)
+    for row, order in ((0, 1), (1, -1)) if rules.speedup else ((0, 1),):
+        surface = np.ascontiguousarray(stacks.surface[::order])
+        sand = None if stacks.sand is None else np.ascontiguousarray(stacks.sand[::order])
+        clear_distance(surface, sand, side, rules.grid, rules.repose, distances[row])
+    return distances

@@ -100,15 +100,15 @@ class SlabTransport(Parameters):
         "lets it stand one slab steeper.",
         source="before: seed 000, Alg. 4 and 5",
     )
-    release_angle: float | None = parameter(
+    static_repose_angle: float | None = parameter(
         None,
         unit="degrees",
         ge=1,
         lt=90,
         live=True,
         group="avalanches",
-        meaning="Angle above which sand at rest lets go, to come to rest again at the repose angle; the "
-        "repose angle itself where it is not given.",
+        meaning="Static angle of repose: above it sand at rest starts to slide, and comes to rest again "
+        "at the repose angle; the repose angle itself where it is not given.",
         source="seed 000, §2.1.2: 35 degrees, coming to rest at 32 to 33",
     )
     neighbourhood: Literal["von_neumann", "moore"] = parameter(
@@ -181,11 +181,11 @@ class SlabTransport(Parameters):
     )
 
     @model_validator(mode="after")
-    def _lets_go_above_rest(self) -> Self:
-        if self.release_angle is not None and self.release_angle < self.repose_angle:
+    def _starts_to_slide_above_rest(self) -> Self:
+        if self.static_repose_angle is not None and self.static_repose_angle < self.repose_angle:
             raise ValueError(
-                f"release_angle {self.release_angle} degrees is below repose_angle {self.repose_angle}; "
-                "sand cannot let go at a slope that it rests at"
+                f"static_repose_angle {self.static_repose_angle} degrees is below repose_angle "
+                f"{self.repose_angle}; sand cannot start to slide on a slope where it comes to rest"
             )
         return self
 

@@ -1,4 +1,4 @@
-"""What a model adds to slab transport."""
+"""The rules that a model adds to slab transport."""
 
 from dataclasses import dataclass
 
@@ -16,20 +16,20 @@ class HopRule:
 
 
 @dataclass(frozen=True)
-class Giving:
-    """Chance that a polled cell gives a slab: ``share`` times its mobility, plus ``shift``."""
+class ErosionChance:
+    """Chance that a polled cell erodes: ``factor`` times its mobility, plus ``offset``."""
 
-    share: float = 1.0
-    shift: float = 0.0
+    factor: float = 1.0
+    offset: float = 0.0
 
 
 @dataclass(frozen=True)
 class Rules:
-    """What a model adds to slab transport."""
+    """The rules that a model adds to slab transport."""
 
     hop: HopRule | None = None
-    giving: Giving = Giving()
-    firm_angle: float | None = None
-    """Angle of repose (degrees) of firm cells."""
-    firm_mobility: float = 0.0
-    """Mobility up to which a cell is firm."""
+    erosion: ErosionChance = ErosionChance()
+    stabilised_angle: float | None = None
+    """Angle of repose (degrees) of stabilised cells, those where plants hold the sand."""
+    stabilised_mobility: float = 0.0
+    """Mobility up to which a cell is stabilised."""

@@ -64,7 +64,7 @@ class Field:
     wrap_across: bool = True
     extra: Rules = field(default_factory=Rules)
     mobile: list[list[int]] | None = None  # in units of 1/SCALE
-    firm_limits: tuple[int, int] = (0, 0)
+    stabilised_limits: tuple[int, int] = (0, 0)
     release_limits: tuple[int, int] | None = None
     tally: dict = field(
         default_factory=lambda: dict.fromkeys(("moved", "left", "capped", "exhausted", "x", "y"), 0)
@@ -160,8 +160,8 @@ class Field:
     def limit(self, row, col, corner, at_rest=False):
         """The step down from a cell that still holds, in units of 1/SCALE slabs."""
         limit = (self.face_limit, self.corner_limit)[corner]
-        if self.mobile is not None and self.mobile[row][col] <= round(self.extra.firm_mobility * SCALE):
-            limit = self.firm_limits[corner]
+        if self.mobile is not None and self.mobile[row][col] <= round(self.extra.stabilised_mobility * SCALE):
+            limit = self.stabilised_limits[corner]
         if at_rest and self.release_limits is not None:
             limit += self.release_limits[corner] - (self.face_limit, self.corner_limit)[corner]
         return limit * SCALE
@@ -250,7 +250,8 @@ class Field:
         if self.sand[row][col] == 0:
             return False
         if self.mobile is not None:
-            share, shift = round(self.extra.giving.share * 2**32), round(self.extra.giving.shift * 2**32)
+            erosion = self.extra.erosion
+            share, shift = round(erosion.factor * 2**32), round(erosion.offset * 2**32)
             if chance >= self.mobile[row][col] * share // SCALE + shift:
                 return False
         if self.extra.hop is not None and self.hop_from(row, col) == 0:

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from barchan.bed import Bed, Lattice
 from barchan.kernels.bed.state import Grid
-from barchan.kernels.slabs.obstacles import FARTHEST, clear_way, fly, way_is_clear
+from barchan.kernels.slabs.obstacles import FARTHEST, clear_distance, hop_until_blocked, way_is_clear
 from barchan.kernels.slabs.state import CELL
 from barchan.models.momiji import Momiji
 from barchan.slabs.arguments import build
@@ -55,12 +55,12 @@ def test_nearest_wall_is_the_one_that_a_walk_along_every_way_finds(
     ground = np.where(random.random((rows, cols)) < share, random.integers(0, 6, (rows, cols)), 0)
     lattice = Lattice(rows=8, columns=8)
     parameters = SlabTransport(corner_limit=3, path_test="hard")
-    tables = build(parameters, Rules(), lattice, WindFrame(0, turn * 0.3), 5.0, False)
+    arguments = build(parameters, Rules(), lattice, WindFrame(0, turn * 0.3), 5.0, False)
     grid = Grid(rows, cols, along, across)
     slabs = random.integers(0, 9, (rows, cols)).astype(np.int32)
     surface = ((ground + slabs).astype(np.int64) << 20).ravel()
     clear = np.zeros(rows * cols, np.uint8)
-    clear_way(surface, slabs.ravel(), turn, grid, tables.repose, clear)
+    clear_distance(surface, slabs.ravel(), turn, grid, arguments.rules.repose, clear)
     face, corner = parameters.limits(lattice)
     np.testing.assert_array_equal(
         clear.reshape(rows, cols), cells_before_a_wall(ground, turn, grid, face, corner)
@@ -70,12 +70,14 @@ def test_nearest_wall_is_the_one_that_a_walk_along_every_way_finds(
 @pytest.mark.parametrize("turn", [-1, 0, 1])
 def test_ground_that_rises_gently_is_no_wall_anywhere(turn):
     ramp = np.tile(np.arange(12), (5, 1))
-    tables = build(
+    arguments = build(
         SlabTransport(path_test="hard"), Rules(), Lattice(rows=5, columns=12), WindFrame(0, 0.0), 5.0, False
     )
     surface = (ramp.astype(np.int64) << 20).ravel()
     clear = np.zeros(60, np.uint8)
-    clear_way(surface, np.zeros(60, np.int32), turn, Grid(5, 12, False, True), tables.repose, clear)
+    clear_distance(
+        surface, np.zeros(60, np.int32), turn, Grid(5, 12, False, True), arguments.rules.repose, clear
+    )
     assert (clear == FARTHEST).all()
 
 
@@ -92,14 +94,16 @@ def test_no_hop_over_a_way_that_is_clear_would_be_stopped(test, along, across, a
     ground = random.integers(1, 5, lattice.shape) * (random.random(lattice.shape) < 0.1) + 0.1
     bed = Bed(lattice, ground, random.integers(0, 3, lattice.shape).astype(np.int32))
     frame = WindFrame(0, angle)
-    tables, surface, sand, _ = model._enter(bed, frame, 5.0, None)
-    path = model._ways.path(bed.ground, tables, frame, surface, sand)
+    arguments, stacks = model._enter(bed, frame, 5.0, None)
+    rules = arguments.rules
+    obstacles = model._clear_distances.obstacles(bed.ground, rules, frame, stacks)
+    surface, sand = stacks.surface, stacks.sand
     clear = 0
     for _ in range(100):
         start = int(random.integers(37 * CELL)), int(random.integers(9 * CELL))
         hop = random.uniform(-1, 1) * random.choice([1, 5, 35]) * CELL
         way = (*start, round(hop * math.cos(angle)), round(hop * math.sin(angle)))
-        if way_is_clear(surface.ctypes.data, *way, tables.grid, path):
+        if way_is_clear(surface.ctypes.data, *way, rules.grid, obstacles):
             clear += 1
-            assert not fly(surface, sand, *way, tables.grid, tables.repose, path)[-1]
+            assert not hop_until_blocked(surface, sand, *way, rules.grid, rules.repose, obstacles)[-1]
     assert clear > 0 or (test == "surface" and angle)

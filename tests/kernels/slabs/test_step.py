@@ -12,7 +12,7 @@ from barchan.bed import Bed, Lattice
 from barchan.models.werner import Werner
 from barchan.slabs.model import SlabModel
 from barchan.slabs.parameters import SlabTransport
-from barchan.slabs.rules import Giving, HopRule, Rules
+from barchan.slabs.rules import ErosionChance, HopRule, Rules
 from barchan.streams import Stream, derive
 from barchan.wind.frame import WindFrame
 from barchan.wind.segment import Segment
@@ -68,7 +68,7 @@ def both(
     tally = model.advance(bed, segment, stream)
     frame = WindFrame.of(direction)
     assert frame.turns == 0
-    release = parameters.limits(lattice, parameters.release_angle)
+    release = parameters.limits(lattice, parameters.static_repose_angle)
     plain = Field(
         sand.tolist(),
         (ground / lattice.thickness).tolist(),
@@ -82,7 +82,7 @@ def both(
         lattice.boundary_y == "periodic",
         model.extra,
         None if mobility is None else np.rint(mobility * SCALE).astype(int).tolist(),
-        parameters.limits(lattice, model.extra.firm_angle),
+        parameters.limits(lattice, model.extra.stabilised_angle),
         None if release == parameters.limits(lattice) else release,
     )
     for step in range(5, 5 + steps):
@@ -170,7 +170,7 @@ HOP_RULES = st.builds(
     whole=st.booleans(),
     every_hop=st.booleans(),
 )
-GIVING = st.builds(Giving, st.sampled_from([0.3, 1.0]), st.sampled_from([-0.2, 0.0]))
+EROSION = st.builds(ErosionChance, st.sampled_from([0.3, 1.0]), st.sampled_from([-0.2, 0.0]))
 FEATURES = [
     # speed-up, plants, uneven ground, oblique wind, path test, release
     (True, False, False, False, False, False),
@@ -203,7 +203,7 @@ def test_kernel_equals_reference_with_what_models_add(features, data):
     above = data.draw(st.sampled_from([0.0, 8.0, 20.0])) if release else 0.0
     changes = {
         "path_test": data.draw(st.sampled_from(["hard", "surface"])) if path else "off",
-        "release_angle": parameters.repose_angle + above,
+        "static_repose_angle": parameters.repose_angle + above,
     }
     bed, tally, plain = both(
         parameters.model_copy(update=changes),
@@ -215,9 +215,9 @@ def test_kernel_equals_reference_with_what_models_add(features, data):
         key_seed=seed,
         extra=Rules(
             hop=data.draw(HOP_RULES) if speedup else None,
-            giving=data.draw(GIVING),
-            firm_angle=data.draw(st.sampled_from([10.0, 40.0, 50.0])),
-            firm_mobility=data.draw(st.sampled_from([-1.0, 0.7])),
+            erosion=data.draw(EROSION),
+            stabilised_angle=data.draw(st.sampled_from([10.0, 40.0, 50.0])),
+            stabilised_mobility=data.draw(st.sampled_from([-1.0, 0.7])),
         ),
         mobility=random.normal(0.7, 0.7, lattice.shape) if plants else None,
     )

@@ -1,25 +1,29 @@
 """The mean height of a surface and how far cells lie from it, followed as cells change."""
 
 import numpy as np
-from numba import njit
 
 from barchan.kernels.bed.state import DEVIATION, MEAN
+from barchan.kernels.core.internal import internal
 
 
-@njit(cache=True)
-def measure_levels(surface, levels, speedup):
-    """Take the levels anew from the whole surface."""
-    total = np.int64(0)
-    for cell in range(surface.size):
-        total += np.int64(surface[cell])
-    levels[MEAN] = (total << speedup.shift) // surface.size
-    levels[DEVIATION] = 0
-    for cell in range(surface.size):
-        levels[DEVIATION] += abs((np.int64(surface[cell]) << speedup.shift) - levels[MEAN])
+@internal()
+def measure_levels(surface, levels):
+    """Compute the levels from the whole surface (None: they are not kept)."""
+    if levels is not None:
+        total = np.int64(0)
+        for cell in range(surface.size):
+            total += np.int64(surface[cell])
+        mean = (total << levels.shift) // surface.size
+        deviation = np.int64(0)
+        for cell in range(surface.size):
+            deviation += abs((np.int64(surface[cell]) << levels.shift) - mean)
+        levels.values[MEAN] = mean
+        levels.values[DEVIATION] = deviation
 
 
-@njit(cache=True, forceinline=True)
-def move_level(levels, before, after, speedup):
-    """Follow one cell from one height to another."""
-    mean = levels[MEAN]
-    levels[DEVIATION] += abs((after << speedup.shift) - mean) - abs((before << speedup.shift) - mean)
+@internal(forceinline=True)
+def move_level(levels, before, after):
+    """Follow one cell from one height to another (None: levels are not kept)."""
+    if levels is not None:
+        mean = levels.values[MEAN]
+        levels.values[DEVIATION] += abs((after << levels.shift) - mean) - abs((before << levels.shift) - mean)

@@ -1,5 +1,6 @@
-"""The lattice and its slopes as kernels see them, told by numbers. Nothing here imports the compiler."""
+"""Lattice, stacks and slope rules as kernels take them. Nothing here imports the compiler."""
 
+import math
 from typing import NamedTuple
 
 import numpy as np
@@ -21,7 +22,48 @@ LEVEL_BITS = 20
 
 
 MEAN, DEVIATION = range(2)
-"""Places in the levels: the surface's mean, and the sum over all cells of their distance from it."""
+"""Places in ``Levels.values``: the surface's mean, and the sum over all cells of their distance from it."""
+
+
+class Levels(NamedTuple):
+    """Mean height and relief of the whole surface, kept up to date with every slab that moves."""
+
+    values: NDArray[np.int64]
+    """``MEAN`` and ``DEVIATION``, in 2**-``LEVEL_BITS`` slabs."""
+    shift: int
+    """Binary places from units of the surface to those of the levels."""
+
+
+def new_levels(shift: int) -> Levels:
+    """Levels that are not measured yet."""
+    return Levels(np.zeros(2, np.int64), shift)
+
+
+class Stacks(NamedTuple):
+    """Stacks of slabs (or parcels) on all cells, flat, in the wind's frame; changed in place."""
+
+    surface: NDArray[np.integer]
+    """Height of each stack, ground included, in whole units."""
+    sand: NDArray[np.int32] | None
+    """Slabs of sand on each cell; None over flat ground, where the surface counts slabs."""
+    mobility: NDArray[np.int32] | None = None
+    """How freely the wind works on each cell, in 1/``MOBILE``; None: everywhere unhindered."""
+    levels: Levels | None = None
+    """Kept up to date where hops depend on height."""
+
+
+class Unstable(NamedTuple):
+    """Work space of avalanches: the cells whose slopes have still to be checked."""
+
+    queue: NDArray[np.int64]
+    """Ring of cells, with room for all of them."""
+    waiting: NDArray[np.uint8]
+    """Why a cell is in the queue; 0: it is not. All zero before and after an avalanche."""
+
+
+def unstable_cells(cells: int) -> Unstable:
+    """Work space for avalanches on a lattice with ``cells`` cells, empty."""
+    return Unstable(np.zeros(cells, np.int64), np.zeros(cells, np.uint8))
 
 
 class Mixture(NamedTuple):
@@ -42,52 +84,85 @@ EAST, NORTH, WEST, SOUTH, NORTHEAST, NORTHWEST, SOUTHWEST, SOUTHEAST = range(8)
 
 
 STABLE = -1
-"""The way from a cell whose slopes all hold."""
+"""In place of a direction: every slope of the cell stands."""
 
 
-CLOSED = -(1 << 62)
-"""The code of a way that sand may not take: it sorts below every other."""
+BARRED = -(1 << 62)
+"""Code of a neighbour to which sand may not slide: it sorts below every other."""
 
 
-SLIDE, FEED, DRAWN = range(3)
-"""Rows of a table of turns: whither a slab slides, whence one falls in, and a drawn sequence of either."""
+DOWNSLOPE, UPSLOPE, SHUFFLED = range(3)
+"""Rows of a table of neighbour orders: for a slab that slides down, for one that slides in from above, and
+room for a random order of either."""
 
 
 class Repose(NamedTuple):
-    """Which slopes hold; heights in the surface's units."""
+    """Which slopes stand; heights in the surface's units."""
 
     slab: int
     face_limit: int
     """Largest stable step to one of the four neighbours that share a face."""
     corner_limit: int
     corner_weight: float
-    """What a step to a corner neighbour counts when the steepest one is sought (a face counts 1)."""
+    """Weight of a step to a corner neighbour when the steepest step is chosen (a step to a face has 1)."""
     corners: bool
     """Whether the four corner neighbours count at all (Moore) or not (von Neumann)."""
     random_order: bool
-    """Whether neighbours are checked in a sequence drawn anew each time."""
-    firm_face_limit: int
-    """The same limits where plants hold the sand."""
-    firm_corner_limit: int
-    firm_below: int
-    """Mobility up to which a cell is firm."""
-    release_face: int
-    """How far a step at rest may exceed its limit before it lets go."""
-    release_corner: int
+    """Whether equally steep neighbours are checked in a random order, drawn each time."""
+    stabilised_face_limit: int
+    """Largest stable step to a face neighbour where plants hold the sand."""
+    stabilised_corner_limit: int
+    stabilised_below: int
+    """Mobility up to which a cell is stabilised."""
+    static_face: int
+    """How far a step of sand at rest may exceed ``face_limit`` before the sand slides."""
+    static_corner: int
 
 
-def turn_code(direction: int, place: int) -> int:
-    """The code of the neighbour that is checked at ``place`` (0 to 7): earlier ones sort higher."""
+def repose_rule(
+    slab: int,
+    limits: tuple[int, int],
+    *,
+    corners: bool = True,
+    corner_weight: float = math.sqrt(0.5),
+    random_order: bool = False,
+    stabilised: tuple[int, int] | None = None,
+    stabilised_below: int = -1,
+    static: tuple[int, int] | None = None,
+) -> Repose:
+    """Slope limits from whole slabs: each pair holds the limits towards faces and corners.
+
+    Without ``stabilised`` limits no cell is stabilised, without ``static`` limits sand at rest slides at the
+    same steps as moving sand.
+    """
+    stabilised, static = stabilised or limits, static or limits
+    return Repose(
+        slab=slab,
+        face_limit=limits[0] * slab,
+        corner_limit=limits[1] * slab,
+        corner_weight=corner_weight,
+        corners=corners,
+        random_order=random_order,
+        stabilised_face_limit=stabilised[0] * slab,
+        stabilised_corner_limit=stabilised[1] * slab,
+        stabilised_below=stabilised_below,
+        static_face=(static[0] - limits[0]) * slab,
+        static_corner=(static[1] - limits[1]) * slab,
+    )
+
+
+def neighbour_code(direction: int, place: int) -> int:
+    """Code of the neighbour that is checked at ``place`` (0 to 7): earlier ones sort higher."""
     return (7 - place) << 3 | direction
 
 
-def settling_sequences(corners: bool) -> NDArray[np.int64]:
-    """Eight orders of neighbours: from each of four directions, one way round and the other."""
-    sequences = np.full((8, 8), CLOSED, np.int64)
-    for sequence in range(8):
+def relaxation_orders(corners: bool) -> NDArray[np.int64]:
+    """Eight orders of neighbours: from each of four directions, clockwise and counterclockwise."""
+    orders = np.full((8, 8), BARRED, np.int64)
+    for order in range(8):
         for place in range(4):
-            way = (sequence + (place if sequence < 4 else -place)) % 4
-            sequences[sequence, way] = turn_code(way, place)
+            direction = (order + (place if order < 4 else -place)) % 4
+            orders[order, direction] = neighbour_code(direction, place)
             if corners:
-                sequences[sequence, 4 + way] = turn_code(4 + way, 4 + place)
-    return sequences
+                orders[order, 4 + direction] = neighbour_code(4 + direction, 4 + place)
+    return orders

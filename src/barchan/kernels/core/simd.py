@@ -18,7 +18,7 @@ _INDEX = ir.IntType(32)
 
 
 @intrinsic
-def peek(typing: Any, address: Any, like: Any) -> Any:
+def load_at(typing: Any, address: Any, like: Any) -> Any:
     """The number at ``address``, of the type of ``like``."""
     signature = like(types.int64, like)
 

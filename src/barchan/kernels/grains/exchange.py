@@ -11,7 +11,8 @@ from numba import njit
 
 from barchan.kernels.bed.active_layer import available, kind_of, put, take
 from barchan.kernels.bed.grid import COL_STEP, ROW_STEP, neighbour
-from barchan.kernels.bed.relax import CHECKED, let_go, upset
+from barchan.kernels.bed.relax import CHECKED, enqueue, enqueue_about, relax_queue
+from barchan.kernels.bed.state import Stacks, Unstable
 from barchan.kernels.core.borrow import lent
 from barchan.kernels.grains.slots import free_slot
 from barchan.kernels.grains.state import CAPPED, COUNTS, LEFT, MOVED, NOWHERE, OUT, PATCH, TRAVEL_X, TRAVEL_Y
@@ -209,10 +210,8 @@ def _find_steep(level, rows, cols, repose, grid, steep):
 
 @njit(cache=True, nogil=True, error_model="numpy")
 def _relax(ground, scale, sequences, key, grid, repose, queue, waiting, length):
-    slid = let_go(
-        *(ground.level, ground.sand, None, None, sequences, queue, waiting, length, key),
-        *(grid, None, repose, ground.mixture),
-    )
+    stacks, unstable = Stacks(ground.level, ground.sand, None, None), Unstable(queue, waiting)
+    slid = relax_queue(stacks, sequences, unstable, length, key, grid, repose, ground.mixture)
     if slid > 0:
         renew_surface(ground, scale, grid)
     return slid
@@ -237,11 +236,9 @@ def settle_steep(ground, scale, sequences, key, grid, repose, queue, waiting):
 
 @njit(cache=True, nogil=True, error_model="numpy")
 def _upset_about(cell, grid, queue, waiting, length):
-    length = upset(cell, CHECKED, queue, waiting, 0, length)
-    for k in range(8):
-        r, c = neighbour(cell // grid.cols, cell % grid.cols, k, grid)
-        length = upset(r * grid.cols + c, CHECKED, queue, waiting, 0, length)
-    return length
+    unstable = Unstable(queue, waiting)
+    length = enqueue(unstable, cell, CHECKED, 0, length)
+    return enqueue_about(unstable, cell // grid.cols, cell % grid.cols, 0, 0, length, grid)
 
 
 @njit(cache=True, nogil=True, error_model="numpy")

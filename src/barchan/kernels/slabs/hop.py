@@ -4,12 +4,12 @@ Positions and hops are fixed-point numbers in the wind's frame, along and across
 """
 
 import numpy as np
-from numba import njit
 
 from barchan.kernels.bed.state import DEVIATION, LEVEL_BITS, MEAN
+from barchan.kernels.core.internal import internal
 
 
-@njit(cache=True, forceinline=True)
+@internal(forceinline=True)
 def wrapped(place, size, wrap):
     """A fixed-point position brought back into the field, or -1 where it has left."""
     length = size << 32
@@ -24,10 +24,11 @@ def wrapped(place, size, wrap):
     return place
 
 
-@njit(cache=True, forceinline=True)
+@internal(forceinline=True)
 def hop_cells(height, levels, speedup):
     """Hop (cells, negative: against the wind) from a cell of this height."""
-    reference = np.float64(levels[MEAN]) - speedup.share * np.float64(levels[DEVIATION])
+    deviation = speedup.deviation_weight * np.float64(levels.values[DEVIATION])
+    reference = np.float64(levels.values[MEAN]) - deviation
     rise = np.float64(height) * speedup.slabs - reference * (1.0 / (1 << LEVEL_BITS))
     hop = speedup.base + speedup.linear * rise
     if rise > 0.0:
@@ -36,7 +37,7 @@ def hop_cells(height, levels, speedup):
     return np.floor(hop + 0.5) if speedup.whole else hop
 
 
-@njit(cache=True, forceinline=True)
+@internal(forceinline=True)
 def fixed_hop(hop, unit):
     """A hop's part along an axis in 1/``CELL`` cells."""
     return np.int64(np.rint(hop * unit))

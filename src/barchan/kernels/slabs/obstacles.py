@@ -9,7 +9,8 @@ and most hops ask no more than that number.
 import numpy as np
 from numba import njit
 
-from barchan.kernels.core.simd import any_of_last_above, peek
+from barchan.kernels.core.inlining import never_inline
+from barchan.kernels.core.simd import any_of_last_above, load_at
 from barchan.kernels.core.state import LANES
 from barchan.kernels.slabs.hop import wrapped
 from barchan.kernels.slabs.state import CELL
@@ -61,7 +62,7 @@ def _look_along(ground, clear, row, turn, grid, repose):
 
 
 @njit(cache=True)
-def clear_way(surface, sand, turn, grid, repose, clear):
+def clear_distance(surface, sand, turn, grid, repose, clear):
     """Put into ``clear`` (uint8, flat) how many cells a slab may come over before ground could stop it.
 
     The wind blows along the rows (``turn`` 0), or also towards growing (1) or falling (-1) rows: then the
@@ -81,7 +82,7 @@ def clear_way(surface, sand, turn, grid, repose, clear):
 
 
 @njit(cache=True, error_model="numpy", forceinline=True)
-def way_is_clear(heights, along, across, hop_along, hop_across, grid, path):
+def way_is_clear(heights, along, across, hop_along, hop_across, grid, rule):
     """Whether nothing can stand in the way of a hop; ``heights`` is the surface's address.
 
     False means that the way has to be looked at cell by cell.
@@ -91,28 +92,28 @@ def way_is_clear(heights, along, across, hop_along, hop_across, grid, path):
     cols = ((along + hop_along) >> 32) - col
     rows = ((across + hop_across) >> 32) - row
     cell = row * grid.cols + col
-    if not path.sand:
-        place = path.clear + cell
+    if not rule.sand:
+        place = rule.clear + cell
         if hop_along < 0:
-            place = path.clear_back + grid.rows * grid.cols - 1 - cell
-        return abs(cols) + abs(rows) <= np.int64(peek(place, _BYTE))
+            place = rule.clear_back + grid.rows * grid.cols - 1 - cell
+        return abs(cols) + abs(rows) <= np.int64(load_at(place, _BYTE))
     if hop_along < 0 or hop_across != 0 or col + cols >= grid.cols:
         return False
-    last = heights + (cell + cols) * path.width
+    last = heights + (cell + cols) * rule.width
     while cols > 0:
-        after = last - (_BLOCK - 1) * path.width
-        if any_of_last_above(after, after - path.width, path.limit, cols):
+        after = last - (_BLOCK - 1) * rule.width
+        if any_of_last_above(after, after - rule.width, rule.limit, cols):
             return False
-        last -= _BLOCK * path.width
+        last -= _BLOCK * rule.width
         cols -= _BLOCK
     return True
 
 
 @njit(cache=True)
-def _stands_in_the_way(surface, sand, cell, other, limit, slab, path):
+def _stands_in_the_way(surface, sand, cell, other, limit, slab, rule):
     """Whether what a slab over ``cell`` comes upon next is too high to pass."""
     top = np.int64(surface[other])
-    if not path.sand:
+    if not rule.sand:
         top = np.int64(0)
         if sand is not None:
             top = np.int64(surface[other]) - np.int64(sand[other]) * slab
@@ -120,12 +121,13 @@ def _stands_in_the_way(surface, sand, cell, other, limit, slab, path):
 
 
 @njit(cache=True, error_model="numpy")
-def fly(surface, sand, along, across, hop_along, hop_across, grid, repose, path):
+def hop_until_blocked(surface, sand, along, across, hop_along, hop_across, grid, repose, rule):
     """One hop, cell by cell, as far as nothing stands in its way.
 
     Returns the new position (negative where the slab has left), the distance flown, and whether the slab
     was stopped.
     """
+    never_inline()
     pieces = (max(abs(hop_along), abs(hop_across)) + CELL - 1) >> 32
     piece_along = hop_along // pieces
     piece_across = hop_across // pieces
@@ -144,7 +146,7 @@ def fly(surface, sand, along, across, hop_along, hop_across, grid, repose, path)
         other = (next_c >> 32) * grid.cols + (next_a >> 32)
         corner = c >> 32 != next_c >> 32 and a >> 32 != next_a >> 32
         limit = repose.corner_limit if corner else repose.face_limit
-        if cell != other and _stands_in_the_way(surface, sand, cell, other, limit, repose.slab, path):
+        if cell != other and _stands_in_the_way(surface, sand, cell, other, limit, repose.slab, rule):
             return a, c, flown_along, flown_across, True
         a = next_a
         c = next_c

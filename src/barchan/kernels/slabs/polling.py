@@ -7,12 +7,12 @@ differs.
 """
 
 import numpy as np
-from numba import njit
 
+from barchan.kernels.core.internal import internal
 from barchan.kernels.core.random import below, derive, high, low, shuffle
 
 
-@njit(cache=True)
+@internal()
 def shuffle_bands(polls, key):
     """Draw the order of the bands."""
     for band in range(polls.band_order.size):
@@ -20,7 +20,7 @@ def shuffle_bands(polls, key):
     shuffle(polls.band_order, polls.band_order.size, key)
 
 
-@njit(cache=True)
+@internal()
 def count_polls_by_row(polls, first, count, key):
     """Draw how many of the polls ``first`` to ``first + count`` fall on each row, two from a draw."""
     rows = polls.row_polls.size
@@ -32,26 +32,26 @@ def count_polls_by_row(polls, first, count, key):
             polls.row_polls[below(low(draw), rows)] += 1
 
 
-@njit(cache=True)
-def polls_in_band(polls, first_row, rows):
-    """How many polls fall on ``rows`` rows from ``first_row`` on."""
+@internal()
+def polls_in_band(polls, band):
+    """Number of polls that fall on the rows of a band."""
     total = 0
-    for row in range(first_row, first_row + rows):
+    for row in range(band.first_row, band.first_row + band.rows):
         total += polls.row_polls[row]
     return total
 
 
-@njit(cache=True)
-def draw_cells(polls, first, count, first_row, rows, cols, key):
+@internal()
+def draw_cells(polls, first, count, band, cols, key):
     """Prepare ``count`` polls, from poll ``first`` on, of cells drawn at random within a band."""
     for k in range(count):
         draw = derive(key, first + k)
         polls.states[k] = draw
         polls.cols[k] = below(high(draw), cols)
-        polls.rows[k] = first_row + below(low(draw), rows)
+        polls.rows[k] = band.first_row + below(low(draw), band.rows)
 
 
-@njit(cache=True)
+@internal()
 def shuffle_cells(polls, cells, key):
     """Shuffle the ``cells`` cells of a band."""
     for k in range(cells):
@@ -59,7 +59,7 @@ def shuffle_cells(polls, cells, key):
     shuffle(polls.permutation, cells, key)
 
 
-@njit(cache=True)
+@internal()
 def take_cells(polls, first, at, count, first_row, cols, key):
     """Prepare ``count`` polls, from poll ``first`` on, of the cells at ``at`` in the shuffled band."""
     for k in range(count):

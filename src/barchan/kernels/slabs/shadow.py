@@ -10,13 +10,14 @@ column between two cells and the height there is interpolated linearly between t
 import numpy as np
 from numba import njit
 
-from barchan.kernels.core.simd import any_above, any_of_last_above, peek
+from barchan.kernels.core.internal import internal
+from barchan.kernels.core.simd import any_above, any_of_last_above, load_at
 from barchan.kernels.core.state import LANES
 
 _BLOCK = np.int64(LANES)
 
 
-@njit(cache=True, error_model="numpy")
+@internal(error_model="numpy")
 def _across_edge(surface, row, col, here, count, grid, axis):
     """The test of ``count`` cells upwind where the field's upwind edge is among them."""
     stride = _BLOCK * axis.width
@@ -36,7 +37,7 @@ def _across_edge(surface, row, col, here, count, grid, axis):
     return False
 
 
-@njit(cache=True, error_model="numpy")
+@internal(error_model="numpy")
 def _in_axis_shadow(surface, row, col, here, peak, grid, axis):
     rise = ((peak - here) >> axis.shift) + 1
     count = min((((rise * axis.reach) >> 16) + _BLOCK) & -_BLOCK, axis.size)
@@ -55,11 +56,11 @@ def _in_axis_shadow(surface, row, col, here, peak, grid, axis):
     return False
 
 
-@njit(cache=True, error_model="numpy")
+@internal(error_model="numpy")
 def _in_ray_shadow(surface, row, col, here, peak, grid, ray):
     rise = np.float64(peak - here)
     for k in range(ray.size):
-        fall = peek(ray.falls + 8 * k, 0.0)
+        fall = load_at(ray.falls + 8 * k, 0.0)
         if fall >= rise:
             return False
         c = col - 1 - k
@@ -67,9 +68,9 @@ def _in_ray_shadow(surface, row, col, here, peak, grid, ray):
             if not grid.wrap_along:
                 return False
             c += grid.cols
-        lower = row + peek(ray.rows + 8 * k, np.int64(0))
+        lower = row + load_at(ray.rows + 8 * k, np.int64(0))
         upper = lower + 1
-        weight = peek(ray.weights + 8 * k, 0.0)
+        weight = load_at(ray.weights + 8 * k, 0.0)
         if grid.wrap_across:
             lower -= grid.rows if lower >= grid.rows else 0
             upper -= grid.rows if upper >= grid.rows else 0
@@ -77,8 +78,8 @@ def _in_ray_shadow(surface, row, col, here, peak, grid, ray):
             if weight > 0.0 or lower < 0 or lower >= grid.rows:
                 return False
             upper = lower
-        below = peek(surface + (lower * grid.cols + c) * ray.width, here)
-        above = peek(surface + (upper * grid.cols + c) * ray.width, here)
+        below = load_at(surface + (lower * grid.cols + c) * ray.width, here)
+        above = load_at(surface + (upper * grid.cols + c) * ray.width, here)
         if np.float64(below) + weight * np.float64(above - below) - np.float64(here) > fall:
             return True
     return False

@@ -1,8 +1,11 @@
-"""What the kernel of slab models is told, as structs. Nothing here imports the compiler."""
+"""The rules, the schedule and the work space of the slab kernel. Nothing here imports the compiler."""
 
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
+
+from barchan.kernels.bed.state import Grid, Repose, Unstable
 
 CELL = 1 << 32
 """One cell in the fixed-point numbers that positions and hops are kept in."""
@@ -20,17 +23,20 @@ class Wind(NamedTuple):
     hop_along: int
     """One hop in 1/``CELL`` cells."""
     hop_across: int
+    """The same across the columns' axis."""
     unit_along: float
     """A hop of one cell in 1/``CELL`` cells."""
     unit_across: float
-    settle_on_sand: np.uint64
-    """Chance of settling where there is sand, in 2**-32."""
-    settle_on_ground: np.uint64
-    give_share: int
-    """Chance of giving a slab that a whole ``MOBILE`` adds, in 2**-32."""
-    give_shift: int
-    """Chance of giving a slab where the mobility is none, in 2**-32."""
+    deposit_on_sand: np.uint64
+    """Chance that a slab that lands on sand is deposited, in 2**-32."""
+    deposit_on_ground: np.uint64
+    """The same on bare ground."""
+    erosion_factor: int
+    """Chance of erosion that a whole ``MOBILE`` adds, in 2**-32; used only where cells have a mobility."""
+    erosion_offset: int
+    """Chance of erosion of a cell without mobility, in 2**-32."""
     max_hops: int
+    """Hops after which a slab is put down wherever it is."""
 
 
 class Speedup(NamedTuple):
@@ -45,10 +51,8 @@ class Speedup(NamedTuple):
     longest: float
     slabs: float
     """Slabs in one unit of the surface."""
-    shift: int
-    """Binary places from units of the surface to those of the levels."""
-    share: float
-    """What of the deviation is taken off the mean to give the reference."""
+    deviation_weight: float
+    """Part of the summed deviation by which the reference lies below the mean."""
     whole: bool
     """Whether hops are rounded to whole cells."""
     every_hop: bool
@@ -82,19 +86,38 @@ class RayShadow(NamedTuple):
     width: int
 
 
-class Path(NamedTuple):
-    """What stops a slab on its way."""
+class ObstacleRule(NamedTuple):
+    """Which steps stop a slab in flight."""
 
     sand: bool
     """Whether sand that is too steep stops it too, or only ground."""
     limit: int
-    """Step to a face neighbour that a slab passes, of the surface's type."""
+    """Largest step to a face neighbour that a slab passes, of the surface's type."""
     width: int
     """Bytes of one height."""
     clear: int = 0
-    """Address of how many cells a slab may come over from each one before ground could stop it (uint8)."""
+    """Address of each cell's clear distance: cells passed before ground can stop a slab (uint8)."""
     clear_back: int = 0
     """The same against the wind, last cell first."""
+
+
+class SlabRules(NamedTuple):
+    """The rules of a slab model under one wind; what a model does without is None."""
+
+    grid: Grid
+    wind: Wind
+    speedup: Speedup | None
+    """How hops depend on height; None: all hops are alike."""
+    obstacles: ObstacleRule | None
+    """None: a slab passes over everything."""
+    repose: Repose
+    axis: AxisShadow | None
+    """Shadow lines of a wind along a lattice axis; one of ``axis`` and ``ray`` is None."""
+    ray: RayShadow | None
+    orders: NDArray[np.int64]
+    """Neighbour orders for slabs that slide: rows ``DOWNSLOPE``, ``UPSLOPE`` and ``SHUFFLED`` (scratch)."""
+    relaxation_orders: NDArray[np.int64]
+    """Neighbour orders of avalanches that go on until every slope stands."""
 
 
 BLOCK = 256
@@ -111,22 +134,52 @@ class Schedule(NamedTuple):
     band_rows: int
 
 
-class Polls(NamedTuple):
-    """Work space: the polls at hand and what their order is drawn with."""
+class Band(NamedTuple):
+    """A band of rows."""
 
-    rows: np.ndarray
-    cols: np.ndarray
-    states: np.ndarray
+    first_row: int
+    rows: int
+
+
+class Round(NamedTuple):
+    """A part of a step: some polls of every band, or of every cell in random order."""
+
+    number: int
+    start: int
+    """Polls before the first one: of the step, or of a shuffled round through the lattice."""
+    stop: int
+    key: np.uint64
+    """Key of the order of bands and cells."""
+    poll_key: np.uint64
+    """Key of the polls' own random sequences."""
+    target: int
+    """The round ends once the tally has this many moved slabs; -1: never."""
+
+
+class Polls(NamedTuple):
+    """Work space: the prepared polls, and the orders in which they are drawn."""
+
+    rows: NDArray[np.int64]
+    cols: NDArray[np.int64]
+    states: NDArray[np.uint64]
     """Where each poll's random sequence starts."""
-    band_order: np.ndarray
-    row_polls: np.ndarray
+    band_order: NDArray[np.int64]
+    row_polls: NDArray[np.int64]
     """Polls that fall on each row."""
-    permutation: np.ndarray
+    permutation: NDArray[np.int32]
     """The cells of a band, shuffled."""
 
 
-def work_space(rows: int, cols: int, schedule: Schedule) -> Polls:
-    """Work space for a lattice of ``rows`` by ``cols`` cells."""
+class Work(NamedTuple):
+    """Work space of the slab kernel."""
+
+    polls: Polls
+    unstable: Unstable | None
+    """For avalanches until every slope stands; None where sand at rest slides at the repose angle."""
+
+
+def prepared_polls(rows: int, cols: int, schedule: Schedule) -> Polls:
+    """Room for prepared polls on a lattice of ``rows`` by ``cols`` cells."""
     bands = -(-rows // schedule.band_rows)
     band_cells = min(rows, schedule.band_rows) * cols if schedule.each_once else 1
     return Polls(

@@ -1,0 +1,131 @@
+"""Rules 4 and 5 of a poll (``docs/slabs.md``): a slab hops on until it is deposited or leaves the field.
+
+Rules that a model does without are None, and the compiler leaves them out: it can tell only where the rule is
+an argument of its own, so functions take an optional rule first.
+"""
+
+import numpy as np
+
+from barchan.kernels.bed.slopes import has_sand
+from barchan.kernels.core.internal import internal
+from barchan.kernels.core.random import GOLDEN, high, low, mix
+from barchan.kernels.slabs.hop import fixed_hop, hop_cells, wrapped
+from barchan.kernels.slabs.obstacles import hop_until_blocked, way_is_clear
+from barchan.kernels.slabs.shadow import in_shadow
+from barchan.kernels.slabs.state import CELL, MOBILE
+
+_ALL = 1 << 32
+"""A chance of one."""
+
+
+@internal(forceinline=True)
+def first_hop(speedup, levels, wind, height):
+    """The hop from a cell of this height, along and across, in 1/``CELL`` cells."""
+    if speedup is None:
+        return wind.hop_along, wind.hop_across
+    hop = hop_cells(height, levels, speedup)
+    return fixed_hop(hop, wind.unit_along), fixed_hop(hop, wind.unit_across)
+
+
+@internal(forceinline=True)
+def _next_hop(speedup, levels, wind, height, hop_along, hop_across, stays):
+    """The hop from where a slab landed, and whether it stays there because that hop is zero."""
+    if speedup is not None:
+        if speedup.every_hop and not stays:
+            hop = hop_cells(height, levels, speedup)
+            hop_along = fixed_hop(hop, wind.unit_along)
+            hop_across = fixed_hop(hop, wind.unit_across)
+            stays = hop == 0.0
+    return hop_along, hop_across, stays
+
+
+@internal(forceinline=True)
+def _has_fractions(speedup, hop_along, hop_across):
+    """Whether hops may end between cells, so that slabs start anywhere within theirs."""
+    fractions = (hop_along | hop_across) & (CELL - 1) != 0
+    if speedup is not None:
+        fractions |= not speedup.whole
+    return fractions
+
+
+@internal(forceinline=True)
+def _hop(obstacles, surface, sand, heights, along, across, hop_along, hop_across, grid, repose):
+    """One hop: the new position (negative: left the field), the distance, and whether a wall stopped it."""
+    if obstacles is not None:
+        if not way_is_clear(heights, along, across, hop_along, hop_across, grid, obstacles):
+            return hop_until_blocked(
+                surface, sand, along, across, hop_along, hop_across, grid, repose, obstacles
+            )
+    along = wrapped(along + hop_along, grid.cols, grid.wrap_along)
+    if hop_across != 0:
+        across = wrapped(across + hop_across, grid.rows, grid.wrap_across)
+    return along, across, hop_along, hop_across, False
+
+
+@internal(forceinline=True)
+def _sticks(mobility, sandy, wind, cell, chance):
+    """Whether the chance of deposition holds a slab where it landed."""
+    deposit = wind.deposit_on_sand if sandy else wind.deposit_on_ground
+    if mobility is None:
+        return chance < deposit
+    hops_on = (_ALL - np.int64(deposit)) * np.int64(mobility[cell]) // MOBILE
+    return np.int64(chance) < _ALL - hops_on
+
+
+@internal(forceinline=True)
+def _sticks_in_shadow(axis, ray, grid, sticks, heights, row, col, here, peak):
+    """Whether a slab stays where it landed, by chance or because it landed in shadow.
+
+    The test along an axis is so short that it is made in any case: there is no branch to mispredict.
+    """
+    if axis is None:
+        if sticks:
+            return True
+    return sticks | in_shadow(heights, row, col, here, peak, grid, axis, ray)
+
+
+@internal(forceinline=True)
+def carry(stacks, rules, heights, row, col, hop_along, hop_across, state, peak):
+    """Carry a slab from a cell, hop by hop, until it stays or leaves the field.
+
+    Returns its last row and column, the random state, whether it is still in the field, whether it stays by
+    itself and not because of ``max_hops``, and the distances travelled in 1/``TRAVEL_UNIT`` cells.
+    """
+    wind, grid = rules.wind, rules.grid
+    surface, sand = stacks.surface, stacks.sand
+    along = col << 32
+    across = row << 32
+    if _has_fractions(rules.speedup, hop_along, hop_across):
+        state += GOLDEN
+        draw = mix(state)
+        along |= np.int64(high(draw))
+        across |= np.int64(low(draw))
+    travel_along = np.int64(0)
+    travel_across = np.int64(0)
+    hops = 0
+    ends = False
+    stays = False
+    while not ends:
+        # 4 hop
+        hops += 1
+        along, across, hopped_along, hopped_across, stopped = _hop(
+            rules.obstacles, surface, sand, heights, along, across, hop_along, hop_across, grid, rules.repose
+        )
+        travel_along += hopped_along >> 16
+        travel_across += hopped_across >> 16
+        if along < 0 or across < 0:
+            return row, col, state, False, False, travel_along, travel_across
+        row = across >> 32
+        col = along >> 32
+        # 5 settle?
+        state += GOLDEN
+        cell = np.uint64(row * grid.cols + col)
+        here = surface[cell]
+        sandy = has_sand(surface, sand, cell)
+        stays = _sticks(stacks.mobility, sandy, wind, cell, high(mix(state))) | stopped
+        stays = _sticks_in_shadow(rules.axis, rules.ray, grid, stays, heights, row, col, here, peak)
+        hop_along, hop_across, stays = _next_hop(
+            rules.speedup, stacks.levels, wind, here, hop_along, hop_across, stays
+        )
+        ends = stays | (hops == wind.max_hops)
+    return row, col, state, True, stays, travel_along, travel_across
