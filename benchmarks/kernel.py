@@ -99,7 +99,7 @@ def measure(case: Case, repetitions: int = 5) -> Speed:
     runs = 1 if case.size > 1024 else repetitions
     for repetition in range(runs + 1):
         bed = Bed(lattice, ground, np.where(ground > 1.0, 0, case.depth))
-        model.prepare(bed, 1)
+        model.initialise(bed, 1)
         steps = case.steps if repetition else 1
         began = time.perf_counter()
         tally = model.advance(bed, Segment(0, steps, 0, lattice.cells, case.direction), stream)

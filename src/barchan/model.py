@@ -22,7 +22,7 @@ class Tally:
 
     steps: int = 0
     polls: int = 0
-    """Work done, in what the model ``counts``."""
+    """Work done, in the model's ``work_unit``."""
     moved: int = 0
     """Slabs that the wind took."""
     crept: int = 0
@@ -119,7 +119,7 @@ class Model(ABC):
     """Whether it lets sand enter across open edges, where the forcing brings any."""
     material: ClassVar[str] = "sand"
     """What its slabs or parcels are of, in one word; the studio offers models by it."""
-    counts: ClassVar[str] = "polls"
+    work_unit: ClassVar[str] = "polls"
     """What a unit of its work is, for rates that people read."""
     Parameters: ClassVar[type[Parameters]]
     layers: tuple[LayerInfo, ...] = (SAND,)
@@ -141,7 +141,7 @@ class Model(ABC):
         """Take new parameters from now on; state is kept."""
         self.parameters = parameters
 
-    def prepare(self, bed: Bed, seed: int) -> None:
+    def initialise(self, bed: Bed, seed: int) -> None:
         """Add the model's own fields to a bed; ``seed`` is the run's.
 
         Raises ScenarioError where the model's own files do not fit.
@@ -154,7 +154,7 @@ class Model(ABC):
         """The model's fields that a brush may change, and the values that it holds them within."""
         return {}
 
-    def begin(self, bed: Bed) -> None:
+    def start(self, bed: Bed) -> None:
         """Take note of the bed once it has come to rest, before the first step."""
 
     @abstractmethod
@@ -167,7 +167,7 @@ class Model(ABC):
         """
 
     @abstractmethod
-    def settle(self, bed: Bed, where: NDArray[np.bool_] | None = None) -> int:
+    def relax(self, bed: Bed, where: NDArray[np.bool_] | None = None) -> int:
         """Relax slopes to rest, in place: those of the whole bed, or those that a change ``where`` upsets.
 
         Returns how many slabs slid.

@@ -38,7 +38,7 @@ GROUNDS = pytest.mark.parametrize(
 @EVERY_MODEL
 def test_a_model_counts_its_work_and_says_in_what(name):
     simulation = Simulation(scenario(name))
-    assert simulation.model.counts.endswith("s")
+    assert simulation.model.work_unit.endswith("s")
     assert simulation.advance(4).polls > 0
 
 

@@ -48,7 +48,7 @@ def flat(name="wang_hu", **rules):
     flight = model(name)(model(name).Parameters(**rules), LATTICE)
     bed = Bed(LATTICE, np.zeros(LATTICE.shape), np.zeros(LATTICE.shape, np.int32))
     bed.sand[0, 0] = 1
-    flight.prepare(bed, 1)
+    flight.initialise(bed, 1)
     return flight, bed
 
 
@@ -115,7 +115,7 @@ def test_at_open_edges_plants_stand_up_to_the_edge():
             model("wang_hu").Parameters(canopy={"stands": [{**GRASS, "east": 1.0}]}), lattice
         )
         bed = Bed(lattice, np.zeros(lattice.shape), np.ones(lattice.shape, np.int32))
-        flight.prepare(bed, 1)
+        flight.initialise(bed, 1)
         rise = flight.ground_of(bed, 270.0).arrays.canopy.displacement_height.reshape(lattice.shape)
         assert rise[8, -1] == pytest.approx(share * 2 / 3 * 0.05)
 

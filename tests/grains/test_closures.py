@@ -49,7 +49,7 @@ def run(steps, lattice=LATTICE, model=None, **rules):
     """A model after some steps, its bed, and the tally."""
     model = model or NoCreep(NoCreep.Parameters(**{**RULES, **rules}), lattice)
     bed = Bed(lattice, np.zeros(lattice.shape), np.full(lattice.shape, 20))
-    model.prepare(bed, 1)
+    model.initialise(bed, 1)
     return model, bed, blow(model, bed, 0, steps)
 
 

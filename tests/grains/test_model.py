@@ -69,7 +69,7 @@ def test_the_filter_smooths_a_sawtooth_away(along):
     before = simulation.bed.units
     ground = simulation.model.ground_of(simulation.bed, 270.0)
     for _ in range(8):
-        ground.settle(0)
+        ground.relax(0)
     assert np.ptp(simulation.bed.sand) < 300
     assert simulation.bed.units == before
 

@@ -146,7 +146,7 @@ def test_sand_slides_where_plants_are_told_to_hold_it_no_more():
     before = simulation.bed.sand.copy()
     simulation.apply(SetParameter(key="model.stabilised_cover", value=0.9))
     assert (simulation.bed.sand != before).any()
-    assert simulation.model.settle(simulation.bed) == 0
+    assert simulation.model.relax(simulation.bed) == 0
 
 
 def test_the_slide_before_the_first_step_is_no_part_of_the_first_year():

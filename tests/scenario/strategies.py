@@ -10,7 +10,7 @@ from barchan.lattice import LARGEST_ASPECT, LEAST_ASPECT, Lattice
 from barchan.parameters import NOTE, Parameters
 from barchan.plants.species import Species
 from barchan.scenario import Scenario
-from barchan.slabs.parameters import SlabTransport
+from barchan.slabs.parameters import SlabParameters
 from barchan.wind import MixedAxes, Regime, Steady
 from barchan.wind.speed_ramps import Points
 
@@ -56,7 +56,7 @@ def group(parameters: type[Parameters]) -> st.SearchStrategy[dict[str, Any]]:
         return drawn.map(_is_a_function)
     if issubclass(parameters, GrainFlight):
         return drawn.map(_flies)
-    if issubclass(parameters, SlabTransport):
+    if issubclass(parameters, SlabParameters):
         return drawn.map(_lets_go_above_rest)
     return drawn.map(_one_height) if parameters is Lattice else drawn
 

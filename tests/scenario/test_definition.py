@@ -108,7 +108,7 @@ def test_every_small_scenario_builds_a_bed_at_rest_or_is_refused_for_what_its_pa
     assert bed.sand.min() >= 0
     assert bed.units == simulation.ledger.initial
     assert np.isfinite(bed.elevation).all()
-    assert simulation.model.settle(bed) == 0
+    assert simulation.model.relax(bed) == 0
 
 
 HILL = {"ground": {"kind": "bump", "height": 5.0, "radius": 1e-3}}

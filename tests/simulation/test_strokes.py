@@ -84,7 +84,7 @@ def test_the_wind_works_on_painted_sand():
 @pytest.mark.parametrize("amount", [2**31, -(2**31) - 1, 10**30])
 def test_a_stroke_of_more_than_a_cell_can_hold_is_refused_and_leaves_the_bed_alone(monkeypatch, amount):
     simulation = Simulation(tiny())
-    monkeypatch.setattr(simulation.model, "settle", lambda *_: 0)
+    monkeypatch.setattr(simulation.model, "relax", lambda *_: 0)
     before = simulation.bed.sand.copy()
     with pytest.raises(ScenarioError, match=r"amount: is -?[0-9]+; allowed: whole number"):
         simulation.apply(Stroke(x=12.0, y=8.0, radius=6.0, amount=amount))

@@ -34,8 +34,6 @@ class Packing(Model):
     def relax(self, bed, where=None):
         return 0
 
-    settle = relax
-
 
 def snowing(**wind):
     scenario = tiny(

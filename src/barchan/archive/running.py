@@ -25,12 +25,14 @@ class Outcome:
     reason: str
     interrupted: bool
     work_per_second: float
-    """What the model ``counts`` (polls, grain updates) per second of work, without the first steps (which may
+    """Units of work (polls, grain updates: ``Model.work_unit``) per second, without the first steps (which may
     compile) and without saving."""
 
     def __repr__(self) -> str:
         rate = (
-            f", {self.work_per_second:.3g} {self.simulation.model.counts}/s" if self.work_per_second else ""
+            f", {self.work_per_second:.3g} {self.simulation.model.work_unit}/s"
+            if self.work_per_second
+            else ""
         )
         return f"<Outcome in {self.path}: step {self.simulation.steps_done}, {self.reason}{rate}>"
 

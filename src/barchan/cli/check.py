@@ -19,7 +19,7 @@ def check(scenario: str, /, *values: Tokens) -> None:
     model = sound.new_model()
     with sound.source_map.locating_errors():
         sound.forcing().wind_of(0)
-        model.prepare(sound.first_bed(), sound.seed)
+        model.initialise(sound.first_bed(), sound.seed)
     console.print(f"{scenario}: sound")
     for name, fact in {**sound.time_facts(), **model.facts()}.items():
         console.print(f"{name}: {fact}")

@@ -45,7 +45,7 @@ def print_outcome(outcome: Outcome, quiet: bool, picture: bool) -> None:
         return
     tally = outcome.simulation.tally
     speed = outcome.work_per_second / 1e6
-    pace = f" ({speed:.1f} million {outcome.simulation.model.counts}/s)" if speed else ""
+    pace = f" ({speed:.1f} million {outcome.simulation.model.work_unit}/s)" if speed else ""
     console.print(f"{outcome.reason} at step {outcome.simulation.steps_done}{pace}")
     if tally.left:
         console.print(f"{tally.left} slabs left through open edges")

@@ -137,7 +137,7 @@ class GrainGround:
             shelter.raise_over(self.arrays, self.lattice, self.frame)
             renew_mesh(self.arrays)
 
-    def settle(self, key: int) -> None:
+    def relax(self, key: int) -> None:
         """Relax slopes that are too steep."""
         from barchan.kernels.grains.collapse import settle_steep
         from barchan.kernels.grains.filter import smooth_slopes
@@ -149,7 +149,7 @@ class GrainGround:
         else:
             settle_steep(self.arrays, self.slopes, np.uint64(key))
 
-    def settle_where(self, where: NDArray[np.bool_]) -> int:
+    def relax_where(self, where: NDArray[np.bool_]) -> int:
         """Relax slopes about some cells until all hold; returns the number of parcels that slid."""
         from barchan.kernels.bed.relax import relax_field
 

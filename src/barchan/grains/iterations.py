@@ -23,5 +23,5 @@ def shared_scene(scene: Scene, key: int, slots: int, first: int) -> Iterator[Cal
 
     plan = plan_of(key, slots, first)
     count = min(threads.thread_count(), slots // threads.LEAST)
-    with threads.helped(lambda: run_iterations(False, plan, scene, 0), plan.board, count - 1):
+    with threads.with_helpers(lambda: run_iterations(False, plan, scene, 0), plan.board, count - 1):
         yield lambda end: run_iterations(True, plan, scene, end)

@@ -42,7 +42,7 @@ class GrainModel(Model):
     A subclass names its ``closures`` and composes its parameters of them.
     """
 
-    counts = "grain updates"
+    work_unit = "grain updates"
     closures: ClassVar[tuple[type[Closure], ...]] = ()
     Parameters = GrainFlight
     parameters: GrainFlight
@@ -73,7 +73,7 @@ class GrainModel(Model):
         canopy = self.parameters.part(Canopy)
         return canopy if canopy is not None and canopy.stands else None
 
-    def prepare(self, bed: Bed, seed: int) -> None:
+    def initialise(self, bed: Bed, seed: int) -> None:
         """Add sizes and plants to a bed; raises ScenarioError with all that keeps grains from flying."""
         rules = self.parameters
         fastest = entrainment_of(self.setting()).max_speed
@@ -222,10 +222,10 @@ class GrainModel(Model):
 
         return follow(self, bed, wind, stream, count, longest)
 
-    def settle(self, bed: Bed, where: NDArray[np.bool_] | None = None) -> int:
+    def relax(self, bed: Bed, where: NDArray[np.bool_] | None = None) -> int:
         """Relax slopes to the angle of repose."""
         ground = self.ground_of(bed, _ANY)
-        slid = ground.settle_where(np.ones(bed.sand.size, np.bool_) if where is None else where.ravel())
+        slid = ground.relax_where(np.ones(bed.sand.size, np.bool_) if where is None else where.ravel())
         self._store(bed, ground)
         return slid
 

@@ -30,7 +30,7 @@ def iterate(model: "GrainModel", wind: Segment, stream: Stream, ground: GrainGro
         _fly(model, first, count, stream, scene, ground)
         if feedback is not None:
             feedback.update(ground.momentum_loss(), count * rules.time_step, ground.direction)
-    ground.settle(derive(stream.key, model.iteration))
+    ground.relax(derive(stream.key, model.iteration))
 
 
 def _spare_slots(model: "GrainModel") -> int:
@@ -52,7 +52,7 @@ def _fly(
             if shelter is not None and number % shelter.update_every == 0:
                 ground.raise_shelter()
             if number and number % collapse == 0:
-                ground.settle(derive(stream.key, model.iteration))
+                ground.relax(derive(stream.key, model.iteration))
             model.iteration += some
             fly_until(model.iteration)
 

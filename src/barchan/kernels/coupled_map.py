@@ -24,7 +24,7 @@ def _rounded(number, part):
 def hop(sand, hops_x, hops_y, share, key, joined_y, joined_x, counts):
     """Let every cell give ``share`` parcels (a real number), as far as it has them, over its own hop (cells).
 
-    ``counts`` takes the parcels moved and left, and their travel eastwards and northwards.
+    ``work_unit`` takes the parcels moved and left, and their travel eastwards and northwards.
     """
     rows, cols = sand.shape
     landed = np.zeros(sand.shape, np.int64)

@@ -17,7 +17,7 @@ _ENGINES = {
     "GrainModel": "barchan.grains.model",
     "GrainFlight": "barchan.grains.parameters",
     "SlabModel": "barchan.slabs.model",
-    "SlabTransport": "barchan.slabs.parameters",
+    "SlabParameters": "barchan.slabs.parameters",
     "SpeedupModel": "barchan.slabs.speedup",
     "SpeedupParameters": "barchan.slabs.speedup",
 }
@@ -32,7 +32,7 @@ __all__ = [
     "ModelMeasure",
     "Overlay",
     "SlabModel",
-    "SlabTransport",
+    "SlabParameters",
     "SpeedupModel",
     "SpeedupParameters",
     "Tally",

@@ -14,7 +14,7 @@ from barchan.parameters import parameter, redeclared
 from barchan.plants.layouts import UniformPlants, Vegetation
 from barchan.plants.species import SPECIES, Grass, Mesquite, Shrub, Species
 from barchan.slabs.model import SlabModel
-from barchan.slabs.parameters import SlabTransport
+from barchan.slabs.parameters import SlabParameters
 from barchan.slabs.rules import ErosionChance, Rules
 from barchan.streams import Stream
 from barchan.wind.clock import YEAR, spoken
@@ -27,17 +27,17 @@ _ROUNDING = 1e-9
 """Slack for ends of years that are whole steps but for rounding."""
 
 
-class NieldBaasParameters(SlabTransport):
+class NieldBaasParameters(SlabParameters):
     """Parameters of Nield and Baas's model."""
 
     kind_key: ClassVar[str] = "name"
 
     name: Literal["nield_baas"] = parameter("nield_baas", unit="-", meaning="Nield and Baas's model.")
-    hop_length: float = redeclared(SlabTransport, "hop_length", 1.0, "Nield & Baas 2008")
+    hop_length: float = redeclared(SlabParameters, "hop_length", 1.0, "Nield & Baas 2008")
     polling: Literal["repeated", "non_repeated"] = redeclared(
-        SlabTransport, "polling", "non_repeated", "Nield & Baas 2008"
+        SlabParameters, "polling", "non_repeated", "Nield & Baas 2008"
     )
-    repose_angle: float = redeclared(SlabTransport, "repose_angle", 30.0, "Nield & Baas 2008")
+    repose_angle: float = redeclared(SlabParameters, "repose_angle", 30.0, "Nield & Baas 2008")
     erosion_chance: float = parameter(
         1.0,
         unit="-",
@@ -144,9 +144,9 @@ class NieldBaas(SlabModel):
     measures = tuple(map(_mean_of, SPECIES))
     overlays = (Overlay("effectiveness", "plants", "Greens", SPECIES),)
 
-    def prepare(self, bed: Bed, seed: int) -> None:
+    def initialise(self, bed: Bed, seed: int) -> None:
         """Plant what stands there at first."""
-        super().prepare(bed, seed)
+        super().initialise(bed, seed)
         cover = self.parameters.vegetation.cover(self.lattice, Stream(seed, "vegetation"))
         for field in self.fields[:3]:
             kind: Species = getattr(self.parameters, field.name)
@@ -159,7 +159,7 @@ class NieldBaas(SlabModel):
         kinds: dict[str, Species] = {name: getattr(self.parameters, name) for name in SPECIES}
         return {name: (max(kind.lowest, 0.0), max(kind.highest, 0.0)) for name, kind in kinds.items()}
 
-    def begin(self, bed: Bed) -> None:
+    def start(self, bed: Bed) -> None:
         """Begin the first year."""
         bed.arrays["year_start"][...] = bed.sand
 
@@ -201,11 +201,11 @@ class NieldBaas(SlabModel):
         ends = (math.ceil(k * year - _ROUNDING) for k in (years + 1, years + 2))
         return next(end for end in ends if end > step)
 
-    def spell(self, segment: Segment) -> int:
+    def steps_until_update(self, segment: Segment) -> int:
         """Steps until the year ends."""
         return self._year_end(segment.step, segment.step_seconds) - segment.step
 
-    def passed(self, bed: Bed, segment: Segment) -> None:
+    def after_steps(self, bed: Bed, segment: Segment) -> None:
         """Let plants grow when a year is over."""
         done = segment.step + segment.steps
         if segment.ends and self._year_end(done - 1, segment.step_seconds) == done:
@@ -220,7 +220,7 @@ class NieldBaas(SlabModel):
         bed.arrays["balance"][...] = balance
         loosened = was_stabilised & (self.effectiveness(bed) < self.parameters.stabilised_cover)
         if loosened.any():
-            self.settle(bed, loosened)
+            self.relax(bed, loosened)
         bed.arrays["year_start"][...] = bed.sand
 
     @classmethod

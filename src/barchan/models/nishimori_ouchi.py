@@ -88,7 +88,7 @@ class NishimoriOuchi(Model):
         "Nishimori, H. and Ouchi, N. (1993). Formation of ripple patterns and dunes by wind-blown sand. "
         "Physical Review Letters 71(1), 197-200."
     )
-    counts = "cell updates"
+    work_unit = "cell updates"
     Parameters = NishimoriOuchiParameters
     parameters: NishimoriOuchiParameters
 
@@ -127,7 +127,7 @@ class NishimoriOuchi(Model):
             )
         return total
 
-    def settle(self, bed: Bed, where: NDArray[np.bool_] | None = None) -> int:
+    def relax(self, bed: Bed, where: NDArray[np.bool_] | None = None) -> int:
         """Every slope holds here."""
         return 0
 

@@ -14,12 +14,12 @@ from barchan.directions import downwind
 from barchan.model import Derived, ModelMeasure
 from barchan.parameters import parameter
 from barchan.slabs.model import SlabModel
-from barchan.slabs.parameters import SlabTransport
+from barchan.slabs.parameters import SlabParameters
 from barchan.slabs.rules import ErosionChance, Rules
 from barchan.wind.segment import Segment
 
 
-class PelletierParameters(SlabTransport):
+class PelletierParameters(SlabParameters):
     """Parameters of the model after Pelletier."""
 
     kind_key: ClassVar[str] = "name"
@@ -132,7 +132,7 @@ class Pelletier(SlabModel):
         """Erosion in proportion to the excess stress."""
         return Rules(erosion=ErosionChance(factor=self.parameters.erosion_chance))
 
-    def spell(self, segment: Segment) -> int:
+    def steps_until_update(self, segment: Segment) -> int:
         """The stress is sought anew before each step."""
         return 1
 

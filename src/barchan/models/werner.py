@@ -4,19 +4,19 @@ from typing import ClassVar, Literal
 
 from barchan.parameters import parameter, redeclared
 from barchan.slabs.model import SlabModel
-from barchan.slabs.parameters import SlabTransport
+from barchan.slabs.parameters import SlabParameters
 
 
-class WernerParameters(SlabTransport):
+class WernerParameters(SlabParameters):
     """Parameters of Werner's model: slab transport with the defaults of 1995."""
 
     kind_key: ClassVar[str] = "name"
 
     name: Literal["werner"] = parameter("werner", unit="-", meaning="Werner's model.")
-    lee_erosion: bool = redeclared(SlabTransport, "lee_erosion", True, "Werner 1995")
-    repose_angle: float = redeclared(SlabTransport, "repose_angle", 30.0, "Werner 1995")
+    lee_erosion: bool = redeclared(SlabParameters, "lee_erosion", True, "Werner 1995")
+    repose_angle: float = redeclared(SlabParameters, "repose_angle", 30.0, "Werner 1995")
     repose_test: Literal["before", "after"] = redeclared(
-        SlabTransport, "repose_test", "before", "seed 000, Alg. 4 and 5"
+        SlabParameters, "repose_test", "before", "seed 000, Alg. 4 and 5"
     )
 
 

@@ -41,10 +41,10 @@ class Simulation:
         with scene.source_map.locating_errors():
             self.forcing.wind_of(0)
             self.bed = scene.first_bed()
-            self.model.prepare(self.bed, scene.seed)
+            self.model.initialise(self.bed, scene.seed)
         self.ledger = Ledger(self.bed.units)
-        self.model.settle(self.bed)
-        self.model.begin(self.bed)
+        self.model.relax(self.bed)
+        self.model.start(self.bed)
 
     def _set_up(self, scenario: Scenario) -> None:
         self.scenario = scenario

@@ -38,7 +38,7 @@ class SetParameter(Change):
         rules = model.slope_rules()
         model.change(_amended(simulation, self).model)
         if model.slope_rules() != rules:
-            model.settle(simulation.bed)
+            model.relax(simulation.bed)
 
     def amend(self, scenario: dict[str, Any]) -> None:
         """Set the value at its key."""

@@ -51,7 +51,7 @@ class BrushStroke(Change):
         bed = simulation.bed
         change = self.change(bed, simulation.model)
         self._lay(change, simulation)
-        simulation.model.settle(bed, change != 0)
+        simulation.model.relax(bed, change != 0)
         simulation.ledger.check(bed)
 
     def _lay(self, change: NDArray, simulation: "Simulation") -> None:

@@ -20,7 +20,7 @@ from barchan.kernels.bed.state import (
     relaxation_orders,
     repose_rule,
 )
-from barchan.kernels.core.state import LANES
+from barchan.kernels.core.state import SIMD_WIDTH
 from barchan.kernels.slabs.state import (
     CELL,
     MOBILE,
@@ -32,7 +32,7 @@ from barchan.kernels.slabs.state import (
     Wind,
 )
 from barchan.lattice import Lattice
-from barchan.slabs.parameters import SlabTransport
+from barchan.slabs.parameters import SlabParameters
 from barchan.slabs.rules import ErosionChance, HopRule, Rules
 from barchan.wind.frame import WindFrame
 
@@ -53,7 +53,7 @@ class SlabArguments:
 
 
 def build(
-    parameters: SlabTransport, rules: Rules, lattice: Lattice, frame: WindFrame, hop: float, flat: bool
+    parameters: SlabParameters, rules: Rules, lattice: Lattice, frame: WindFrame, hop: float, flat: bool
 ) -> SlabArguments:
     """The structs for a wind in ``frame`` with hops of ``hop`` cells, over flat ground or not."""
     rows, cols = reversed(lattice.shape) if frame.crossed else lattice.shape
@@ -90,7 +90,7 @@ def levels_over(flat: bool) -> Levels:
     return new_levels(LEVEL_BITS if flat else LEVEL_BITS - FRACTION_BITS)
 
 
-def _wind(parameters: SlabTransport, erosion: ErosionChance, frame: WindFrame, hop: float) -> Wind:
+def _wind(parameters: SlabParameters, erosion: ErosionChance, frame: WindFrame, hop: float) -> Wind:
     unit = math.cos(frame.angle) * CELL, math.sin(frame.angle) * CELL
     return Wind(
         lee_erosion=parameters.lee_erosion,
@@ -119,12 +119,12 @@ def _speedup(rule: HopRule, grid: Grid, hop: float, flat: bool) -> Speedup:
     )
 
 
-def _obstacles(parameters: SlabTransport, repose: Repose, flat: bool) -> ObstacleRule:
+def _obstacles(parameters: SlabParameters, repose: Repose, flat: bool) -> ObstacleRule:
     height = np.dtype(np.int32 if flat else np.int64)
     return ObstacleRule(parameters.path_test == "surface", height.type(repose.face_limit), height.itemsize)
 
 
-def _repose(parameters: SlabTransport, rules: Rules, lattice: Lattice, one: int) -> Repose:
+def _repose(parameters: SlabParameters, rules: Rules, lattice: Lattice, one: int) -> Repose:
     return repose_rule(
         one,
         parameters.limits(lattice),
@@ -137,7 +137,7 @@ def _repose(parameters: SlabTransport, rules: Rules, lattice: Lattice, one: int)
     )
 
 
-def _relaxation_orders(parameters: SlabTransport, orders: NDArray[np.int64]) -> NDArray[np.int64]:
+def _relaxation_orders(parameters: SlabParameters, orders: NDArray[np.int64]) -> NDArray[np.int64]:
     """The wind's own order, or several orders to draw from."""
     if parameters.neighbour_order == "wind":
         return orders[DOWNSLOPE : DOWNSLOPE + 1].copy()
@@ -166,12 +166,12 @@ def order_table(angle: float, moore: bool, upwind: bool) -> NDArray[np.int64]:
 
 def _axis_shadow(cols: int, fall: float, start: float, flat: bool) -> tuple[AxisShadow, tuple[NDArray, ...]]:
     shift = 0 if flat else FRACTION_BITS
-    size = -(-cols // LANES) * LANES + LANES
+    size = -(-cols // SIMD_WIDTH) * SIMD_WIDTH + SIMD_WIDTH
     distance = np.arange(1, size + 1) - start
-    falls = np.full(size + LANES, _FAR << shift, np.int32 if flat else np.int64)
-    falls[LANES:] = np.minimum(np.floor(distance * fall * 2.0**shift), _FAR << shift)[::-1]
+    falls = np.full(size + SIMD_WIDTH, _FAR << shift, np.int32 if flat else np.int64)
+    falls[SIMD_WIDTH:] = np.minimum(np.floor(distance * fall * 2.0**shift), _FAR << shift)[::-1]
     reach = math.ceil(2**16 / fall)
-    address = falls.ctypes.data + LANES * falls.itemsize
+    address = falls.ctypes.data + SIMD_WIDTH * falls.itemsize
     return AxisShadow(address, size, shift, reach, falls.itemsize), (falls,)
 
 

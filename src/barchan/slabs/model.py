@@ -10,7 +10,7 @@ from numpy.typing import DTypeLike, NDArray
 from barchan.bed import Bed
 from barchan.heights import FRACTION_BITS, above_lowest, check_heights
 from barchan.kernels.bed.state import Stacks, relaxation_orders, unstable_cells
-from barchan.kernels.core.state import LANES, TRAVEL_UNIT
+from barchan.kernels.core.state import SIMD_WIDTH, TRAVEL_UNIT
 from barchan.kernels.slabs.state import (
     CAPPED,
     ENTERED,
@@ -31,7 +31,7 @@ from barchan.model import Derived, Model, Tally
 from barchan.slabs.arguments import SlabArguments, build, levels_over
 from barchan.slabs.influx import INFLUX, edge_influx
 from barchan.slabs.obstacles import ClearDistances
-from barchan.slabs.parameters import SlabTransport
+from barchan.slabs.parameters import SlabParameters
 from barchan.slabs.rules import Rules
 from barchan.streams import Stream, derive
 from barchan.wind.frame import WindFrame
@@ -45,8 +45,8 @@ class SlabModel(Model):
     """A model that moves slabs of sand one at a time (Werner 1995 and its descendants)."""
 
     takes_influx = True
-    Parameters = SlabTransport
-    parameters: SlabTransport
+    Parameters = SlabParameters
+    parameters: SlabParameters
     derived: tuple[Derived, ...] = (
         Derived(
             "shadow",
@@ -61,7 +61,7 @@ class SlabModel(Model):
         super().__init__(parameters, lattice)
         self._clear_distances = ClearDistances()
 
-    def prepare(self, bed: Bed, seed: int) -> None:
+    def initialise(self, bed: Bed, seed: int) -> None:
         """Refuse a bed whose heights cannot be counted; raises ScenarioError."""
         self.check_bed(bed)
 
@@ -80,11 +80,11 @@ class SlabModel(Model):
         """
         return None
 
-    def spell(self, segment: Segment) -> int:
+    def steps_until_update(self, segment: Segment) -> int:
         """How many steps the model may run before it looks at the bed again."""
         return segment.steps
 
-    def passed(self, bed: Bed, segment: Segment) -> None:
+    def after_steps(self, bed: Bed, segment: Segment) -> None:
         """Do what is due after some steps were run."""
 
     def advance(self, bed: Bed, segment: Segment, stream: Stream) -> Tally:
@@ -92,9 +92,9 @@ class SlabModel(Model):
         total = Tally()
         while total.steps < segment.steps:
             rest = segment.part(total.steps, segment.steps - total.steps)
-            part = rest.part(0, min(self.spell(rest), rest.steps))
+            part = rest.part(0, min(self.steps_until_update(rest), rest.steps))
             total.add(self._transport(bed, part, stream))
-            self.passed(bed, part)
+            self.after_steps(bed, part)
         return total
 
     def _transport(self, bed: Bed, segment: Segment, stream: Stream) -> Tally:
@@ -171,7 +171,7 @@ class SlabModel(Model):
         """The limits, and the mobility up to which a cell is stabilised."""
         return tuple(self.slope_limits().items()), self.rules().stabilised_mobility
 
-    def settle(self, bed: Bed, where: NDArray[np.bool_] | None = None) -> int:
+    def relax(self, bed: Bed, where: NDArray[np.bool_] | None = None) -> int:
         """Relax slopes to the repose limits."""
         from barchan.kernels.bed.relax import relax_field
 
@@ -276,13 +276,13 @@ def _tally(counts: NDArray[np.int64], segment: Segment, frame: WindFrame) -> Tal
 
 def _with_room(field: NDArray, dtype: DTypeLike) -> NDArray:
     """A flat copy of a field with as much memory before it as one vector read may touch."""
-    buffer = np.zeros(LANES + field.size, dtype)
-    buffer[LANES:] = field.ravel()
-    return buffer[LANES:]
+    buffer = np.zeros(SIMD_WIDTH + field.size, dtype)
+    buffer[SIMD_WIDTH:] = field.ravel()
+    return buffer[SIMD_WIDTH:]
 
 
 @lru_cache(maxsize=64)
 def _arguments(
-    parameters: SlabTransport, rules: Rules, lattice: Lattice, frame: WindFrame, hop: float, flat: bool
+    parameters: SlabParameters, rules: Rules, lattice: Lattice, frame: WindFrame, hop: float, flat: bool
 ) -> SlabArguments:
     return build(parameters, rules, lattice, frame, hop, flat)

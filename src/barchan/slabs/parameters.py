@@ -12,7 +12,7 @@ _ROUNDING = 1e-9
 """Slack for limits that are whole slabs but for rounding, as atan(2/3) at an aspect of 1/3."""
 
 
-class SlabTransport(Parameters):
+class SlabParameters(Parameters):
     """How slabs are polled, carried, settled and slide."""
 
     hop_length: float = parameter(

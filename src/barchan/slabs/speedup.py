@@ -9,12 +9,12 @@ from barchan.bed import Bed
 from barchan.model import Derived, ModelMeasure
 from barchan.parameters import parameter
 from barchan.slabs.model import SlabModel
-from barchan.slabs.parameters import SlabTransport
+from barchan.slabs.parameters import SlabParameters
 from barchan.slabs.rules import HopRule, Rules
 from barchan.wind.segment import Segment
 
 
-class SpeedupParameters(SlabTransport):
+class SpeedupParameters(SlabParameters):
     """Slab transport with hops that grow with height above a reference."""
 
     speedup_linear: float = parameter(

@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 
 from barchan.bed import Bed
 from barchan.lattice import Lattice
-from barchan.slabs.parameters import SlabTransport
+from barchan.slabs.parameters import SlabParameters
 from tests.kernels.slabs.test_step import PlainSlabs
 
 
@@ -37,10 +37,10 @@ def steepest_steps(elevation, periodic_x, periodic_y):
 )
 def test_every_slope_holds_after_settling(seed, neighbourhood, corner_limit, test, boundary_x, boundary_y):
     lattice = Lattice(rows=9, columns=14, boundary_x=boundary_x, boundary_y=boundary_y)
-    parameters = SlabTransport(neighbourhood=neighbourhood, corner_limit=corner_limit, repose_test=test)
+    parameters = SlabParameters(neighbourhood=neighbourhood, corner_limit=corner_limit, repose_test=test)
     sand = np.random.default_rng(seed).integers(0, 40, lattice.shape)
     bed = Bed(lattice, np.zeros(lattice.shape), sand)
-    PlainSlabs(parameters, lattice).settle(bed)
+    PlainSlabs(parameters, lattice).relax(bed)
     face, corner = steepest_steps(bed.sand, boundary_x == "periodic", boundary_y == "periodic")
     assert face <= parameters.face_limit(lattice)
     if neighbourhood == "moore":
@@ -57,7 +57,7 @@ def test_only_sand_slides_on_steep_ground(seed):
     ground = random.random(lattice.shape) * 10
     bed = Bed(lattice, ground, random.integers(0, 8, lattice.shape))
     before = bed.units
-    PlainSlabs(SlabTransport(), lattice).settle(bed)
+    PlainSlabs(SlabParameters(), lattice).relax(bed)
     assert bed.units == before
     np.testing.assert_array_equal(bed.ground, ground)
     surface = bed.elevation / lattice.thickness
@@ -71,7 +71,7 @@ def test_a_settled_bed_is_left_alone():
     lattice = Lattice(rows=8, columns=12)
     bed = Bed(lattice, np.zeros(lattice.shape), np.random.default_rng(1).integers(3, 6, lattice.shape))
     before = bed.sand.copy()
-    assert PlainSlabs(SlabTransport(), lattice).settle(bed) == 0
+    assert PlainSlabs(SlabParameters(), lattice).relax(bed) == 0
     np.testing.assert_array_equal(bed.sand, before)
 
 
@@ -81,7 +81,7 @@ def test_a_tower_settles_to_a_heap_about_its_place(neighbourhood):
     sand = np.zeros(lattice.shape, np.int32)
     sand[20, 20] = 3000
     bed = Bed(lattice, np.zeros(lattice.shape), sand)
-    PlainSlabs(SlabTransport(neighbourhood=neighbourhood), lattice).settle(bed)
+    PlainSlabs(SlabParameters(neighbourhood=neighbourhood), lattice).relax(bed)
     rows, cols = np.mgrid[0:41, 0:41]
     assert np.average(rows, weights=bed.sand) == pytest.approx(20, abs=0.1)
     assert np.average(cols, weights=bed.sand) == pytest.approx(20, abs=0.1)
@@ -94,6 +94,6 @@ def test_only_what_a_change_upsets_slides():
     bed = Bed(lattice, np.zeros(lattice.shape), sand)
     where = np.zeros(lattice.shape, bool)
     where[5, 5] = True
-    PlainSlabs(SlabTransport(), lattice).settle(bed, where)
+    PlainSlabs(SlabParameters(), lattice).relax(bed, where)
     assert bed.sand[5, 5] < 9
     assert bed.sand[15, 15] == 9

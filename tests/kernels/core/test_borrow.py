@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from numba import njit
 
-from barchan.kernels.core.borrow import lent
+from barchan.kernels.core.borrow import borrowed
 
 
 class Pair(NamedTuple):
@@ -38,7 +38,7 @@ def turn(pair, at):
 @njit
 def turn_all(pair, nested):
     """Change all."""
-    pair, nested = lent((pair, nested))
+    pair, nested = borrowed((pair, nested))
     for at in range(pair.left.size):
         turn(pair, at)
         nested[0][0][at] += nested[1]

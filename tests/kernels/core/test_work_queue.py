@@ -10,35 +10,35 @@ from barchan.kernels.core.work_queue import (
     MOST_PIECES,
     NOTHING,
     await_done,
-    await_last,
     close,
     count_done,
     new_board,
-    offer,
-    report,
-    take_first,
+    pop_front,
+    publish,
+    task_done,
+    wait_pop_back,
 )
 
 
 @njit(nogil=True)
 def lead(board, rounds, pieces, done):
     for number in range(rounds):
-        offer(board, number, pieces)
-        piece = take_first(board)
+        publish(board, number, pieces)
+        piece = pop_front(board)
         while piece != NOTHING:
             done[number, piece] += 1
-            report(board)
-            piece = take_first(board)
+            task_done(board)
+            piece = pop_front(board)
         await_done(board, (number + 1) * pieces)
 
 
 @njit(nogil=True)
 def help_out(board, done):
-    number, piece = await_last(board)
+    number, piece = wait_pop_back(board)
     while piece != NOTHING:
         done[number, piece] += 1
-        report(board)
-        number, piece = await_last(board)
+        task_done(board)
+        number, piece = wait_pop_back(board)
 
 
 @pytest.mark.parametrize("helpers", [0, 1, 2, 5])
@@ -59,23 +59,23 @@ def test_every_piece_of_every_round_is_done_once(helpers, pieces):
 
 def test_leader_and_helper_take_from_opposite_ends():
     board = new_board()
-    offer(board, 5, 4)
-    assert take_first(board) == 0
-    assert await_last(board) == (5, 3)
-    assert take_first(board) == 1
-    assert await_last(board) == (5, 2)
-    assert take_first(board) == NOTHING
+    publish(board, 5, 4)
+    assert pop_front(board) == 0
+    assert wait_pop_back(board) == (5, 3)
+    assert pop_front(board) == 1
+    assert wait_pop_back(board) == (5, 2)
+    assert pop_front(board) == NOTHING
 
 
 def test_the_largest_round_keeps_its_number():
     board = new_board()
-    offer(board, 1_000_001, MOST_PIECES)
-    assert await_last(board) == (1_000_001, MOST_PIECES - 1)
-    assert take_first(board) == 0
+    publish(board, 1_000_001, MOST_PIECES)
+    assert wait_pop_back(board) == (1_000_001, MOST_PIECES - 1)
+    assert pop_front(board) == 0
 
 
 def test_who_comes_after_the_end_goes():
     board = new_board()
-    offer(board, 0, 3)
+    publish(board, 0, 3)
     close(board)
-    assert await_last(board) == (NOTHING, NOTHING)
+    assert wait_pop_back(board) == (NOTHING, NOTHING)

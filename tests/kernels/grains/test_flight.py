@@ -42,7 +42,7 @@ def fly_both(bed, wind, iterations, stream=None, **rules):
     flight = model("wang_hu")
     rules = flight.Parameters(collapse_every=10**6, iterations_per_step=iterations, repose_angle=89, **rules)
     fast = flight(rules, bed.lattice)
-    fast.prepare(bed, 1)
+    fast.initialise(bed, 1)
     same = Bed.from_fields(bed.lattice, bed.frame(), fast.fields)
     slow = ReferenceFlight(fast, same, wind, stream)
     if stream is not None:
@@ -117,7 +117,7 @@ def test_bits_do_not_depend_on_the_number_of_threads(monkeypatch, name, rules):
         lattice = Lattice(rows=40, columns=50, cell_size=0.01, slab_height=0.15e-3)
         bed = Bed(lattice, np.zeros(lattice.shape), np.full(lattice.shape, 20))
         flight = model(name)(model(name).Parameters(**rules), lattice)
-        flight.prepare(bed, 1)
+        flight.initialise(bed, 1)
         monkeypatch.setattr(grain_iterations, "PIECE", 1024 if threads == 1 else 256)
         tally = flight.advance(bed, Segment(0, 200, 0, lattice.cells, 200.0), STREAM)
         beds.append((bed.sand.copy(), flight.pool.motion.copy(), tally))

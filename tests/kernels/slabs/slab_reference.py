@@ -54,7 +54,7 @@ class Field:
 
     sand: list[list[int]]
     ground: list[list[float]]  # in slabs
-    rules: object  # SlabTransport
+    rules: object  # SlabParameters
     aspect: float
     face_limit: int
     corner_limit: int

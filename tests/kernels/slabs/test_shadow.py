@@ -9,13 +9,15 @@ from hypothesis import strategies as st
 
 from barchan.bed import Bed
 from barchan.lattice import Lattice
-from barchan.slabs.parameters import SlabTransport
+from barchan.slabs.parameters import SlabParameters
 from tests.kernels.slabs.test_step import PlainSlabs, rough_bed
 
 
 def zone(lattice, sand, ground=None, direction=270.0, **parameters):
     ground = np.zeros(lattice.shape) if ground is None else ground
-    return PlainSlabs(SlabTransport(**parameters), lattice).shadow_zone(Bed(lattice, ground, sand), direction)
+    return PlainSlabs(SlabParameters(**parameters), lattice).shadow_zone(
+        Bed(lattice, ground, sand), direction
+    )
 
 
 def line_of_sight(elevation, lattice, angle, start):

@@ -12,7 +12,7 @@ from barchan.bed import Bed
 from barchan.lattice import Lattice
 from barchan.models.werner import Werner
 from barchan.slabs.model import SlabModel
-from barchan.slabs.parameters import SlabTransport
+from barchan.slabs.parameters import SlabParameters
 from barchan.slabs.rules import ErosionChance, HopRule, Rules
 from barchan.streams import Stream, derive
 from barchan.wind.frame import WindFrame
@@ -108,7 +108,7 @@ def rough_bed(lattice, seed, top=9):
 @pytest.mark.parametrize("number", range(len(EVERY_COMBINATION)))
 def test_kernel_equals_reference_for_every_combination_of_variants(number):
     variants = EVERY_COMBINATION[number]
-    parameters = SlabTransport(**variants, band_rows=3, hop_length=[3.0, 4.0, 2.5][number % 3])
+    parameters = SlabParameters(**variants, band_rows=3, hop_length=[3.0, 4.0, 2.5][number % 3])
     lattice = Lattice(
         rows=7,
         columns=19,
@@ -125,7 +125,7 @@ def test_kernel_equals_reference_for_every_combination_of_variants(number):
 
 
 PARAMETERS = st.builds(
-    SlabTransport,
+    SlabParameters,
     **{name: st.sampled_from(values) for name, values in VARIANTS.items()},
     hop_length=st.sampled_from([0.4, 1.0, 2.5, 5.0, 12.0, 31.0]),
     p_s=st.sampled_from([0.0, 0.2, 0.6, 1.0]),
@@ -234,7 +234,7 @@ def test_kernel_equals_reference_with_what_models_add(features, data):
     st.integers(0, 99),
 )
 def test_kernel_equals_reference_for_any_slice_of_a_step(polling, forced, first, count, seed):
-    parameters = SlabTransport(polling=polling, forced_erosion=forced, band_rows=2)
+    parameters = SlabParameters(polling=polling, forced_erosion=forced, band_rows=2)
     lattice = Lattice(rows=5, columns=16)
     sand = rough_bed(lattice, seed)
     ground = np.zeros(lattice.shape)
@@ -246,7 +246,7 @@ def test_kernel_equals_reference_for_any_slice_of_a_step(polling, forced, first,
 def test_slices_of_a_non_repeated_step_poll_each_cell_once(cuts):
     """With hops of the field's length every slab leaves, so a cell's polls can be counted."""
     lattice = Lattice(rows=8, columns=8, boundary_x="open")
-    parameters = SlabTransport(polling="non_repeated", hop_length=8.0, band_rows=3, lee_erosion=True)
+    parameters = SlabParameters(polling="non_repeated", hop_length=8.0, band_rows=3, lee_erosion=True)
     bed = Bed(lattice, np.zeros(lattice.shape), np.full(lattice.shape, 2))
     model = PlainSlabs(parameters, lattice)
     first = 0
@@ -259,7 +259,7 @@ def test_slices_of_a_non_repeated_step_poll_each_cell_once(cuts):
 def test_polls_of_a_banded_step_are_spread_as_if_cells_were_drawn_freely():
     """Each cell's polls follow the binomial distribution of free draws: mean and variance."""
     lattice = Lattice(rows=40, columns=40, boundary_x="open")
-    parameters = SlabTransport(hop_length=40.0, band_rows=7, repose_angle=89.0, lee_erosion=True)
+    parameters = SlabParameters(hop_length=40.0, band_rows=7, repose_angle=89.0, lee_erosion=True)
     polled = []
     for seed in range(60):
         bed = Bed(lattice, np.zeros(lattice.shape), np.full(lattice.shape, 50))
@@ -281,7 +281,7 @@ def test_polls_of_a_banded_step_are_spread_as_if_cells_were_drawn_freely():
 def test_turning_wind_and_field_together_turns_the_result(turns, direction, uneven):
     lattice = Lattice(rows=12, columns=31, boundary_x="open", boundary_y="periodic")
     crossed = Lattice(rows=31, columns=12, boundary_x="periodic", boundary_y="open")
-    parameters = SlabTransport(neighbourhood="moore", corner_limit=3)
+    parameters = SlabParameters(neighbourhood="moore", corner_limit=3)
     sand = rough_bed(lattice, 4)
     ground = np.random.default_rng(1).random(lattice.shape) * uneven
     bed = Bed(lattice, ground, sand)
@@ -304,13 +304,13 @@ def test_turning_wind_and_field_together_turns_the_result(turns, direction, unev
 def test_mean_hop_is_exact_at_every_angle(direction, hop):
     """Single hops on bare ground (p_ns = 1): the mean landing place is one hop downwind of the start."""
     lattice = Lattice(rows=64, columns=64)
-    parameters = SlabTransport(hop_length=hop, p_s=1.0, p_ns=1.0, band_rows=64)
+    parameters = SlabParameters(hop_length=hop, p_s=1.0, p_ns=1.0, band_rows=64)
     landed = []
     for seed in range(1200):
         sand = np.zeros(lattice.shape, np.int32)
         sand[32, 32] = 1
         bed = Bed(lattice, np.zeros(lattice.shape), sand)
-        model = PlainSlabs(SlabTransport(**{**dict(parameters), "forced_erosion": True}), lattice)
+        model = PlainSlabs(SlabParameters(**{**dict(parameters), "forced_erosion": True}), lattice)
         model.advance(bed, Segment(0, 1, 0, 1, direction), Stream(seed, "x"))
         landed.append(np.argwhere(bed.sand)[0] - 32)
     mean = np.mean(landed, axis=0)
@@ -330,7 +330,7 @@ def test_mean_travel_is_hop_length_over_deposition_probability():
 
 def test_a_slab_that_never_settles_is_put_down_and_counted():
     lattice = Lattice(rows=8, columns=16)
-    parameters = SlabTransport(p_s=0.0, p_ns=0.0, max_hops=7, shadow_angle=89.0)
+    parameters = SlabParameters(p_s=0.0, p_ns=0.0, max_hops=7, shadow_angle=89.0)
     bed = Bed(lattice, np.zeros(lattice.shape), np.full(lattice.shape, 1))
     tally = PlainSlabs(parameters, lattice).advance(bed, Segment(0, 1, 0, 128, 270.0), Stream(1, "x"))
     assert tally.capped == tally.moved > 0
@@ -340,7 +340,7 @@ def test_a_slab_that_never_settles_is_put_down_and_counted():
 def test_forced_erosion_moves_one_slab_a_poll_and_ends_where_none_can():
     lattice = Lattice(rows=8, columns=16)
     for polling in ("repeated", "non_repeated"):
-        parameters = SlabTransport(forced_erosion=True, polling=polling)
+        parameters = SlabParameters(forced_erosion=True, polling=polling)
         model = PlainSlabs(parameters, lattice)
         sand = np.zeros(lattice.shape, np.int32)
         sand[3, 3] = 1

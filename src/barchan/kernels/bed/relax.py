@@ -13,7 +13,7 @@ from barchan.kernels.bed.grid import neighbour
 from barchan.kernels.bed.levels import move_level
 from barchan.kernels.bed.slopes import has_sand, steepest
 from barchan.kernels.bed.state import STABLE, Unstable
-from barchan.kernels.core.borrow import lent
+from barchan.kernels.core.borrow import borrowed
 from barchan.kernels.core.inlining import never_inline
 from barchan.kernels.core.internal import internal
 from barchan.kernels.core.random import mix
@@ -35,7 +35,7 @@ def enqueue(unstable, cell, why, at, length):
 @internal()
 def enqueue_about(unstable, row, col, first, at, length, grid):
     """Put the neighbours of a cell on the queue, from direction ``first`` on; the queue's new length."""
-    unstable = lent(unstable)
+    unstable = borrowed(unstable)
     for k in range(8):
         r, c = neighbour(row, col, (first + k) & 7, grid)
         length = enqueue(unstable, r * grid.cols + c, CHECKED, at, length)
@@ -65,7 +65,7 @@ def relax_queue(stacks, orders, unstable, length, key, grid, repose, mixture):
     the number of slabs that slid.
     """
     never_inline()
-    stacks, orders, unstable, mixture = lent((stacks, orders, unstable, mixture))
+    stacks, orders, unstable, mixture = borrowed((stacks, orders, unstable, mixture))
     at = 0
     moves = 0
     last_order = np.uint64(orders.shape[0] - 1)

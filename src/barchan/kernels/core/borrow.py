@@ -24,7 +24,7 @@ def _without_owner(context, builder, kind, value):
 
 
 @intrinsic
-def lent(_typing_context, values):
+def borrowed(_typing_context, values):
     """The same ``values``, arrays and numbers in tuples of any depth, on loan from the caller.
 
     They must not outlive the kernel that asks for them.

@@ -12,7 +12,7 @@ from llvmlite import ir
 from numba import types
 from numba.extending import intrinsic
 
-from barchan.kernels.core.state import LANES
+from barchan.kernels.core.state import SIMD_WIDTH
 
 _INDEX = ir.IntType(32)
 
@@ -49,7 +49,7 @@ def any_of_last_above(typing: Any, heights: Any, falls: Any, here: Any, keep: An
 
     def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
         *compared, keep = arguments
-        from_last = ir.Constant(ir.VectorType(_INDEX, LANES), list(range(LANES, 0, -1)))
+        from_last = ir.Constant(ir.VectorType(_INDEX, SIMD_WIDTH), list(range(SIMD_WIDTH, 0, -1)))
         kept = builder.icmp_signed("<=", from_last, _spread(builder, builder.trunc(keep, _INDEX)))
         return _any(builder, builder.and_(_above(builder, *compared), kept))
 
@@ -58,7 +58,7 @@ def any_of_last_above(typing: Any, heights: Any, falls: Any, here: Any, keep: An
 
 def _above(builder: Any, heights: Any, falls: Any, here: Any) -> Any:
     """Lane by lane, whether a height exceeds its fall plus ``here``."""
-    place = ir.VectorType(here.type, LANES).as_pointer()
+    place = ir.VectorType(here.type, SIMD_WIDTH).as_pointer()
     height, fall = (
         builder.load(builder.inttoptr(address, place), align=here.type.width // 8)
         for address in (heights, falls)
@@ -68,13 +68,13 @@ def _above(builder: Any, heights: Any, falls: Any, here: Any) -> Any:
 
 def _spread(builder: Any, value: Any) -> Any:
     """One value in every lane."""
-    undefined = ir.Constant(ir.VectorType(value.type, LANES), ir.Undefined)
+    undefined = ir.Constant(ir.VectorType(value.type, SIMD_WIDTH), ir.Undefined)
     first = builder.insert_element(undefined, value, ir.Constant(_INDEX, 0))
-    everywhere = ir.Constant(ir.VectorType(_INDEX, LANES), [0] * LANES)
+    everywhere = ir.Constant(ir.VectorType(_INDEX, SIMD_WIDTH), [0] * SIMD_WIDTH)
     return builder.shuffle_vector(first, undefined, everywhere)
 
 
 def _any(builder: Any, lanes: Any) -> Any:
     """Whether any lane holds."""
-    bits = builder.bitcast(lanes, ir.IntType(LANES))
+    bits = builder.bitcast(lanes, ir.IntType(SIMD_WIDTH))
     return builder.icmp_unsigned("!=", bits, ir.Constant(bits.type, 0))

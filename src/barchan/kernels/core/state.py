@@ -1,6 +1,6 @@
 """Widths that callers of kernels must know. Nothing here imports the compiler."""
 
-LANES = 16
+SIMD_WIDTH = 16
 
 
 TRAVEL_UNIT = 1 << 16

@@ -110,7 +110,7 @@ if hasattr(os, "register_at_fork"):
 
 
 @contextmanager
-def helped(work: Callable[[], object], board: NDArray[np.int64], helpers: int) -> Iterator[int]:
+def with_helpers(work: Callable[[], object], board: NDArray[np.int64], helpers: int) -> Iterator[int]:
     """Have ``work`` done in as many helpers, or as many as are free; tells how many.
 
     Helpers come to the board when they can, and go when it closes: at the end, whatever ends it.

@@ -15,12 +15,12 @@ _LINE = 16
 """Numbers apart that never share a line of any cache."""
 
 OFFER, DONE = _LINE, 2 * _LINE
-"""Where the board holds what is on offer, and how many pieces of all rounds are done."""
+"""Where the board holds what is on publish, and how many pieces of all rounds are done."""
 
 SIZE = 3 * _LINE
 
-OVER = -1
-"""On offer when nothing more will be."""
+CLOSED = -1
+"""On publish when nothing more will be."""
 
 NOTHING = -1
 
@@ -48,7 +48,7 @@ def _wait(spins):
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
-def offer(board, round_number, pieces):
+def publish(board, round_number, pieces):
     """Put the pieces of a round on the board: from the first one on to before the last one, and the round.
 
     They are one number, so that nobody can take a piece of a round that is past.
@@ -57,7 +57,7 @@ def offer(board, round_number, pieces):
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
-def take_first(board):
+def pop_front(board):
     """The first piece left, for the leader; ``NOTHING`` where none is."""
     while True:
         word = load(board, OFFER)
@@ -69,12 +69,12 @@ def take_first(board):
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
-def await_last(board):
+def wait_pop_back(board):
     """The round and the last piece left, for a helper, once there is one; ``NOTHING`` twice at the end."""
     spins = 0
     while True:
         word = load(board, OFFER)
-        if word == OVER:
+        if word == CLOSED:
             return NOTHING, NOTHING
         first, end = (word >> _BITS) & _PIECES, word & _PIECES
         if first < end:
@@ -85,7 +85,7 @@ def await_last(board):
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
-def report(board):
+def task_done(board):
     """Say that a piece is done."""
     add(board, DONE, 1)
 
@@ -106,4 +106,4 @@ def await_done(board, pieces):
 
 def close(board: np.ndarray) -> None:
     """Send helpers away. The leader has waited for all that was taken, or nobody will."""
-    board[OFFER] = OVER
+    board[OFFER] = CLOSED

@@ -6,7 +6,7 @@ from numba import njit
 from barchan.kernels.bed.grid import neighbour
 from barchan.kernels.bed.relax import CHECKED, enqueue, enqueue_about, relax_queue
 from barchan.kernels.bed.state import Stacks
-from barchan.kernels.core.borrow import lent
+from barchan.kernels.core.borrow import borrowed
 from barchan.kernels.grains.surface import renew_mesh
 
 
@@ -54,7 +54,7 @@ def _relax(ground, slopes, key, length):
 @njit(cache=True, nogil=True, error_model="numpy")
 def settle_steep(ground, slopes, key):
     """Let every slope slide that is too steep, until all hold; the number of parcels that slid."""
-    ground, slopes = lent((ground, slopes))
+    ground, slopes = borrowed((ground, slopes))
     queue, waiting = slopes.unstable.queue, slopes.unstable.waiting
     _find_steep(ground.level, ground.grid.rows, ground.grid.cols, slopes.repose, ground.grid, waiting)
     length = 0
@@ -76,7 +76,7 @@ def _upset_about(cell, grid, slopes, length):
 @njit(cache=True, nogil=True, error_model="numpy")
 def settle_about(cell, other, ground, slopes, key):
     """Let slopes slide where only one grain was taken from a cell and laid on another."""
-    ground, slopes = lent((ground, slopes))
+    ground, slopes = borrowed((ground, slopes))
     grid = ground.grid
     length = 0
     for changed in (cell, other):

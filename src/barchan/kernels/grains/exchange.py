@@ -11,7 +11,7 @@ from numba import njit
 
 from barchan.kernels.bed.active_layer import available, class_at, put, take
 from barchan.kernels.bed.grid import COL_STEP, ROW_STEP, neighbour
-from barchan.kernels.core.borrow import lent
+from barchan.kernels.core.borrow import borrowed
 from barchan.kernels.grains.pool import free_slot
 from barchan.kernels.grains.state import CAPPED, COUNTS, LEFT, MOVED, NOWHERE, OUT, PATCH, TRAVEL_X, TRAVEL_Y
 from barchan.kernels.grains.surface import note_stale
@@ -160,7 +160,7 @@ def exchange(first, count, grains, ground, landings, counts):
 
     A cell that has too little left by then gives none, and the slot stays free.
     """
-    grains, ground, landings, counts = lent((grains, ground, landings, counts))
+    grains, ground, landings, counts = borrowed((grains, ground, landings, counts))
     for k in range(first, first + count):
         deposit, lift = landings.deposit_cell[k], landings.lift_cell[k]
         if deposit != NOWHERE:

@@ -13,7 +13,7 @@ from numba import njit
 
 from barchan.kernels.bed.active_layer import slide
 from barchan.kernels.bed.grid import neighbour
-from barchan.kernels.core.borrow import lent
+from barchan.kernels.core.borrow import borrowed
 from barchan.kernels.grains.exchange import pile_up
 from barchan.kernels.grains.surface import note_stale, renew_stale
 
@@ -108,7 +108,7 @@ def smooth_slopes(ground, rule, before, marks):
     corner on, and no cell gives more than it has. ``before`` and ``marks`` (both over the cells) are work
     space; ``marks`` is all zero afterwards.
     """
-    ground, before, marks = lent((ground, before, marks))
+    ground, before, marks = borrowed((ground, before, marks))
     grid, parcel = ground.grid, ground.scale.parcel
     cols = grid.cols
     before[:] = ground.level

@@ -9,7 +9,7 @@ the compiler does not know that it is not negative, and an index that may count 
 import numpy as np
 from numba import njit
 
-from barchan.kernels.core.borrow import lent
+from barchan.kernels.core.borrow import borrowed
 from barchan.kernels.grains.surface import mesh_cell
 from barchan.kernels.grains.wind import enter_stream, entry, find_climb, find_wind, leave_stream, speed_up
 
@@ -141,5 +141,5 @@ def move_blocks(first, last, grains, air, ground, candidates, work):
 @njit(cache=True, nogil=True, error_model="numpy")
 def move(first, last, grains, air, ground, candidates):
     """Move slots by one time step with work space of its own; see ``move_blocks``."""
-    grains, air, ground, candidates = lent((grains, air, ground, candidates))
+    grains, air, ground, candidates = borrowed((grains, air, ground, candidates))
     return move_blocks(first, last, grains, air, ground, candidates, work_space())

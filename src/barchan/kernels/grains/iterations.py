@@ -13,9 +13,9 @@ from numba import njit
 
 from barchan.kernels.bed.active_layer import reseed
 from barchan.kernels.core import work_queue
-from barchan.kernels.core.borrow import lent
+from barchan.kernels.core.borrow import borrowed
 from barchan.kernels.core.random import derive
-from barchan.kernels.core.work_queue import NOTHING, await_done, await_last, offer, report, take_first
+from barchan.kernels.core.work_queue import NOTHING, await_done, pop_front, publish, task_done, wait_pop_back
 from barchan.kernels.grains.exchange import exchange
 from barchan.kernels.grains.flight import move_blocks, work_space
 from barchan.kernels.grains.landing import land
@@ -109,7 +109,7 @@ def _finish(number, plan, scene):
 
 @njit(inline="always")
 def _next_round(plan, scene, end):
-    """Once this round is done, offer the next one; its number, or ``NOTHING`` before iteration ``end``."""
+    """Once this round is done, publish the next one; its number, or ``NOTHING`` before iteration ``end``."""
     done = plan.progress[ROUND]
     await_done(plan.board, plan.progress[OFFERED])
     if done % 2 == 1 and plan.progress[ITERATION] + 1 == end:
@@ -124,7 +124,7 @@ def _next_round(plan, scene, end):
             scene.ground.grid.rows, _rows(scene.ground.grid)
         )
     plan.progress[OFFERED] += pieces
-    offer(plan.board, done + 1, pieces)
+    publish(plan.board, done + 1, pieces)
     return done + 1
 
 
@@ -135,20 +135,20 @@ def run_iterations(leads, plan, scene, end):
     There is one place where pieces are done, whoever does them, and functions that it calls are made part of
     it: code that is called through several others would be compiled again for each of them.
     """
-    plan, scene, work = lent((plan, scene, work_space()))
+    plan, scene, work = borrowed((plan, scene, work_space()))
     while True:
         if leads:
-            this_round, number = plan.progress[ROUND], take_first(plan.board)
+            this_round, number = plan.progress[ROUND], pop_front(plan.board)
             if number == NOTHING:
                 if _next_round(plan, scene, end) == NOTHING:
                     return
                 continue
         else:
-            this_round, number = await_last(plan.board)
+            this_round, number = wait_pop_back(plan.board)
             if number == NOTHING:
                 return
         if this_round % 2 == 0:
             _fly(number, plan, scene, work)
         else:
             _finish(number, plan, scene)
-        report(plan.board)
+        task_done(plan.board)

@@ -4,7 +4,7 @@ import numpy as np
 from numba import njit
 
 from barchan.kernels.bed.active_layer import class_at, set_class
-from barchan.kernels.core.borrow import lent
+from barchan.kernels.core.borrow import borrowed
 from barchan.kernels.core.random import derive
 from barchan.kernels.grains.bounce import bounce
 from barchan.kernels.grains.entrainment import entrain
@@ -83,7 +83,7 @@ def land(first, count, key, grains, air, ground, rules, landings):
     ``first`` on; returns the number of entries. The bed is only read: ``exchange`` changes it. So slots may
     be shared among threads.
     """
-    grains, air, ground, rules, landings = lent((grains, air, ground, rules, landings))
+    grains, air, ground, rules, landings = borrowed((grains, air, ground, rules, landings))
     grid = ground.grid
     found = first
     for k in range(first, first + count):

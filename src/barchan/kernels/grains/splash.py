@@ -11,7 +11,7 @@ import numpy as np
 from numba import njit
 
 from barchan.kernels.bed.active_layer import class_at, parcels_of, set_class
-from barchan.kernels.core.borrow import lent
+from barchan.kernels.core.borrow import borrowed
 from barchan.kernels.core.random import draw
 from barchan.kernels.grains.creep import push
 from barchan.kernels.grains.exchange import take_up
@@ -157,8 +157,8 @@ def eject(found, piece, grains, ground, rule, landings, ejecta, counts):
     """
     if rule is None:
         return 0
-    found, grains, ground, rule = lent((found, grains, ground, rule))
-    landings, ejecta, counts = lent((landings, ejecta, counts))
+    found, grains, ground, rule = borrowed((found, grains, ground, rule))
+    landings, ejecta, counts = borrowed((landings, ejecta, counts))
     hits, free = _gather(found, piece, grains, landings, ejecta)
     taken = 0
     for at in range(hits):
@@ -181,7 +181,7 @@ def throw(first, last, grains, rule, landings, ejecta):
     """Launch ejecta whose sand was taken. Each has a slot of its own, so threads may share them."""
     if rule is None:
         return
-    grains, rule, landings, ejecta = lent((grains, rule, landings, ejecta))
+    grains, rule, landings, ejecta = borrowed((grains, rule, landings, ejecta))
     for at in range(first, last):
         k, one, slot = ejecta.entry[at], ejecta.number[at], ejecta.slot[at]
         speed, start = landings.impact_speed[k], landings.start[k]

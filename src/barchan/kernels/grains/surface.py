@@ -8,7 +8,7 @@ cell let flight leave the interpolation to grains that are about to land.
 import numpy as np
 from numba import njit
 
-from barchan.kernels.core.borrow import lent
+from barchan.kernels.core.borrow import borrowed
 
 _QUARTER = np.float32(0.25)
 
@@ -143,7 +143,7 @@ def note_stale(row, before, after, ground):
 @njit(cache=True, nogil=True, error_model="numpy")
 def renew_stale(first, last, ground):
     """Recompute top and base of mesh cells in the stale rows from ``first`` to before ``last``."""
-    ground = lent(ground)
+    ground = borrowed(ground)
     for row in range(first, last):
         if ground.stale[row]:
             ground.stale[row] = 0

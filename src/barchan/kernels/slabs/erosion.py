@@ -7,7 +7,7 @@ an argument of its own, so functions take an optional rule first.
 import numpy as np
 
 from barchan.kernels.bed.slopes import has_sand
-from barchan.kernels.core.borrow import lent
+from barchan.kernels.core.borrow import borrowed
 from barchan.kernels.core.internal import internal
 from barchan.kernels.core.random import GOLDEN, below, high, low, mix
 from barchan.kernels.slabs.hop import hop_cells
@@ -68,7 +68,7 @@ def find_eroding_cell(stacks, rules, heights, band, row, col, state, peak):
 
     Returns its row (negative where none is left), column and the advanced random state.
     """
-    stacks, rules = lent((stacks, rules))
+    stacks, rules = borrowed((stacks, rules))
     grid = rules.grid
     for attempt in range(FORCED_TRIES + grid.rows * grid.cols):
         if attempt < FORCED_TRIES:

@@ -8,7 +8,7 @@ import numpy as np
 from numba import njit
 
 from barchan.kernels.bed.slopes import has_sand
-from barchan.kernels.core.borrow import lent
+from barchan.kernels.core.borrow import borrowed
 from barchan.kernels.core.random import derive, draw, high, mix
 from barchan.kernels.slabs.carry import (
     has_fractions,
@@ -86,7 +86,7 @@ def let_enter(stacks, rules, work, influx, key, tally):
     ``influx`` holds the mean number for each cell of the edge across the columns' axis, and of the edge along
     it; a number is rounded up or down at random so that its mean is exact.
     """
-    stacks, rules, work, influx = lent((stacks, rules, work, influx))
+    stacks, rules, work, influx = borrowed((stacks, rules, work, influx))
     peak = np.int64(stacks.surface.max())
     for edge in range(2):
         means = influx.along if edge == _ALONG else influx.across

@@ -11,14 +11,14 @@ from numba import njit
 
 from barchan.kernels.core.inlining import never_inline
 from barchan.kernels.core.simd import any_of_last_above, load_at
-from barchan.kernels.core.state import LANES
+from barchan.kernels.core.state import SIMD_WIDTH
 from barchan.kernels.slabs.hop import wrapped
 from barchan.kernels.slabs.state import CELL
 
 FARTHEST = 255
 """Cells on the way: what lies farther off is not told apart."""
 
-_BLOCK = np.int64(LANES)
+_BLOCK = np.int64(SIMD_WIDTH)
 _BYTE = np.uint8(0)
 
 

@@ -11,7 +11,7 @@ from barchan.kernels.bed.levels import move_level
 from barchan.kernels.bed.relax import CHECKED, enqueue, enqueue_about, relax_queue
 from barchan.kernels.bed.slopes import next_on_slope, steepest
 from barchan.kernels.bed.state import DOWNSLOPE, STABLE, UPSLOPE
-from barchan.kernels.core.borrow import lent
+from barchan.kernels.core.borrow import borrowed
 from barchan.kernels.core.inlining import never_inline
 from barchan.kernels.core.internal import internal
 from barchan.kernels.core.random import GOLDEN, mix
@@ -90,7 +90,7 @@ def run_polls(stacks, rules, work, band, count, redraw, target, peak, tally):
     exceeds now.
     """
     never_inline()
-    stacks, rules, work = lent((stacks, rules, work))
+    stacks, rules, work = borrowed((stacks, rules, work))
     heights = stacks.surface.ctypes.data
     grid, polls, unstable = rules.grid, work.polls, work.unstable
     moved = tally[MOVED]

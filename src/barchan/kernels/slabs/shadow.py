@@ -12,9 +12,9 @@ from numba import njit
 
 from barchan.kernels.core.internal import internal
 from barchan.kernels.core.simd import any_above, any_of_last_above, load_at
-from barchan.kernels.core.state import LANES
+from barchan.kernels.core.state import SIMD_WIDTH
 
-_BLOCK = np.int64(LANES)
+_BLOCK = np.int64(SIMD_WIDTH)
 
 
 @internal(error_model="numpy")

@@ -136,7 +136,7 @@ class RunCommands:
 
     @WORKER.handles("stroke")
     def stroke(self, request: Request) -> None:
-        """Paint; ``begin`` and ``end`` mark the first and the last stroke of a gesture."""
+        """Paint; ``start`` and ``end`` mark the first and the last stroke of a gesture."""
         run = self.current
         run.look_now()
         if request.get("begin"):
