@@ -23,7 +23,7 @@ def test_dashes_are_as_good_as_underscores(barchan):
 def test_a_key_is_listed_with_unit_default_bounds_source_and_whether_it_may_change(barchan):
     out = barchan("parameters", "model.hop_length").out
     assert "model.hop_length  default 5.0 cells; number > 0 and ≤ 100000, may change during a run" in out
-    assert "(Werner 1995; seed 000, Table 6.1)" in out
+    assert "(Werner 1995; Prague thesis, Table 6.1)" in out
 
 
 def test_what_may_be_left_out_is_not_called_required(barchan):

@@ -33,30 +33,12 @@ PLAIN_REASONS = (
 )
 """Sources that are no publications: everyday constants, and programs by their name."""
 
-PENDING = re.compile(r"seeds? 00[034]|^our (choice|closure|default)\b|^assumed:")
-"""Sources of slab, grain and plant parameters whose wording is still to change."""
-
-PENDING_PATHS = (
-    "slabs",
-    "grains",
-    "kernels",
-    "models",
-    "plants",
-    "aeolian",
-    "studio",
-    "slab-family",
-    "add-a-model",
-)
-"""Rooms and pages whose wording is still to change."""
-
 SEED = re.compile(r"\bseeds?\s+00[034]\b", re.IGNORECASE)
 """The names that the first documents had while Barchan was young."""
 
 
 def known(source: str) -> bool:
     """Whether a source can be found by a reader, or says that it is ours."""
-    if PENDING.search(source):
-        return True
     return bool(cited(source)) or "ours" in re.split(r"\W+", source) or source.startswith(PLAIN_REASONS)
 
 
@@ -145,4 +127,4 @@ def texts():
 
 def test_no_text_speaks_of_numbered_seeds():
     found = {name for name, text in texts() if SEED.search(text)}
-    assert sorted(name for name in found if not set(re.split(r"[/.]", name)) & set(PENDING_PATHS)) == []
+    assert sorted(found) == []

@@ -25,7 +25,7 @@ class Outcome:
     reason: str
     interrupted: bool
     work_per_second: float
-    """Units of work (polls, grain updates: ``Model.work_unit``) per second, without the first steps (which may
+    """Units of work (polls, grain updates: ``Model.work_unit``) per second, without first steps (which may
     compile) and without saving."""
 
     def __repr__(self) -> str:

@@ -24,8 +24,8 @@ class Bishop(SpeedupModel):
     which follows every slab that moves and is taken anew from the whole bed at the start of each step.
 
     Known deviations: the wind blows from any direction, where the paper turns the field of sand about a
-    pivot and loses slabs; for the rest see Momiji's model. The paper's neighbourhood is Moore's as seed 004
-    reads it and von Neumann's as seed 000 ran it; it is a parameter.
+    pivot and loses slabs; for the rest see Momiji's model. The paper's neighbourhood is Moore's as Elder 2009
+    reads it and von Neumann's as the Prague thesis ran it; it is a parameter.
     """
 
     name = "bishop"

@@ -46,7 +46,7 @@ class NieldBaasParameters(SlabParameters):
         live=True,
         group="vegetation",
         meaning="Chance that a polled cell without plants gives a slab; plants take their effectiveness off.",
-        source="Nield & Baas 2008; seed 000, eq. 4.4",
+        source="Nield & Baas 2008; Prague thesis, eq. 4.4",
     )
     stabilised_repose_angle: float = parameter(
         40.0,
@@ -56,7 +56,7 @@ class NieldBaasParameters(SlabParameters):
         live=True,
         group="vegetation",
         meaning="Angle of repose where plants hold the sand.",
-        source="Nield & Baas 2008; seed 000, §4.7",
+        source="Nield & Baas 2008; Prague thesis, §4.7",
     )
     stabilised_cover: float = parameter(
         0.3,
@@ -66,7 +66,7 @@ class NieldBaasParameters(SlabParameters):
         live=True,
         group="vegetation",
         meaning="Effectiveness from which on plants hold the sand.",
-        source="Nield & Baas 2008; seed 000, §4.7",
+        source="Nield & Baas 2008; Prague thesis, §4.7",
     )
     steps_per_year: int | None = parameter(
         None,
@@ -77,7 +77,7 @@ class NieldBaasParameters(SlabParameters):
         group="vegetation",
         meaning="Steps after which plants grow or die by the year's sediment balance; where it is not given, "
         "80, or with a clock those of a calendar year.",
-        source="Nield & Baas 2008; seed 000, Tables 6.4-6.6",
+        source="Nield & Baas 2008; Prague thesis, Tables 6.4-6.6",
     )
     grass: Grass = Field(
         default_factory=Grass, description="Pioneer grass; its curve is that of DECAL's descendants."
@@ -118,9 +118,9 @@ class NieldBaas(SlabModel):
     ``steps_per_year`` steps or by the clock, every species changes by its curve of growth at the cell's
     sediment balance of the year, within its range.
 
-    Known deviations: seed 000 prints p_d with the sign of rho reversed; plants increase deposition. The
-    curve of mesquite is assumed. An oblique wind is exact here, where the paper polls a third of the slabs
-    along one axis and two thirds along the other.
+    Known deviations: the Prague thesis prints p_d with the sign of rho reversed; plants increase deposition.
+    The curve of mesquite is assumed. An oblique wind is exact here, where the paper polls a third of the
+    slabs along one axis and two thirds along the other.
     """
 
     name = "nield_baas"

@@ -34,7 +34,7 @@ class PelletierParameters(SlabParameters):
         live=True,
         group="stress",
         meaning="Roughness length z0 of the flat bed.",
-        source="our default: with cells of 1 m it asks for dunes some tens of cells apart",
+        source="ours: with cells of 1 m it asks for dunes some tens of cells apart",
     )
     threshold: float = parameter(
         0.6,
@@ -44,7 +44,7 @@ class PelletierParameters(SlabParameters):
         live=True,
         group="stress",
         meaning="Threshold shear stress over that on the flat bed.",
-        source="our default: a friction velocity 1.3 times the threshold's",
+        source="ours: a friction velocity 1.3 times the threshold's",
     )
     erosion_chance: float = parameter(
         0.5,
@@ -54,7 +54,7 @@ class PelletierParameters(SlabParameters):
         live=True,
         group="stress",
         meaning="Chance that a polled cell of the flat bed gives a slab; it grows with the excess stress.",
-        source="our closure",
+        source="ours",
     )
     saturation_angle: float = parameter(
         20.0,
@@ -74,7 +74,7 @@ class PelletierParameters(SlabParameters):
         live=True,
         group="stress",
         meaning="Width over which the surface is smoothed before its stress is sought.",
-        source="our closure: steps of single slabs are no hills",
+        source="ours: steps of single slabs are no hills",
     )
 
 

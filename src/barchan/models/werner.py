@@ -16,7 +16,7 @@ class WernerParameters(SlabParameters):
     lee_erosion: bool = redeclared(SlabParameters, "lee_erosion", True, "Werner 1995")
     repose_angle: float = redeclared(SlabParameters, "repose_angle", 30.0, "Werner 1995")
     repose_test: Literal["before", "after"] = redeclared(
-        SlabParameters, "repose_test", "before", "seed 000, Alg. 4 and 5"
+        SlabParameters, "repose_test", "before", "Prague thesis, Alg. 4 and 5"
     )
 
 

@@ -15,8 +15,8 @@ from barchan.parameters import Parameters, parameter
 from barchan.plants.species import LEAST, MOST, SPECIES
 from barchan.streams import Stream, high
 
-TABLES = "seed 000, Tables 6.4-6.6"
-OWN = "our choice"
+TABLES = "Prague thesis, Tables 6.4-6.6"
+OWN = "ours"
 
 
 class Layout(Parameters):
@@ -38,7 +38,7 @@ class Layout(Parameters):
         False,
         unit="-",
         meaning="Whether each cell starts with a random share of these values.",
-        source="seed 000, Table 6.6",
+        source="Prague thesis, Table 6.6",
     )
 
     def cover(self, lattice: Lattice, stream: Stream) -> dict[str, NDArray[np.float64]]:
@@ -67,12 +67,22 @@ class Blowouts(Layout):
     kind: Literal["blowouts"] = parameter(
         "blowouts", unit="-", meaning="Plants with bare patches.", source=TABLES
     )
-    count: int = parameter(3, unit="-", ge=1, le=1000, meaning="Bare patches.", source="seed 000, §6.4")
+    count: int = parameter(3, unit="-", ge=1, le=1000, meaning="Bare patches.", source="Prague thesis, §6.4")
     width: float = parameter(
-        5.0, unit="m", gt=0, le=1e6, meaning="Size of a patch from south to north.", source="seed 000, §6.4"
+        5.0,
+        unit="m",
+        gt=0,
+        le=1e6,
+        meaning="Size of a patch from south to north.",
+        source="Prague thesis, §6.4",
     )
     length: float = parameter(
-        6.0, unit="m", gt=0, le=1e6, meaning="Size of a patch from west to east.", source="seed 000, §6.4"
+        6.0,
+        unit="m",
+        gt=0,
+        le=1e6,
+        meaning="Size of a patch from west to east.",
+        source="Prague thesis, §6.4",
     )
     x: float = parameter(
         0.25,
@@ -100,7 +110,7 @@ class Island(Area):
 
 
 def _three() -> list[Island]:
-    """Our places: seed 000 shows them only in pictures."""
+    """Our places: the Prague thesis shows them only in pictures."""
     return [
         Island(west=0.15, east=0.35, south=0.60, north=0.85),
         Island(west=0.40, east=0.60, south=0.15, north=0.40),
@@ -119,7 +129,7 @@ class Islands(Layout):
         unit="-",
         max_length=100,
         meaning="Where plants stand.",
-        source="seed 000, §6.4; our places, the text has none",
+        source="Prague thesis, §6.4; our places, the text has none",
     )
 
     def share(self, lattice: Lattice) -> NDArray[np.float64]:

@@ -12,9 +12,9 @@ from barchan.parameters import Parameters, parameter, redeclared
 
 SPECIES = ("grass", "mesquite", "shrub")
 
-FIGURE = "seed 000, Fig. 3.6; numbers of DECAL's descendants"
-ASSUMED = "assumed: the published curve was not found"
-RANGES = "seed 000, §4.7: physiological ranges"
+FIGURE = "Prague thesis, Fig. 3.6; numbers of DECAL's descendants"
+ASSUMED = "ours: assumed, for the published curve was not found"
+RANGES = "Prague thesis, §4.7: physiological ranges"
 
 LEAST, MOST = -10.0, 10.0
 """Bounds of a coefficient of vegetation."""

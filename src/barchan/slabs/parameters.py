@@ -24,7 +24,7 @@ class SlabParameters(Parameters):
         live=True,
         group="transport",
         meaning="Distance of one hop; a wind that states its speed in cells overrides it.",
-        source="Werner 1995; seed 000, Table 6.1",
+        source="Werner 1995; Prague thesis, Table 6.1",
     )
     p_s: float = parameter(
         0.6,
@@ -34,7 +34,7 @@ class SlabParameters(Parameters):
         live=True,
         group="transport",
         meaning="Chance that a slab settles where it lands on sand.",
-        source="Werner 1995; seeds 000 and 004",
+        source="Werner 1995; Prague thesis; Elder 2009",
     )
     p_ns: float = parameter(
         0.4,
@@ -44,7 +44,7 @@ class SlabParameters(Parameters):
         live=True,
         group="transport",
         meaning="Chance that a slab settles where it lands on bare ground.",
-        source="Werner 1995; seeds 000 and 004",
+        source="Werner 1995; Prague thesis; Elder 2009",
     )
     max_hops: int = parameter(
         10_000,
@@ -71,7 +71,7 @@ class SlabParameters(Parameters):
         group="shadow",
         meaning="Where the line starts: at the upwind cell's centre, or at its downwind edge so that a "
         "cell is sheltered when more than half of its top lies under the line.",
-        source="centre: seed 000, Alg. 6; edge: seed 004, Fig. 2",
+        source="centre: Prague thesis, Alg. 6; edge: Elder 2009, Fig. 2",
     )
     lee_erosion: bool = parameter(
         False,
@@ -89,7 +89,7 @@ class SlabParameters(Parameters):
         live=True,
         group="avalanches",
         meaning="Angle of repose; whole slabs hold only some angles, see repose_test.",
-        source="Momiji et al. 2000; seed 004",
+        source="Momiji et al. 2000; Elder 2009",
     )
     repose_test: Literal["before", "after"] = parameter(
         "after",
@@ -98,7 +98,7 @@ class SlabParameters(Parameters):
         group="avalanches",
         meaning="Whether a slope is tested after the slab is moved (the geometric rule) or before, which "
         "lets it stand one slab steeper.",
-        source="before: seed 000, Alg. 4 and 5",
+        source="before: Prague thesis, Alg. 4 and 5",
     )
     static_repose_angle: float | None = parameter(
         None,
@@ -109,7 +109,7 @@ class SlabParameters(Parameters):
         group="avalanches",
         meaning="Static angle of repose: above it sand at rest starts to slide, and comes to rest again "
         "at the repose angle; the repose angle itself where it is not given.",
-        source="seed 000, §2.1.2: 35 degrees, coming to rest at 32 to 33",
+        source="Prague thesis, §2.1.2: 35 degrees, coming to rest at 32 to 33",
     )
     neighbourhood: Literal["von_neumann", "moore"] = parameter(
         "von_neumann",
@@ -117,7 +117,7 @@ class SlabParameters(Parameters):
         live=True,
         group="avalanches",
         meaning="Cells that a slab may slide to: the four faces, or the four corners too.",
-        source="von_neumann: seed 000, Fig. 5.5; moore: seed 004, Fig. 3",
+        source="von_neumann: Prague thesis, Fig. 5.5; moore: Elder 2009, Fig. 3",
     )
     corner_limit: Literal["face", "geometric"] | Annotated[int, Field(ge=1, le=1_000_000)] = parameter(
         "face",
@@ -126,7 +126,7 @@ class SlabParameters(Parameters):
         group="avalanches",
         meaning="Largest stable step to a corner neighbour before repose_test: the same as to a face, the "
         "repose angle over the longer distance, or a number of slabs (3 is isotropic at an aspect of 1/3).",
-        source="face: seed 004",
+        source="face: Elder 2009",
     )
     neighbour_order: Literal["wind", "random"] = parameter(
         "wind",
@@ -135,7 +135,7 @@ class SlabParameters(Parameters):
         group="avalanches",
         meaning="Which of equally steep neighbours comes first: downwind for a slab that slides and upwind "
         "for one that falls in, or a sequence drawn anew each time; faces come before corners.",
-        source="wind: seed 000, Fig. 5.5; random: seed 004",
+        source="wind: Prague thesis, Fig. 5.5; random: Elder 2009",
     )
     upwind_avalanches: bool = parameter(
         True,
@@ -143,7 +143,7 @@ class SlabParameters(Parameters):
         live=True,
         group="avalanches",
         meaning="Whether sand may slide against the wind; without it profiles become asymmetric.",
-        source="seed 004, Fig. 5",
+        source="Elder 2009, Fig. 5",
     )
     path_test: Literal["off", "hard", "surface"] = parameter(
         "off",
@@ -152,7 +152,7 @@ class SlabParameters(Parameters):
         group="transport",
         meaning="What stops a slab in flight: nothing (it hops over whatever lies between), ground that "
         "stands above the surface it has come over by more than the repose limit, or sand as steep too.",
-        source="hard: seed 000, Alg. 7; surface: seed 000, §4.4 and Fig. 4.2",
+        source="hard: Prague thesis, Alg. 7; surface: Prague thesis, §4.4 and Fig. 4.2",
     )
     polling: Literal["repeated", "non_repeated"] = parameter(
         "repeated",
@@ -168,7 +168,7 @@ class SlabParameters(Parameters):
         live=True,
         group="polling",
         meaning="Whether every poll moves a slab: a cell that cannot erode is passed over for another.",
-        source="seed 000, Alg. 2",
+        source="Prague thesis, Alg. 2",
     )
     band_rows: int = parameter(
         32,

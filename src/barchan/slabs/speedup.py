@@ -25,7 +25,7 @@ class SpeedupParameters(SlabParameters):
         live=True,
         group="transport",
         meaning="How much longer (below the reference: shorter) a hop is for each slab of height, C1.",
-        source="Momiji et al. 2000; Bishop et al. 2002; seed 000, eq. 3.2",
+        source="Momiji et al. 2000; Bishop et al. 2002; Prague thesis, eq. 3.2",
     )
     speedup_quadratic: float = parameter(
         0.002,
@@ -35,7 +35,7 @@ class SpeedupParameters(SlabParameters):
         live=True,
         group="transport",
         meaning="How much longer a hop is for each slab of height squared, above the reference only, C2.",
-        source="Momiji et al. 2000; Bishop et al. 2002; seed 000, eq. 3.2",
+        source="Momiji et al. 2000; Bishop et al. 2002; Prague thesis, eq. 3.2",
     )
     hop_rounding: Literal["nearest", "none"] = parameter(
         "nearest",
@@ -44,7 +44,7 @@ class SpeedupParameters(SlabParameters):
         group="transport",
         meaning="Whether a hop is rounded to whole cells (halves up; a cell whose hop rounds to zero gives "
         "no slab) or keeps its length: then slabs start anywhere within their cell and the mean is exact.",
-        source="our choice: the papers' rule was not found",
+        source="ours: the papers' rule was not found",
     )
     hop_from: Literal["every_landing", "start"] = parameter(
         "every_landing",
@@ -53,7 +53,7 @@ class SpeedupParameters(SlabParameters):
         group="transport",
         meaning="Whether a slab that hops on goes by the height where it landed (and is put down where that "
         "hop is zero), or by the height where it was taken up.",
-        source="our choice: seed 000, eq. 3.2 gives the wind at the cell; the papers' rule was not found",
+        source="ours: Prague thesis, eq. 3.2 gives the wind at the cell; the papers' rule was not found",
     )
 
 

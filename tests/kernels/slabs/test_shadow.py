@@ -55,7 +55,7 @@ def test_shadow_along_an_axis_equals_lines_of_sight(seed, columns, boundary, rul
 
 
 def test_elders_figure_shades_four_cells():
-    """The rule of seed 004, Fig. 2: shaded is a cell with more than half of its top below the line.
+    """The rule of Elder 2009, Fig. 2: shaded is a cell with more than half of its top below the line.
 
     From the edge of a stack of 3 slabs of 1/3 cell the line falls to 0.87, 0.60, 0.33, 0.06 and -0.21 cells
     over the middles of the bare cells behind it.
