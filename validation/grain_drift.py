@@ -134,4 +134,5 @@ wavelength; here pushed grains outweigh it.
 
 These waves are a 40th as high as long. Those of 8 cm neither grow nor shrink much, others shrink: sines are
 not the shape that ripples take, and a bed that is left to itself has as high ones of 10 to 11 cm.
+All this was measured with coefficients of stress of 4 and 2, before they followed from the roughness.
 """

@@ -189,4 +189,5 @@ goes three times as far for it, and half as far again for its greater speed. Acr
 (one seed). There the momentum that grains take must spread less across the wind than along it: shared as
 widely, it lets grains crowd into lanes 10 cm apart, which break crests up into pits after a quarter of an
 hour.
+All this was measured with coefficients of stress of 4 and 2, before they followed from the roughness.
 """

@@ -10,8 +10,9 @@ from typing import Any, ClassVar, Literal, Union, get_args, get_origin
 
 from pydantic import BaseModel, ConfigDict, Field
 from pydantic.fields import FieldInfo
+from pydantic_core import InitErrorDetails, PydanticCustomError
 
-__all__ = ["Declaration", "Parameters", "declarations", "parameter"]
+__all__ = ["Declaration", "Parameters", "declarations", "mistake", "parameter"]
 
 NOTE = "note"
 
@@ -45,6 +46,12 @@ def redeclared(base: type[BaseModel], name: str, default: Any, source: str) -> A
     extra = {**_extra(inherited), "source": source}
     factory = {"default_factory": default} if callable(default) else {"default": default}
     return inherited.merge_field_infos(inherited, **factory, json_schema_extra=extra)
+
+
+def mistake(place: tuple[str | int, ...], message: str) -> InitErrorDetails:
+    """An error at a key of a group, for validators that report several at once."""
+    error = PydanticCustomError("value_error", "{error}", {"error": message})
+    return InitErrorDetails(type=error, loc=place, input=None)
 
 
 class Parameters(BaseModel):

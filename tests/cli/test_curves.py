@@ -4,7 +4,9 @@ import pytest
 from PIL import Image
 
 
-@pytest.mark.parametrize("words", [[], ["--out", "growth.png"], ["--model.firm-cover", "0.4"]], ids=" ".join)
+@pytest.mark.parametrize(
+    "words", [[], ["--out", "growth.png"], ["--model.stabilised-cover", "0.4"]], ids=" ".join
+)
 def test_the_growth_of_plants_is_drawn_and_told(here, barchan, words):
     result = barchan("curves", "nebkhas", *words)
     name = "growth.png" if "--out" in words else "curves.png"

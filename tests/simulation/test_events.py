@@ -187,7 +187,7 @@ def test_a_record_that_cannot_be_read_is_refused_and_the_wind_stays(tmp_path):
     broken = tmp_path / "broken.csv"
     broken.write_text("speed\n1\n")
     simulation = Simulation(tiny(clock={"grain_diameter": 0.00025, "reference_speed": 8.0}))
-    with pytest.raises(ScenarioError, match="no column that tells"):
+    with pytest.raises(ScenarioError, match="no column for the time"):
         simulation.apply(SetWind(wind={"kind": "record", "path": str(broken)}))
     assert simulation.wind.kind == "steady"
     assert simulation.events == []

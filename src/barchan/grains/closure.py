@@ -10,7 +10,7 @@ from functools import cache
 from typing import TYPE_CHECKING, Any, ClassVar, Self, TypeVar
 
 from pydantic import Field, ValidationError, create_model, model_validator
-from pydantic_core import InitErrorDetails, PydanticCustomError
+from pydantic_core import InitErrorDetails
 
 from barchan.lattice import Lattice
 from barchan.parameters import Parameters
@@ -67,12 +67,6 @@ class Composition(Parameters):
         if found:
             raise ValidationError.from_exception_data(type(self).__name__, found)
         return self
-
-
-def mistake(place: tuple[str | int, ...], message: str) -> InitErrorDetails:
-    """A mistake at a place within a closure."""
-    error = PydanticCustomError("value_error", "{error}", {"error": message})
-    return InitErrorDetails(type=error, loc=place, input=None)
 
 
 def composed(base: type[Group], closures: Iterable[type[Closure]]) -> type[Group]:

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, ClassVar
 
 from pydantic_core import InitErrorDetails
 
-from barchan.grains.closure import Closure, mistake
-from barchan.parameters import Parameters, parameter
+from barchan.grains.closure import Closure
+from barchan.parameters import Parameters, mistake, parameter
 
 if TYPE_CHECKING:
     from barchan.grains.parameters import GrainFlight

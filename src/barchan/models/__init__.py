@@ -12,6 +12,7 @@ from typing import Any
 
 from barchan.errors import BarchanError
 from barchan.model import Curve, Derived, Model, ModelMeasure, Overlay, Tally
+from barchan.parameters import Parameters, parameter
 
 _ENGINES = {
     "GrainModel": "barchan.grains.model",
@@ -21,7 +22,7 @@ _ENGINES = {
     "SpeedupModel": "barchan.slabs.speedup",
     "SpeedupParameters": "barchan.slabs.speedup",
 }
-"""What the engines offer to those who write models, and where it stands."""
+"""Modules of the names that the engines offer to authors of models."""
 
 __all__ = [
     "Curve",
@@ -31,6 +32,7 @@ __all__ = [
     "Model",
     "ModelMeasure",
     "Overlay",
+    "Parameters",
     "SlabModel",
     "SlabParameters",
     "SpeedupModel",
@@ -39,6 +41,7 @@ __all__ = [
     "model",
     "model_names",
     "models",
+    "parameter",
 ]
 
 

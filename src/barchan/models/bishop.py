@@ -1,6 +1,6 @@
 """Bishop's model: Momiji's, with heights measured from a reference that follows the relief."""
 
-from typing import ClassVar, Literal
+from typing import Literal
 
 from barchan.parameters import parameter
 from barchan.slabs.speedup import SpeedupModel, SpeedupParameters
@@ -8,8 +8,6 @@ from barchan.slabs.speedup import SpeedupModel, SpeedupParameters
 
 class BishopParameters(SpeedupParameters):
     """Parameters of Bishop's model."""
-
-    kind_key: ClassVar[str] = "name"
 
     name: Literal["bishop"] = parameter("bishop", unit="-", meaning="Bishop's model.")
 

@@ -1,6 +1,6 @@
 """Momiji's model: wind that speeds up with height, and no erosion in shadow."""
 
-from typing import ClassVar, Literal
+from typing import Literal
 
 from barchan.parameters import parameter
 from barchan.slabs.speedup import SpeedupModel, SpeedupParameters
@@ -8,8 +8,6 @@ from barchan.slabs.speedup import SpeedupModel, SpeedupParameters
 
 class MomijiParameters(SpeedupParameters):
     """Parameters of Momiji's model."""
-
-    kind_key: ClassVar[str] = "name"
 
     name: Literal["momiji"] = parameter("momiji", unit="-", meaning="Momiji's model.")
 

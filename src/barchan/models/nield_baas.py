@@ -1,7 +1,7 @@
 """Nield and Baas's model: slabs of sand among plants that grow with what the wind brings and takes."""
 
 import math
-from typing import ClassVar, Literal
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,8 +29,6 @@ _ROUNDING = 1e-9
 
 class NieldBaasParameters(SlabParameters):
     """Parameters of Nield and Baas's model."""
-
-    kind_key: ClassVar[str] = "name"
 
     name: Literal["nield_baas"] = parameter("nield_baas", unit="-", meaning="Nield and Baas's model.")
     hop_length: float = redeclared(SlabParameters, "hop_length", 1.0, "Nield & Baas 2008")
@@ -103,6 +101,7 @@ def _mean_of(name: str) -> ModelMeasure:
     )
 
 
+PLANTS = tuple(map(_cover_of, SPECIES))
 BALANCE = FieldInfo("balance", "float64", "m", "sand gained in the last full year", centre=0.0)
 YEAR_START = FieldInfo("year_start", "int32", "slabs", "sand at the start of the year", in_frames=False)
 
@@ -131,7 +130,7 @@ class NieldBaas(SlabModel):
     )
     Parameters = NieldBaasParameters
     parameters: NieldBaasParameters
-    fields = (*map(_cover_of, SPECIES), BALANCE, YEAR_START)
+    fields = (*PLANTS, BALANCE, YEAR_START)
     derived = (
         *SlabModel.derived,
         Derived(
@@ -148,7 +147,7 @@ class NieldBaas(SlabModel):
         """Plant what stands there at first."""
         super().initialise(bed, seed)
         cover = self.parameters.vegetation.cover(self.lattice, Stream(seed, "vegetation"))
-        for field in self.fields[:3]:
+        for field in PLANTS:
             kind: Species = getattr(self.parameters, field.name)
             bed.add(field, np.clip(cover[field.name], kind.lowest, kind.highest))
         bed.add(BALANCE, np.zeros(self.lattice.shape))

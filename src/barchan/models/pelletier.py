@@ -2,7 +2,7 @@
 
 import math
 from functools import lru_cache
-from typing import ClassVar, Literal
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,8 +21,6 @@ from barchan.wind.segment import Segment
 
 class PelletierParameters(SlabParameters):
     """Parameters of the model after Pelletier."""
-
-    kind_key: ClassVar[str] = "name"
 
     name: Literal["pelletier"] = parameter("pelletier", unit="-", meaning="A model after Pelletier.")
     roughness: float = parameter(

@@ -1,6 +1,6 @@
 """Werner's model: slabs of sand that the wind takes, carries and drops."""
 
-from typing import ClassVar, Literal
+from typing import Literal
 
 from barchan.parameters import parameter, redeclared
 from barchan.slabs.model import SlabModel
@@ -9,8 +9,6 @@ from barchan.slabs.parameters import SlabParameters
 
 class WernerParameters(SlabParameters):
     """Parameters of Werner's model: slab transport with the defaults of 1995."""
-
-    kind_key: ClassVar[str] = "name"
 
     name: Literal["werner"] = parameter("werner", unit="-", meaning="Werner's model.")
     lee_erosion: bool = redeclared(SlabParameters, "lee_erosion", True, "Werner 1995")

@@ -6,9 +6,8 @@ from typing import Self
 import numpy as np
 from numpy.typing import NDArray
 from pydantic import ValidationError, model_validator
-from pydantic_core import InitErrorDetails, PydanticCustomError
 
-from barchan.parameters import Parameters, parameter, redeclared
+from barchan.parameters import Parameters, mistake, parameter, redeclared
 
 SPECIES = ("grass", "mesquite", "shrub")
 
@@ -51,12 +50,12 @@ class Species(Parameters):
     @model_validator(mode="after")
     def _is_a_function(self) -> Self:
         found = [
-            _mistake(("curve", at, "balance"), f"is {later} after {earlier}; allowed: balances that increase")
+            mistake(("curve", at, "balance"), f"is {later} after {earlier}; allowed: balances that increase")
             for at, (earlier, later) in enumerate(pairwise(v.balance for v in self.curve), start=1)
             if later <= earlier
         ]
         if self.lowest > self.highest:
-            found.append(_mistake(("lowest",), f"is {self.lowest}, above highest {self.highest}"))
+            found.append(mistake(("lowest",), f"is {self.lowest}, above highest {self.highest}"))
         if found:
             raise ValidationError.from_exception_data(type(self).__name__, found)
         return self
@@ -69,11 +68,6 @@ class Species(Parameters):
     def grown(self, cover: NDArray[np.float64], balance: NDArray[np.float64]) -> NDArray[np.float64]:
         """Effectiveness a year later."""
         return np.clip(cover + self.growth(balance), self.lowest, self.highest)
-
-
-def _mistake(place: tuple[str | int, ...], message: str) -> InitErrorDetails:
-    error = PydanticCustomError("value_error", "{error}", {"error": message})
-    return InitErrorDetails(type=error, loc=place, input=None)
 
 
 def points(*pairs: tuple[float, float]) -> list[Vertex]:

@@ -1,7 +1,7 @@
 """The parameters of slab transport, shared by every slab model."""
 
 import math
-from typing import Annotated, Literal, Self
+from typing import Annotated, ClassVar, Literal, Self
 
 from pydantic import Field, model_validator
 
@@ -13,7 +13,9 @@ _ROUNDING = 1e-9
 
 
 class SlabParameters(Parameters):
-    """How slabs are polled, carried, settled and slide."""
+    """How slabs are polled, carried and deposited, and how they slide."""
+
+    kind_key: ClassVar[str] = "name"
 
     hop_length: float = parameter(
         5.0,
@@ -33,7 +35,7 @@ class SlabParameters(Parameters):
         le=1,
         live=True,
         group="transport",
-        meaning="Chance that a slab settles where it lands on sand.",
+        meaning="Chance that a slab is deposited where it lands on sand.",
         source="Werner 1995; Prague thesis; Elder 2009",
     )
     p_ns: float = parameter(
@@ -43,7 +45,7 @@ class SlabParameters(Parameters):
         le=1,
         live=True,
         group="transport",
-        meaning="Chance that a slab settles where it lands on bare ground.",
+        meaning="Chance that a slab is deposited where it lands on bare ground.",
         source="Werner 1995; Prague thesis; Elder 2009",
     )
     max_hops: int = parameter(
@@ -52,7 +54,7 @@ class SlabParameters(Parameters):
         ge=1,
         le=1_000_000_000,
         group="transport",
-        meaning="After so many hops a slab is put down wherever it is, and counted.",
+        meaning="Number of hops after which a slab is put down wherever it is, and counted.",
     )
     shadow_angle: float = parameter(
         15.0,

@@ -1,4 +1,4 @@
-"""What stands in the way of a slab on the wind: walls of ground, or also sand as steep (seed 000, Alg. 7).
+"""Obstacles along a hop: walls of ground, or also of sand as steep (Prague thesis, Alg. 7).
 
 A wall is a cell that stands above the one the slab comes from by more than the repose limit. The surface
 never lies below the ground, so ground that does not rise by that much above the *ground* before it is no
