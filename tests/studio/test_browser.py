@@ -449,7 +449,7 @@ def test_a_wind_record_dropped_onto_the_scene_blows(studio):
     wind = "window.barchan.app.runs[0].description.scenario.wind"
     studio.until(f"{wind}.kind === 'record'")
     dropped(studio, "broken.csv", "text/csv", b"seconds,speed\n0,1\n")
-    studio.until("window.barchan.app.log.some((entry) => entry.text.includes('no column that tells'))")
+    studio.until("window.barchan.app.log.some((entry) => entry.text.includes('no column for the time'))")
     rows = "\n".join(f"2020-01-{1 + day:02}T00:00,{8 + day % 5},90" for day in range(28))
     dropped(studio, "east.csv", "text/csv", f"time,speed (m/s),direction\n{rows}\n".encode())
     studio.until(f"{wind}.path?.endsWith('east.csv')")
