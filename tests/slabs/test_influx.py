@@ -88,3 +88,11 @@ def test_oblique_slabs_among_obstacles_with_hops_that_grow_are_all_booked():
     ledger = simulation.ledger
     assert ledger.entered > 0
     assert simulation.bed.units == ledger.entered - ledger.left
+
+
+@pytest.mark.parametrize("direction", [270.0, 225.0])
+def test_slabs_whose_first_hop_passes_over_the_whole_field_enter_and_leave(direction):
+    far = {"model__hop_length": 5000, "model__p_s": 1.0, "model__p_ns": 1.0}
+    influx = {"kind": "slabs", "slabs_per_step": 2.0}
+    simulation = run(2, influx=influx, wind__direction=direction, lattice__boundary_y="open", **far)
+    assert simulation.ledger.left > 0.9 * simulation.ledger.entered > 0

@@ -73,10 +73,12 @@ def _first_landing(edge, cell, state, rules):
     if has_fractions(rules.speedup, wind.hop_along, wind.hop_across):
         place = np.int64(draw(state, 2) * CELL)
     if edge == _ALONG:
+        along = wrapped(along, grid.cols, False)
         return along, wrapped(across + (cell << 32) + place, grid.rows, grid.wrap_across)
     if wind.hop_across < 0:
         across += (grid.rows << 32) - 1
-    return wrapped(along + (cell << 32) + place, grid.cols, grid.wrap_along), across
+    along = wrapped(along + (cell << 32) + place, grid.cols, grid.wrap_along)
+    return along, wrapped(across, grid.rows, False)
 
 
 @njit(cache=True)
