@@ -9,6 +9,8 @@ from pathlib import Path
 from benchmarks import grains, kernel, program
 
 PAGE = Path(__file__).parents[1] / "docs" / "benchmarks.md"
+NOTES = Path(__file__).with_name("notes.md")
+"""Remarks that no case measures; the page ends with them."""
 
 INTRODUCTION = """# How fast it is
 
@@ -30,7 +32,7 @@ def main() -> None:
         print(line, flush=True)
         lines.append(line)
     if options.write:
-        PAGE.write_text("\n".join([INTRODUCTION, *lines]) + "\n")
+        PAGE.write_text("\n".join([INTRODUCTION, *lines, "", NOTES.read_text()]))
 
 
 def report(only: str) -> Iterator[str]:
