@@ -13,6 +13,7 @@ from barchan.fields import SAND, FieldInfo, LayerInfo
 from barchan.lattice import Lattice
 from barchan.parameters import Parameters
 from barchan.streams import Stream
+from barchan.wind.forcing import Forcing
 from barchan.wind.segment import Segment
 
 
@@ -117,6 +118,10 @@ class Model(ABC):
     citation: ClassVar[str] = ""
     takes_influx: ClassVar[bool] = False
     """Whether it lets sand enter across open edges, where the forcing brings any."""
+    takes_speed: ClassVar[bool] = False
+    """Whether its own rules follow from a speed in m/s; others need a clock for its number of polls."""
+    temperatures: ClassVar[tuple[float, float] | None] = None
+    """The air temperatures (°C) that its rules hold for, where they use them."""
     material: ClassVar[str] = "sand"
     """What its slabs or parcels are of, in one word; the studio offers models by it."""
     work_unit: ClassVar[str] = "polls"
@@ -215,4 +220,8 @@ class Model(ABC):
 
     def facts(self) -> dict[str, str]:
         """What the parameters come to on this lattice, for people to read."""
+        return {}
+
+    def forecast(self, forcing: Forcing) -> dict[str, str]:
+        """What can be predicted of a run under a forcing before it starts, for people to read."""
         return {}

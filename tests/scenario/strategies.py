@@ -10,9 +10,11 @@ from barchan.lattice import LARGEST_ASPECT, LEAST_ASPECT, Lattice
 from barchan.parameters import NOTE, Parameters
 from barchan.plants.species import Species
 from barchan.scenario import Scenario
+from barchan.slabs.hardening import Hardening
 from barchan.slabs.parameters import SlabParameters
 from barchan.wind import MixedAxes, Regime, Steady
-from barchan.wind.speed_ramps import Points
+from barchan.wind.ramps import Points
+from barchan.wind.weather_course import Course
 
 WIDEST = 10**6
 """Numbers without bounds are drawn within this."""
@@ -46,6 +48,10 @@ def group(parameters: type[Parameters]) -> st.SearchStrategy[dict[str, Any]]:
         return drawn.map(_with_area)
     if parameters is Scenario:
         return drawn.map(_timeless)
+    if issubclass(parameters, Course):
+        return drawn.map(_lasts_where_it_changes)
+    if parameters is Hardening:
+        return drawn.map(_packs)
     if parameters in (Regime, Steady):
         return drawn.map(_starts_somewhere)
     if parameters is MixedAxes:
@@ -148,7 +154,25 @@ def _starts_somewhere(data: dict[str, Any]) -> dict[str, Any]:
     if "kind" in data:
         return data
     data |= {"steps": data.get("steps") or 7, "seconds": None}
-    return data if data.get("speed") is not None else {**data, "final_speed": None}
+    unknown = [name for name in ("speed", "temperature", "snowfall") if data.get(name) is None]
+    return {**data, **{f"final_{name}": None for name in unknown}}
+
+
+def _lasts_where_it_changes(data: dict[str, Any]) -> dict[str, Any]:
+    """A quantity that changes over a number of steps, or not at all."""
+    steps = None if data.get("last") is None else data.get("steps") or 7
+    return {**data, "steps": steps, "seconds": None}
+
+
+def _packs(data: dict[str, Any]) -> dict[str, Any]:
+    """Snow with curves that go on, and that get denser until it is immobile."""
+    for curve, key in (("fresh_snow", "temperature"), ("packed_snow", "day")):
+        if curve in data:
+            data[curve] = [{**point, key: 10.0 * at} for at, point in enumerate(data[curve])]
+    if "packed_snow" in data:
+        points = [{**point, "density": 50.0 + 10 * at} for at, point in enumerate(data["packed_snow"])]
+        data |= {"packed_snow": points, "locks_after": 9}
+    return {**data, "locks_after": min(data.get("locks_after", 98), 98)}
 
 
 def _timeless(data: dict[str, Any]) -> dict[str, Any]:
@@ -156,7 +180,13 @@ def _timeless(data: dict[str, Any]) -> dict[str, Any]:
     wind = data.get("wind")
     if wind is not None and wind.get("kind") == "record":
         data = {**data, "wind": {"kind": "steady"}}
-    return {**data, "clock": None, "influx": None}
+    data = {**data, "clock": None, "influx": None}
+    return _cold(data) if data.get("model", {}).get("name") == "snow_werner" else data
+
+
+def _cold(data: dict[str, Any]) -> dict[str, Any]:
+    """A scenario whose weather the model takes: none is stated."""
+    return {**data, "wind": {"kind": "steady"}, "weather": None}
 
 
 def _crosses(data: dict[str, Any]) -> dict[str, Any]:

@@ -9,7 +9,7 @@ import barchan
 from barchan.errors import ScenarioError
 from barchan.simulation import Simulation
 from barchan.wind import Regime, Regimes
-from barchan.wind.speed_ramps import Bezier
+from barchan.wind.ramps import Bezier
 from tests.tiny import tiny
 from tests.wind.blown import blown, forcing, segments
 

@@ -18,15 +18,13 @@ def info(run: Path, /) -> None:
     known = run_info(run)
     scenario = known.scenario
     lattice = scenario.lattice
-    facts = scenario.new_model().facts()
     state = known.stopped or f"not finished; go on with: {resume_command(run)}"
     rows = [
         ("title", scenario.title or "–"),
         ("model", scenario.model.name),
         ("field", f"{lattice.columns} × {lattice.rows} cells of {lattice.cell_size:g} m"),
         ("slab height", f"{lattice.thickness:.4g} m"),
-        *scenario.time_facts().items(),
-        *facts.items(),
+        *scenario.facts().items(),
         ("wind", scenario.wind.summary()),
         ("seed", str(scenario.run.seed)),
         *([("branch of", f"{known.parent.run}, from step {known.parent.step} on")] if known.parent else []),

@@ -42,6 +42,7 @@ class GrainModel(Model):
     A subclass names its ``closures`` and composes its parameters of them.
     """
 
+    takes_speed = True
     work_unit = "grain updates"
     closures: ClassVar[tuple[type[Closure], ...]] = ()
     Parameters = GrainFlight

@@ -1,11 +1,13 @@
 """Checks across the parts of a scenario."""
 
+from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from barchan.directions import downwind
 from barchan.models import Model
 from barchan.scenario.source_map import Path
 from barchan.wind import Recorded
+from barchan.wind.weather_course import Course
 
 if TYPE_CHECKING:
     from barchan.scenario.definition import Scenario
@@ -19,8 +21,7 @@ def inconsistencies(scenario: "Scenario", model: Model) -> list[Found]:
     found = [*_clock_problems(scenario, model), *_influx_problems(scenario, model)]
     if not found:
         found += [(("model", key), text) for key, text in model.problems(scenario.step_seconds)]
-    known = scenario.clock is not None or model.step_seconds is not None
-    return found if known else [*found, *_timeless(scenario)]
+    return [*found, *_unclocked(scenario, model), *_weather_problems(scenario, model)]
 
 
 def _clock_problems(scenario: "Scenario", model: Model) -> list[Found]:
@@ -90,17 +91,70 @@ def starved_edges(scenario: "Scenario") -> list[str]:
     return [f'{text}; state what enters with "influx", for instance {{"kind": "saturation", "share": 0.2}}']
 
 
-def _timeless(scenario: "Scenario") -> list[Found]:
+def _unclocked(scenario: "Scenario", model: Model) -> list[Found]:
     """Speeds and durations that ask for a clock where there is none."""
-    found: list[Found] = []
+    if scenario.clock is not None:
+        return []
+    own_steps = model.step_seconds is not None
+    found = [] if model.takes_speed else list(_unclocked_speeds(scenario, model, own_steps))
+    if own_steps:
+        return found
+    for path, seconds in _durations(scenario):
+        text = f"is {seconds:g} s, which needs a clock"
+        found.append((path, f'{text}; add "clock": {{}} or state it in steps'))
+    return found
+
+
+def _unclocked_speeds(scenario: "Scenario", model: Model, own_steps: bool) -> Iterator[Found]:
+    """Winds in m/s, whose number of polls nothing tells."""
+    if own_steps:
+        text = f"in m/s do not tell how far slabs of {model.title} hop; state a speed in cells"
+        record, speed = f"is a record, whose winds {text}", f"is m/s; speeds {text}"
+    else:
+        needs = "a clock for its number of polls"
+        record = 'is a record, whose winds need a clock for their number of polls; add "clock": {}'
+        speed = f'is m/s, which needs {needs}; add "clock": {{}} or state the speed in cells'
     if isinstance(scenario.wind, Recorded):
-        text = 'is a record, whose winds need a clock for their number of polls; add "clock": {}'
-        found.append((("wind", "kind"), text))
+        yield ("wind", "kind"), record
     for path, part in scenario.wind.placed_parts():
         if part.unit == "m/s":
-            text = "is m/s, which needs a clock for its number of polls"
-            found.append((("wind", *path, "unit"), f'{text}; add "clock": {{}} or state the speed in cells'))
+            yield ("wind", *path, "unit"), speed
+
+
+def _durations(scenario: "Scenario") -> Iterator[tuple[Path, float]]:
+    """The durations that are stated in seconds, and their keys."""
+    for path, part in scenario.wind.placed_parts():
         if part.lasting_seconds is not None:
-            text = f"is {part.lasting_seconds:g} s, which needs a clock"
-            found.append((("wind", *path, "seconds"), f'{text}; add "clock": {{}} or state it in steps'))
-    return found
+            yield ("wind", *path, "seconds"), part.lasting_seconds
+    for name, course in _courses(scenario):
+        if course.seconds is not None:
+            yield ("weather", name, "seconds"), course.seconds
+
+
+def _courses(scenario: "Scenario") -> Iterator[tuple[str, Course]]:
+    """The quantities of the weather that the scenario states over the run, and their keys."""
+    if scenario.weather is not None:
+        named = zip(("temperature", "snowfall"), scenario.weather.parts(), strict=True)
+        yield from ((name, course) for name, course in named if course is not None)
+
+
+def _weather_problems(scenario: "Scenario", model: Model) -> list[Found]:
+    """Temperatures for which the model's rules do not hold."""
+    if model.temperatures is None:
+        return []
+    coldest, warmest = model.temperatures
+    stated: list[tuple[Path, tuple[float, ...]]] = [
+        (("wind", *path, "temperature"), part.temperatures) for path, part in scenario.wind.placed_parts()
+    ]
+    stated += [
+        (("weather", name), course.change.range())
+        for name, course in _courses(scenario)
+        if name == "temperature"
+    ]
+    text = f"°C; allowed with {model.title}: temperatures from {coldest:g} to {warmest:g} °C"
+    return [
+        (path, f"comes to {value:g} {text}")
+        for path, values in stated
+        for value in dict.fromkeys(values)
+        if not coldest <= value <= warmest
+    ]

@@ -18,7 +18,7 @@ from barchan.parameters import Parameters, parameter
 from barchan.scenario.consistency import inconsistencies, starved_edges
 from barchan.scenario.source_map import SourceMap
 from barchan.scenario.summary import html_table, in_a_line, summary
-from barchan.wind import Clock, Forcing, Steady, StepClock, Wind
+from barchan.wind import Clock, Forcing, Steady, StepClock, WeatherCourse, Wind
 from barchan.wind.clock import spoken
 from barchan.wind.influx import AnyInflux
 
@@ -105,6 +105,11 @@ class Scenario(Parameters):
     ground: Ground = Field(default_factory=FlatGround, description="Ground under the sand.")
     sand: Sand = Field(default_factory=FlatSand, description="Sand at the start.")
     wind: Wind = Field(default_factory=Steady, description="Wind.")
+    weather: WeatherCourse | None = Field(
+        default=None,
+        description="Temperature and snowfall over the run, where the wind states none; unknown where not "
+        "given.",
+    )
     influx: AnyInflux | None = Field(
         default=None, description="Sand that enters across open edges from upwind; none where not given."
     )
@@ -167,17 +172,21 @@ class Scenario(Parameters):
             )
         return facts
 
+    def facts(self) -> dict[str, str]:
+        """What the scenario comes to, as far as it is known before it runs, for people to read."""
+        model, seeded = self.new_model(), self.seeded()
+        return {**self.time_facts(), **model.facts(), **model.forecast(seeded.forcing())}
+
     def forcing(self) -> Forcing:
         """The wind over this scenario's lattice, with its clock; the scenario must have a seed."""
+        return Forcing(self.wind, self._step_clock(), self.lattice.cells, self.influx, self.weather)
+
+    def _step_clock(self) -> StepClock:
         clock, model = self.clock, self.new_model()
         if clock is None:
-            step_clock = StepClock(self.seed, model.step_seconds)
-            return Forcing(self.wind, step_clock, self.lattice.cells, self.influx)
+            return StepClock(self.seed, model.step_seconds)
         volume = model.step_volume()
-        step_clock = StepClock(
-            self.seed, clock.duration(volume), lambda speeds: clock.strength(speeds, volume)
-        )
-        return Forcing(self.wind, step_clock, self.lattice.cells, self.influx)
+        return StepClock(self.seed, clock.duration(volume), lambda speeds: clock.strength(speeds, volume))
 
     def seeded(self) -> Self:
         """The same scenario with a seed: its own, or a random one."""

@@ -87,14 +87,19 @@ class SlabModel(Model):
     def after_steps(self, bed: Bed, segment: Segment) -> None:
         """Do what is due after some steps were run."""
 
+    def finished(self, bed: Bed) -> str | None:
+        """Why nothing more can happen on the bed, where the model knows that."""
+        return None
+
     def advance(self, bed: Bed, segment: Segment, stream: Stream) -> Tally:
         """Poll the cells and let the wind carry what they give."""
         total = Tally()
-        while total.steps < segment.steps:
+        while total.steps < segment.steps and total.finished is None:
             rest = segment.part(total.steps, segment.steps - total.steps)
             part = rest.part(0, min(self.steps_until_update(rest), rest.steps))
             total.add(self._transport(bed, part, stream))
             self.after_steps(bed, part)
+            total.finished = self.finished(bed)
         return total
 
     def _transport(self, bed: Bed, segment: Segment, stream: Stream) -> Tally:

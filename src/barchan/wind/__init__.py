@@ -12,6 +12,7 @@ from barchan.wind.recorded import Recorded
 from barchan.wind.regimes import Regime, Regimes
 from barchan.wind.segment import Segment
 from barchan.wind.steady import Steady
+from barchan.wind.weather_course import WeatherCourse
 
 Wind = Annotated[Steady | Regimes | MixedAxes | Recorded, Field(discriminator="kind")]
 
@@ -25,5 +26,6 @@ __all__ = [
     "Segment",
     "Steady",
     "StepClock",
+    "WeatherCourse",
     "Wind",
 ]

@@ -8,7 +8,7 @@ from pydantic import Field, model_validator
 from barchan.parameters import parameter
 from barchan.wind.gusts import Gusts, normal
 from barchan.wind.interval import StepClock, WindInterval
-from barchan.wind.weather import WithWeather
+from barchan.wind.weather import Weather, WithWeather
 
 SPEED: dict[str, Any] = {"unit": "cells or m/s", "ge": 0, "le": 100_000}
 """Declaration shared by all speeds."""
@@ -74,18 +74,28 @@ class Blowing(WithWeather):
         return self.spread > 0.0 or (self.gusts is not None and self.gusts.intensity > 0.0)
 
     def interval(
-        self, step: int, start: float, share: float, speed: float | None, clock: StepClock
+        self,
+        step: int,
+        start: float,
+        share: float,
+        speed: float | None,
+        clock: StepClock,
+        weather: Weather | None = None,
     ) -> WindInterval:
-        """The wind for a share of a step, from a share ``start`` of it on, at a mean speed."""
+        """The wind for a share of a step, from a share ``start`` of it on, at a mean speed.
+
+        Its weather is the one that it states, unless one is given.
+        """
+        weather = self.weather if weather is None else weather
         direction = self.direction
         if self.spread > 0.0 and clock.deviates:
             direction = (direction + self.spread * normal(clock.directions, step)) % 360.0
         if speed is None or self.unit == "cells":
             strength = 0.0 if speed == 0.0 else 1.0
-            return WindInterval(share, direction, speed or None, strength=strength, weather=self.weather)
+            return WindInterval(share, direction, speed or None, strength=strength, weather=weather)
         speeds = np.array([speed])
         if self.gusts is not None:
             seconds = clock.seconds()
             speeds = speed * self.gusts.factors((step + start) * seconds, share * seconds, clock.gusts)
         mean = float(speeds.mean())
-        return WindInterval(share, direction, None, mean, clock.mean_strength(speeds), self.weather)
+        return WindInterval(share, direction, None, mean, clock.mean_strength(speeds), weather)

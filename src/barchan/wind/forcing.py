@@ -11,6 +11,7 @@ from barchan.wind.influx import Influx
 from barchan.wind.interval import StepClock, WindInterval
 from barchan.wind.segment import Segment
 from barchan.wind.weather import Weather
+from barchan.wind.weather_course import WeatherCourse
 
 _NOWHERE = 1e-9
 """Fraction of the total transport below which the mean transport has no direction."""
@@ -37,6 +38,8 @@ class Forcing:
     cells: int
     influx: Influx | None = None
     """What enters across open edges from upwind."""
+    weather: WeatherCourse | None = None
+    """The weather where the wind states none."""
 
     def segments(self, step: int, steps: int) -> Iterator[list[Segment]]:
         """Segments of ``steps`` steps from ``step`` on, in order.
@@ -56,8 +59,18 @@ class Forcing:
         end = step + steps
         while step < end:
             count = min(self.wind.lasts(step, self.clock), end - step)
-            yield step, count, self.wind.intervals(step, self.clock)
+            if self.weather is not None:
+                count = min(self.weather.lasts(step, self.clock), count)
+            yield step, count, self._intervals(step, self.clock)
             step += count
+
+    def _intervals(self, step: int, clock: StepClock) -> list[WindInterval]:
+        """The wind's intervals of a step, with the weather."""
+        found = self.wind.intervals(step, clock)
+        if self.weather is None:
+            return found
+        weather = self.weather.at(step, clock)
+        return [replace(interval, weather=interval.weather.completed_by(weather)) for interval in found]
 
     def _runs(self, step: int, steps: int, interval: WindInterval) -> Iterator[tuple[int, int, int]]:
         """Runs of steps with the same number of polls: first step, number of steps, polls of each step."""
@@ -109,7 +122,7 @@ class Forcing:
 
         Random deviations from a wind's direction are left out.
         """
-        intervals = self.wind.intervals(step, replace(self.clock, deviates=False))
+        intervals = self._intervals(step, replace(self.clock, deviates=False))
         works = [s.share * s.strength * (1.0 if s.hop_length is None else s.hop_length) for s in intervals]
         x, y = (
             math.fsum(work * downwind(s.direction)[axis] for work, s in zip(works, intervals, strict=True))

@@ -9,6 +9,9 @@ from numpy.typing import NDArray
 from barchan.streams import Stream
 from barchan.wind.weather import UNKNOWN, Weather
 
+FOR_EVER = 2**62
+"""Steps that no run does."""
+
 Strength = Callable[[NDArray[np.float64]], NDArray[np.float64]]
 """From speeds (m/s) to polls, as a fraction of the polls of a step."""
 

@@ -7,8 +7,8 @@ from pydantic import model_validator
 from barchan.directions import bearing, downwind
 from barchan.parameters import Parameters, parameter
 from barchan.wind.blowing import Blowing
-from barchan.wind.interval import StepClock, WindInterval
-from barchan.wind.steady import FOR_EVER, Steady
+from barchan.wind.interval import FOR_EVER, StepClock, WindInterval
+from barchan.wind.steady import Steady
 
 
 class MixedAxes(Parameters):

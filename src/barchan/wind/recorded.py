@@ -11,9 +11,8 @@ from pydantic import Field
 from barchan.errors import Problem, RecordError, ScenarioError
 from barchan.parameters import Parameters, parameter
 from barchan.wind.blowing import Blowing
-from barchan.wind.interval import StepClock, WindInterval
+from barchan.wind.interval import FOR_EVER, StepClock, WindInterval
 from barchan.wind.records import SAMPLE, RecordFormat, WindRecord, read_record
-from barchan.wind.steady import FOR_EVER
 
 _ROUNDING = 1e-9
 """Slack, in steps, for times that are those of a row's end but for rounding."""

@@ -8,9 +8,11 @@ from pydantic import Field, model_validator
 
 from barchan.parameters import Parameters, parameter
 from barchan.wind.blowing import SPEED, Blowing
-from barchan.wind.interval import StepClock, WindInterval
-from barchan.wind.speed_ramps import AnySpeedRamp, Linear
-from barchan.wind.steady import FOR_EVER
+from barchan.wind.changes import Change
+from barchan.wind.interval import FOR_EVER, StepClock, WindInterval
+from barchan.wind.ramps import AnyRamp, Linear
+from barchan.wind.weather import SNOWFALL, TEMPERATURE, Weather
+from barchan.wind.weather_course import snowfall_change, temperature_change
 
 FINENESS = 0.01
 """Change of speed from one slice of a step to the next, over the greater of a regime's speeds."""
@@ -56,8 +58,27 @@ class Regime(Blowing):
         source="Prague thesis, §5.3",
         **SPEED,
     )
-    course: AnySpeedRamp = Field(
+    course: AnyRamp = Field(
         default_factory=Linear, description="How the speed changes from the first to the last."
+    )
+
+    final_temperature: float | None = parameter(
+        None,
+        meaning="Temperature of the air at the end of the regime; by default the first temperature.",
+        source="Prague thesis, §5.12",
+        **TEMPERATURE,
+    )
+    temperature_course: AnyRamp = Field(
+        default_factory=Linear, description="How the temperature changes from the first to the last."
+    )
+    final_snowfall: float | None = parameter(
+        None,
+        meaning="Snowfall at the end of the regime; by default the first snowfall.",
+        source="ours",
+        **SNOWFALL,
+    )
+    snowfall_course: AnyRamp = Field(
+        default_factory=Linear, description="How the snowfall changes from the first to the last."
     )
 
     @model_validator(mode="after")
@@ -65,8 +86,10 @@ class Regime(Blowing):
         if (self.steps is None) == (self.seconds is None):
             given = "neither steps nor seconds is" if self.steps is None else "steps and seconds are both"
             raise ValueError(f"{given} given; give one of them")
-        if self.final_speed is not None and self.speed is None:
-            raise ValueError(f"final_speed {self.final_speed} is given without speed; give both")
+        for name in ("speed", "temperature", "snowfall"):
+            last = getattr(self, f"final_{name}")
+            if last is not None and getattr(self, name) is None:
+                raise ValueError(f"final_{name} {last} is given without {name}; give both")
         return self
 
     @property
@@ -98,6 +121,41 @@ class Regime(Blowing):
     def changes(self) -> bool:
         """Whether its mean speed changes."""
         return self.final_speed is not None and self.final_speed != self.speed
+
+    def weather_changes(self) -> tuple[Change | None, Change | None]:
+        """How temperature and snowfall change during the regime, where they do."""
+        temperature = snowfall = None
+        if self.temperature is not None and self.final_temperature is not None:
+            temperature = temperature_change(
+                self.temperature, self.final_temperature, self.temperature_course
+            )
+        if self.snowfall is not None and self.final_snowfall is not None:
+            snowfall = snowfall_change(self.snowfall, self.final_snowfall, self.snowfall_course)
+        return temperature, snowfall
+
+    def weather_at(self, over: float, clock: StepClock) -> Weather:
+        """The weather after ``over`` steps of the regime."""
+        duration = self.duration(clock)
+        values = [None if c is None else c.value(over, duration) for c in self.weather_changes()]
+        return Weather(*values).completed_by(self.weather)
+
+    @property
+    def temperatures(self) -> tuple[float, ...]:
+        """The least and the greatest temperature (°C) of the regime, where it states any."""
+        change, _ = self.weather_changes()
+        return super().temperatures if change is None else change.range()
+
+    def lasts(self, over: float, clock: StepClock) -> int:
+        """Number of steps, from ``over`` steps of the regime on, in which wind and weather stay the same."""
+        left = self.duration(clock) - over
+        if self.varies:
+            return 1
+        if left <= 0.0:
+            return FOR_EVER
+        if self.changes:
+            return 1
+        weather = [c.lasts(over, self.duration(clock)) for c in self.weather_changes() if c is not None]
+        return min(max(math.floor(left + _NOTHING), 1), *weather, FOR_EVER)
 
     def slices(self, start: float, end: float) -> int:
         """Into how many slices the time between two shares of its duration is cut, for its speed changes."""
@@ -133,12 +191,7 @@ class Regimes(Parameters):
     def lasts(self, step: int, clock: StepClock) -> int:
         """Number of steps from ``step`` on in which the wind stays the same."""
         regime, over = self._at(step, clock)
-        if regime.varies:
-            return 1
-        left = regime.duration(clock) - over
-        if left <= 0.0:
-            return FOR_EVER
-        return 1 if regime.changes else max(math.floor(left + _NOTHING), 1)
+        return regime.lasts(over, clock)
 
     def intervals(self, step: int, clock: StepClock) -> list[WindInterval]:
         """Intervals of a step, in order."""
@@ -147,10 +200,11 @@ class Regimes(Parameters):
             duration = regime.duration(clock)
             first, last = (min((over + t) / duration, 1.0) for t in (0.0, share))
             count = regime.slices(first, last)
+            weather = regime.weather_at(over + share / 2, clock)
             for k in range(count):
                 speed = regime.speed_at(first + (last - first) * (k + 0.5) / count)
                 at, part = start + share * k / count, share / count
-                found.append(regime.interval(step, at, part, speed, clock))
+                found.append(regime.interval(step, at, part, speed, clock, weather))
         return found
 
     def _pieces(self, step: int, clock: StepClock) -> Iterator[tuple[Regime, float, float, float]]:

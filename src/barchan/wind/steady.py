@@ -4,10 +4,7 @@ from typing import ClassVar, Literal
 
 from barchan.parameters import parameter
 from barchan.wind.blowing import Blowing
-from barchan.wind.interval import StepClock, WindInterval
-
-FOR_EVER = 2**62
-"""Steps that no run does."""
+from barchan.wind.interval import FOR_EVER, StepClock, WindInterval
 
 
 class Steady(Blowing):

@@ -1,11 +1,18 @@
 """The weather that comes with a wind, for models of snow that falls, hardens and packs."""
 
 from dataclasses import dataclass
+from typing import Any
 
 from barchan.parameters import Parameters, parameter
 
 COLDEST, WARMEST = -90.0, 60.0
 """Air temperatures (°C) beyond all that were measured near the ground."""
+
+TEMPERATURE: dict[str, Any] = {"unit": "°C", "ge": COLDEST, "le": WARMEST}
+"""Declaration shared by all temperatures of the air."""
+
+SNOWFALL: dict[str, Any] = {"unit": "kg/m²/s", "ge": 0, "le": 0.1}
+"""Declaration shared by all rates of snowfall."""
 
 
 @dataclass(frozen=True)
@@ -17,6 +24,15 @@ class Weather:
     snowfall: float | None = None
     """Mass of snow that falls on the ground per time (kg/m²/s)."""
 
+    def completed_by(self, other: "Weather") -> "Weather":
+        """The same weather, with what it does not state taken from another one."""
+        if self == UNKNOWN:
+            return other
+        return Weather(
+            other.temperature if self.temperature is None else self.temperature,
+            other.snowfall if self.snowfall is None else self.snowfall,
+        )
+
 
 UNKNOWN = Weather()
 """The weather where nothing is stated of it."""
@@ -27,20 +43,16 @@ class WithWeather(Parameters):
 
     temperature: float | None = parameter(
         None,
-        unit="°C",
-        ge=COLDEST,
-        le=WARMEST,
         live=True,
         meaning="Temperature of the air while this wind blows; unknown where not given.",
+        **TEMPERATURE,
     )
     snowfall: float | None = parameter(
         None,
-        unit="kg/m²/s",
-        ge=0,
-        le=0.1,
         live=True,
         meaning="Snow that falls on the ground while this wind blows: mass per area and time, 1 kg/m² being "
         "1 mm of water; unknown where not given.",
+        **SNOWFALL,
     )
 
     @property
@@ -49,3 +61,8 @@ class WithWeather(Parameters):
         if self.temperature is None and self.snowfall is None:
             return UNKNOWN
         return Weather(self.temperature, self.snowfall)
+
+    @property
+    def temperatures(self) -> tuple[float, ...]:
+        """The least and the greatest temperature (°C) stated here, or none."""
+        return () if self.temperature is None else (self.temperature,)

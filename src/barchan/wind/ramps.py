@@ -1,4 +1,4 @@
-"""How a speed changes from its first to its last value: fraction of the change by fraction of the time."""
+"""How a speed, a temperature or a snowfall changes: fraction of the change by fraction of the time."""
 
 from itertools import pairwise
 from typing import Annotated, ClassVar, Literal, Self
@@ -12,8 +12,8 @@ _HALVINGS = 60
 """Number of halvings after which an interval vanishes in double precision."""
 
 
-class SpeedRamp(Parameters):
-    """A change of speed in normalised time and value, from (0, 0) to (1, 1)."""
+class Ramp(Parameters):
+    """A change in normalised time and value, from (0, 0) to (1, 1)."""
 
     kind_key: ClassVar[str] = "kind"
 
@@ -24,7 +24,7 @@ class SpeedRamp(Parameters):
         raise NotImplementedError
 
 
-class Linear(SpeedRamp):
+class Linear(Ramp):
     """A straight line."""
 
     kind: Literal["linear"] = parameter(
@@ -36,7 +36,7 @@ class Linear(SpeedRamp):
         return time
 
 
-class Bezier(SpeedRamp):
+class Bezier(Ramp):
     """A cubic Bézier curve with two control points."""
 
     kind: Literal["bezier"] = parameter(
@@ -69,13 +69,13 @@ def _cubic(first: float, second: float, u: float) -> float:
 
 
 class Point(Parameters):
-    """A point of a speed ramp."""
+    """A point of a ramp."""
 
     time: float = parameter(unit="-", ge=0, le=1, meaning="Fraction of the duration.")
     value: float = parameter(unit="-", ge=-10, le=10, meaning="Fraction of the change.")
 
 
-class Points(SpeedRamp):
+class Points(Ramp):
     """Straight lines through several points between the first and the last value."""
 
     kind: Literal["points"] = parameter("points", unit="-", meaning="Straight lines through points.")
@@ -100,4 +100,4 @@ class Points(SpeedRamp):
         return float(np.interp(time, times, values))
 
 
-AnySpeedRamp = Annotated[Linear | Bezier | Points, Field(discriminator="kind")]
+AnyRamp = Annotated[Linear | Bezier | Points, Field(discriminator="kind")]

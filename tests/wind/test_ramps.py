@@ -5,7 +5,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from pydantic import ValidationError
 
-from barchan.wind.speed_ramps import Bezier, Linear, Point, Points
+from barchan.wind.ramps import Bezier, Linear, Point, Points
 
 shares = st.floats(0, 1)
 COURSES = [
