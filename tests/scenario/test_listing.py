@@ -11,7 +11,7 @@ KEYS = list(all_keys())
 OWN = {"name", "max_hops", "band_rows", "iterations_per_step", "shelter_every"}
 """Parameters of models that no paper knows: the model's tag, a cap, the work's order and its rhythm."""
 
-OPTIONAL = ("clock.", "wind.gusts.", "run.until.steady.")
+OPTIONAL = ("clock.", "weather.", "wind.gusts.", "run.until.steady.")
 """Groups that a scenario need not have."""
 
 
@@ -28,7 +28,7 @@ def test_every_value_of_a_complete_scenario_is_listed():
     gusty = {"kind": "steady", "speed": 9.0, "unit": "m/s", "gusts": {}}
     data = {"barchan": 2, "clock": {}, "wind": gusty, "run": {"until": {"steady": {}}}}
     scenario = load_scenario(data)
-    assert set(keys_within(scenario.data())) - {"influx"} <= {key.key for key in KEYS}
+    assert set(keys_within(scenario.data())) - {"influx", "weather"} <= {key.key for key in KEYS}
 
 
 def test_listed_defaults_are_the_values_of_a_scenario_that_gives_none():
