@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from barchan.aeolian.saltation import Saltation
 from barchan.wind.clock import YEAR
 from barchan.wind.records import WindRecord
-from barchan.wind.records.format import UNITS
+from barchan.wind.records.units import UNITS
 
 KNOT = UNITS["kn"]
 
