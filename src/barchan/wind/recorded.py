@@ -40,7 +40,7 @@ class Recorded(Parameters):
     """The winds of a record, one after the other, at the speed of the run's clock.
 
     A wind has polls in proportion to the sand that it moves, by the clock's flux law; below the threshold
-    time passes without polls. Where a step covers more winds than ``winds``, that many of them blow for
+    time passes without polls. Speeds at a height that the record states are brought to the clock's. Where a step covers more winds than ``winds``, that many of them blow for
     equal shares of the step's sand: they are picked at equal distances of sand moved from a random start,
     so that each is picked in proportion to the sand it moves. Gaps of the record are skipped.
     """
@@ -52,7 +52,7 @@ class Recorded(Parameters):
         None,
         unit="-",
         min_length=1,
-        meaning="The record, CSV or NetCDF; by default the made-up one that ships with Barchan.",
+        meaning="The record, a table or NetCDF; by default the made-up one that ships with Barchan.",
     )
     columns: RecordFormat = Field(default_factory=RecordFormat, description="How the record is written.")
     repeat: bool = parameter(
@@ -92,6 +92,8 @@ class Recorded(Parameters):
         """Intervals of a step, in order."""
         rows, record = self._rows(step, clock), self.record
         speeds, directions = record.speed[rows.numbers], record.direction[rows.numbers]
+        if clock.raised is not None:
+            speeds = clock.raised(speeds, record.height)
         strengths = np.ones(len(speeds)) if clock.strength is None else clock.strength(speeds)
         shares = rows.shares
         if clock.deviates and len(speeds) > self.winds:

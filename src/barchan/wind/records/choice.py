@@ -37,18 +37,18 @@ class Choice:
         return {"speed": self.first.column, "direction": self.second.column}
 
 
-def choose(claims: dict[str, list[Claim]], form: RecordFormat, names: list[str], source: str) -> Choice:
-    """The columns to read as the wind.
+def choose(
+    claims: dict[str, list[Claim]], form: RecordFormat, names: list[str], source: str, kind: str = "column"
+) -> Choice:
+    """The columns (or variables, ``kind``) to read as the wind.
 
     Speed and direction of one height come before others, then 10 m or the stated height, then speed and
     direction before components, then the likeliest name. Raises RecordError where there is no wind, none at a
     stated height, or only one that is known not to be of use.
     """
-    pairs = [
-        *((kind, a, b) for kind, (x, y) in enumerate(_KINDS) for a, b in product(claims[x], claims[y])),
-    ]
+    pairs = [(rank, *pair) for rank, (x, y) in enumerate(_KINDS) for pair in product(claims[x], claims[y])]
     if not pairs:
-        raise RecordError(_absent(claims, form, names), source)
+        raise RecordError(_absent(claims, form, names, kind), source)
     if form.height is not None:
         pairs = _at(pairs, form.height, source)
     wanted = form.height or USUAL_HEIGHT
@@ -57,7 +57,7 @@ def choose(claims: dict[str, list[Claim]], form: RecordFormat, names: list[str],
     )
     for claim in (first, second):
         if claim.refusal:
-            raise RecordError([Problem(f"column '{claim.column}'", claim.refusal)], source)
+            raise RecordError([Problem(f"{kind} '{claim.column}'", claim.refusal)], source)
     height = form.height if first.height is None else first.height
     return Choice(first, second, height, tuple(_remarks(claims, first, second)))
 
@@ -86,16 +86,18 @@ def _at(
     return fitting
 
 
-def _absent(claims: dict[str, list[Claim]], form: RecordFormat, names: list[str]) -> list[Problem]:
+def _absent(
+    claims: dict[str, list[Claim]], form: RecordFormat, names: list[str], kind: str
+) -> list[Problem]:
     problems = []
     wanted = _KINDS[1] if claims["eastward"] or claims["northward"] else _KINDS[0]
-    listed = f"the columns are {', '.join(names)}"
+    listed = f"the {kind}s are {', '.join(names)}"
     for quantity in wanted:
         stated = getattr(form, quantity)
         if stated and stated not in names:
-            problems.append(Problem(quantity, f"no column '{stated}'; {listed}"))
+            problems.append(Problem(quantity, f"no {kind} '{stated}'; {listed}"))
         elif not claims[quantity]:
-            problems.append(Problem(quantity, f"no column for the {_words(quantity)}; {listed}"))
+            problems.append(Problem(quantity, f"no {kind} for the {_words(quantity)}; {listed}"))
     return problems
 
 

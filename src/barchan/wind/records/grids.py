@@ -42,7 +42,7 @@ def _rows(dataset: "xr.Dataset", form: RecordFormat, source: str) -> Rows:
     names = [str(name) for name in dataset.data_vars]
     provider = provider_of([*names, *map(str, dataset.coords)]) or UNKNOWN
     claims = claims_of([_column(dataset, name) for name in names], form, {}, frozenset())
-    choice = choose(claims, form, names, source)
+    choice = choose(claims, form, names, source, "variable")
     time = _time_name(dataset, dataset[choice.first.column], form, source)
     measured, units, place = [], [], ""
     height = choice.height
