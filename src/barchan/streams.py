@@ -19,6 +19,7 @@ STREAMS = {
     "transport": "polls, hops, flights and avalanches",
     "wind direction": "spread of a wind's direction",
     "gusts": "gusts of a wind's speed",
+    "storms": "made-up storms",
     "wind record": "intervals taken from a recorded wind",
     "paths": "grains whose paths are drawn; they change nothing on the bed",
 }

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 from barchan.directions import downwind
 from barchan.models import Model
 from barchan.scenario.source_map import Path
-from barchan.wind import Recorded
+from barchan.wind import Recorded, SeriesWind
 from barchan.wind.weather_course import Course
 
 if TYPE_CHECKING:
@@ -66,7 +66,7 @@ _INTO = 1e-9
 
 def open_edges(scenario: "Scenario") -> list[str]:
     """The open edges across which the scenario's winds blow into the field, by their sides."""
-    if isinstance(scenario.wind, Recorded):
+    if isinstance(scenario.wind, SeriesWind):
         blown = {"west", "east", "south", "north"}
     else:
         blown = set()
@@ -109,13 +109,14 @@ def _unclocked_speeds(scenario: "Scenario", model: Model, own_steps: bool) -> It
     """Winds in m/s, whose number of polls nothing tells."""
     if own_steps:
         text = f"in m/s do not tell how far slabs of {model.title} hop; state a speed in cells"
-        record, speed = f"is a record, whose winds {text}", f"is m/s; speeds {text}"
+        series, speed = f"whose winds {text}", f"is m/s; speeds {text}"
     else:
         needs = "a clock for its number of polls"
-        record = 'is a record, whose winds need a clock for their number of polls; add "clock": {}'
+        series = 'whose winds need a clock for their number of polls; add "clock": {}'
         speed = f'is m/s, which needs {needs}; add "clock": {{}} or state the speed in cells'
-    if isinstance(scenario.wind, Recorded):
-        yield ("wind", "kind"), record
+    if isinstance(scenario.wind, SeriesWind):
+        kind = "a record" if isinstance(scenario.wind, Recorded) else scenario.wind.kind
+        yield ("wind", "kind"), f"is {kind}, {series}"
     for path, part in scenario.wind.placed_parts():
         if part.unit == "m/s":
             yield ("wind", *path, "unit"), speed

@@ -186,7 +186,12 @@ class Scenario(Parameters):
         if clock is None:
             return StepClock(self.seed, model.step_seconds)
         volume = model.step_volume()
-        return StepClock(self.seed, clock.duration(volume), lambda speeds: clock.strength(speeds, volume))
+        return StepClock(
+            self.seed,
+            clock.duration(volume),
+            lambda speeds: clock.strength(speeds, volume),
+            clock.at_own_height,
+        )
 
     def seeded(self) -> Self:
         """The same scenario with a seed: its own, or a random one."""

@@ -11,10 +11,12 @@ from barchan.wind.mixed_axes import MixedAxes
 from barchan.wind.recorded import Recorded
 from barchan.wind.regimes import Regime, Regimes
 from barchan.wind.segment import Segment
+from barchan.wind.series import SeriesWind
 from barchan.wind.steady import Steady
+from barchan.wind.storms import Storms
 from barchan.wind.weather_course import WeatherCourse
 
-Wind = Annotated[Steady | Regimes | MixedAxes | Recorded, Field(discriminator="kind")]
+Wind = Annotated[Steady | Regimes | MixedAxes | Recorded | Storms, Field(discriminator="kind")]
 
 __all__ = [
     "Clock",
@@ -24,8 +26,10 @@ __all__ = [
     "Regime",
     "Regimes",
     "Segment",
+    "SeriesWind",
     "Steady",
     "StepClock",
+    "Storms",
     "WeatherCourse",
     "Wind",
 ]

@@ -48,17 +48,7 @@ class Gusts(Parameters):
         """Factors on the mean speed at moments (at most 32) spread evenly over a time (s)."""
         count = min(max(math.ceil(duration / self.correlation_time), 1), MOST_SAMPLES)
         moments = start + (np.arange(count, dtype=np.float64) + 0.5) * (duration / count)
-        return self._factor(self._normal(moments / self.correlation_time, stream))
-
-    def _normal(self, moments: NDArray[np.float64], stream: Stream) -> NDArray[np.float64]:
-        """Normal numbers at moments, in correlation times."""
-        before = np.floor(moments).astype(np.int64)
-        nodes = np.unique(np.concatenate([before, before + 1]))
-        random = np.array([normal(stream, int(node)) for node in nodes])
-        left, right = (random[np.searchsorted(nodes, before + k)] for k in (0, 1))
-        near = moments - before
-        mixed: NDArray[np.float64] = ((1 - near) * left + near * right) / np.hypot(1 - near, near)
-        return mixed
+        return self._factor(correlated(moments / self.correlation_time, stream))
 
     def _factor(self, number: NDArray[np.float64]) -> NDArray[np.float64]:
         if self.intensity == 0.0:
@@ -75,9 +65,25 @@ class Gusts(Parameters):
         return scale * (-np.log(ndtr(-number))) ** (1.0 / shape)
 
 
+def uniform(stream: Stream, number: int) -> float:
+    """A number between 0 and 1, always the same under ``number``."""
+    draw = int(stream.draws(number, 1)[0])
+    return ((draw >> 11) + 0.5) * 2.0**-53
+
+
 def normal(stream: Stream, number: int) -> float:
     """A normal number, always the same under ``number``."""
     from scipy.special import ndtri
 
-    draw = int(stream.draws(number, 1)[0])
-    return float(ndtri(((draw >> 11) + 0.5) * 2.0**-53))
+    return float(ndtri(uniform(stream, number)))
+
+
+def correlated(moments: NDArray[np.float64], stream: Stream) -> NDArray[np.float64]:
+    """Normal numbers at moments, in correlation times: independent when more than one apart."""
+    before = np.floor(moments).astype(np.int64)
+    nodes = np.unique(np.concatenate([before, before + 1]))
+    random = np.array([normal(stream, int(node)) for node in nodes])
+    left, right = (random[np.searchsorted(nodes, before + k)] for k in (0, 1))
+    near = moments - before
+    mixed: NDArray[np.float64] = ((1 - near) * left + near * right) / np.hypot(1 - near, near)
+    return mixed
