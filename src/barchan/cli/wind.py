@@ -33,6 +33,7 @@ def wind(
     supply: Annotated[float | None, Parameter(validator=Number(gte=0))] = None,
     sectors: Annotated[int, Parameter(validator=Number(gte=16, lte=360))] = 16,
     by: Literal["month", "season"] | None = None,
+    save_record: Path | None = None,
     sand: Annotated[SandOptions | None, Parameter(name="*")] = None,
     form: Annotated[FormatOptions | None, Parameter(name="*")] = None,
 ) -> None:
@@ -54,6 +55,8 @@ def wind(
         Directions of the roses.
     by
         Print the drift potential of each month, or of each season, too.
+    save_record
+        Write the record, or the storms that a scenario makes up, as CSV with temperature and snowfall.
     """
     from barchan.cli.report import print_table
     from barchan.cli.terminal import print_note, print_warning, save_picture
@@ -74,6 +77,8 @@ def wind(
     else:
         subject = _of_scenario(source, supply)
     found, record = subject.found, subject.record
+    if save_record is not None:
+        _save_record(record, save_record, source)
     for warning in record.warnings if record else ():
         print_warning(warning)
     parts = _part_rows(record, subject, by) if record and by else []
@@ -86,6 +91,18 @@ def wind(
     from barchan.figures.roses import roses
 
     save_picture(roses(subject.title, found, record, subject.sand.threshold_speed(), sectors), path)
+
+
+def _save_record(record: "WindRecord | None", path: Path, source: str) -> None:
+    """Write a record as CSV; raises BarchanError where the wind is none."""
+    from barchan.cli.terminal import print_note
+    from barchan.errors import BarchanError
+    from barchan.wind.records.writing import write_record
+
+    if record is None:
+        raise BarchanError(f"--save-record: the wind of {source} is neither a record nor made-up storms")
+    write_record(record, path)
+    print_note(f"{len(record)} rows written to {path}")
 
 
 @dataclass(frozen=True)
@@ -116,9 +133,9 @@ def _of_scenario(source: str, supply: float | None) -> _Subject:
     from barchan.archive import source_at
     from barchan.scenario.files import load_scenario
     from barchan.theory.assessment import assess, scenario_drift, scenario_supply
-    from barchan.wind import Recorded
+    from barchan.wind import SeriesWind
 
-    scenario = load_scenario(source_at(source))
+    scenario = load_scenario(source_at(source)).seeded()
     sand = scenario.clock or Saltation()
     supply = scenario_supply(scenario) if supply is None else supply
     title = scenario.title or source
@@ -127,8 +144,8 @@ def _of_scenario(source: str, supply: float | None) -> _Subject:
         ("wind", scenario.wind.summary(), ""),
         ("sand supply", f"{supply:.3g} m", ""),
     ]
-    if isinstance(scenario.wind, Recorded):
-        subject = _of_record(scenario.wind.record, sand, supply)
+    if isinstance(scenario.wind, SeriesWind):
+        subject = _of_record(scenario.wind.series(scenario.seed).record, sand, supply)
         return replace(subject, title=title, rows=[*rows, *subject.rows])
     found = assess(scenario_drift(scenario), supply=supply)
     return _Subject(title, [*rows, ("weights", "polls times hop length", "")], found, None, sand)

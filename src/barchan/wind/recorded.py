@@ -14,7 +14,7 @@ from barchan.wind.series import Series, SeriesWind
 
 
 class Recorded(SeriesWind):
-    """The winds of a record, one after the other, at the speed of the run's clock, with its weather if any."""
+    """The winds of a record, one after the other, by the run's clock, with their weather if it has any."""
 
     kind_key: ClassVar[str] = "kind"
 

@@ -7,14 +7,14 @@ from barchan.aeolian.saltation import Saltation
 from barchan.simulation import Simulation
 from barchan.theory.assessment import assess_record
 from barchan.theory.roses import sand_rose, speed_limits, wind_rose
-from barchan.wind import Recorded
+from barchan.wind import SeriesWind
 
 
 def rose_of(simulation: Simulation) -> dict[str, Any] | None:
     """How often the wind blows from each side and what sand it moves; None for winds that are no record."""
-    if not isinstance(simulation.wind, Recorded):
+    if not isinstance(simulation.wind, SeriesWind):
         return None
-    record = simulation.wind.record
+    record = simulation.wind.series(simulation.scenario.seed).record
     sand = simulation.scenario.clock or Saltation()
     limits = speed_limits(record, sand.threshold_speed())
     shares, calms = wind_rose(record, limits)
