@@ -71,7 +71,7 @@ class Hardening(Parameters):
     cold_factor: float = parameter(
         0.32,
         unit="-",
-        gt=0,
+        ge=0.001,
         le=1,
         meaning="Factor on the day's gain of density at -20 °C; it rises on a straight line to 1 at 0 °C.",
         source="ours: assumed, so that the thesis's Fig. 6.32 ends on day 51 as it says",
