@@ -40,7 +40,8 @@ class Recorded(Parameters):
     """The winds of a record, one after the other, at the speed of the run's clock.
 
     A wind has polls in proportion to the sand that it moves, by the clock's flux law; below the threshold
-    time passes without polls. Speeds at a height that the record states are brought to the clock's. Where a step covers more winds than ``winds``, that many of them blow for
+    time passes without polls. Speeds at a height that the record states are brought to the clock's.
+    Where a step covers more winds than ``winds``, that many of them blow for
     equal shares of the step's sand: they are picked at equal distances of sand moved from a random start,
     so that each is picked in proportion to the sand it moves. Gaps of the record are skipped.
     """
