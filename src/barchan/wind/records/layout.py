@@ -56,7 +56,7 @@ def laid_out(text: str, form: RecordFormat, source: str) -> Layout:
     above = []
     for n in kept[at + 1 : at + 1 + _MOST_UNIT_ROWS]:
         fields = _fields(lines[n], separator)
-        if any(_begins_with_digit(f) for f in fields[:2]) or len(fields) != len(headings):
+        if any(map(_is_value, fields)) or len(fields) != len(headings):
             break
         above.append(fields)
         rest = [k for k in rest if k != n] if n in rest[:1] else rest
@@ -88,6 +88,11 @@ def _is_data(line: str) -> bool:
     words = re.findall(r"[A-Za-z]{3,}", line)
     plain = {"nan", "null", "vrb", "calm", "missing", "none"}
     return _begins_with_digit(line.lstrip("\" '")) and all(word.lower() in plain for word in words)
+
+
+def _is_value(field: str) -> bool:
+    """Whether a field is a number, a date or a time, which no row of units holds."""
+    return re.fullmatch(r"(?=.*\d)[-+\d/.:,TZ eE]+(?:[AP]M)?", field.strip()) is not None
 
 
 def _begins_with_digit(text: str) -> bool:
