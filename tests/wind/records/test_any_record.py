@@ -1,7 +1,7 @@
-"""A record gives the same drift potential in whatever unit, height, convention, order and layout it is written.
+"""A record gives the same drift potential in whatever unit, height, convention and layout it is written.
 
-The right value is that of numpy from the winds at 10 m before they are written (``known.potential``); speeds at
-other heights are written by the law of the wall over 1 mm, the roughness that the drift potential assumes.
+The right value is that of numpy from the winds at 10 m before they are written (``known.potential``);
+speeds at other heights are written by the law of the wall over 1 mm, the roughness that the drift potential assumes.
 """
 
 import numpy as np
@@ -47,7 +47,10 @@ def columns_of(speeds, ways, way):
     tall = "" if way["height"] is None else f"_{height:g}m"
     if way["components"]:
         angle = np.radians(ways)
-        return [(f"u{tall}", way["unit"], -there * np.sin(angle)), (f"v{tall}", way["unit"], -there * np.cos(angle))]
+        return [
+            (f"u{tall}", way["unit"], -there * np.sin(angle)),
+            (f"v{tall}", way["unit"], -there * np.cos(angle)),
+        ]
     angle = ((ways + 180.0 * way["to"]) % 360.0) / LENGTHS[way["angle"]]
     name = "wind_to_direction" if way["to"] else "wind_direction"
     return [(f"wind_speed{tall}", way["unit"], there), (f"{name}{tall}", way["angle"], angle)]
@@ -58,7 +61,10 @@ def table_of(speeds, ways, way):
     pair = columns_of(speeds, ways, way)
     mark = way["mark"]
     if way["units_below"]:
-        lines = [mark.join(["time", *(name for name, _, _ in pair)]), mark.join(["", *(u for _, u, _ in pair)])]
+        lines = [
+            mark.join(["time", *(name for name, _, _ in pair)]),
+            mark.join(["", *(u for _, u, _ in pair)]),
+        ]
     else:
         lines = [mark.join(["time", *(f"{name} ({unit})" for name, unit, _ in pair)])]
     hours = np.datetime64("2020-02-28T20") + np.arange(len(speeds)) * np.timedelta64(1, "h")
@@ -99,7 +105,9 @@ def test_each_row_counts_for_its_own_duration_where_intervals_change(tmp_path, h
     random = np.random.default_rng(3)
     speeds, ways = 5 + 10 * random.random(40), 360 * random.random(40)
     times = np.cumsum([0, *hours[:-1]])
-    rows = "\n".join(f"{t},{s!r},{w!r}" for t, s, w in zip(times, speeds.tolist(), ways.tolist(), strict=True))
+    rows = "\n".join(
+        f"{t},{s!r},{w!r}" for t, s, w in zip(times, speeds.tolist(), ways.tolist(), strict=True)
+    )
     path = tmp_path / "wind.csv"
     path.write_text("time (h),speed (m/s),direction\n" + rows)
     found, record = read_potential(path)
