@@ -169,7 +169,10 @@ def test_a_row_stands_until_the_next_one_but_not_across_a_gap(tmp_path):
             r"column 'time \(h\)': is '2024",
         ),
         (PLAIN.replace("direction", "bearing"), "no column for the direction; the columns are time"),
-        (PLAIN.replace("(m/s)", "(furlongs)"), "is in 'furlongs'; allowed: m/s, 0.1 m/s, cm/s, kn, km/h, mph, ft/s"),
+        (
+            PLAIN.replace("(m/s)", "(furlongs)"),
+            "is in 'furlongs'; allowed: m/s, 0.1 m/s, cm/s, kn, km/h, mph, ft/s",
+        ),
         (
             PLAIN.replace(",5,", ",,").replace(",6,", ",,").replace(",7,", ",,"),
             "holds no wind; all of 3 rows",
@@ -195,7 +198,11 @@ def test_a_mistake_in_each_column_is_told_at_once(tmp_path):
 
 @pytest.mark.parametrize(
     ("name", "said"),
-    [("none.csv", "no such file"), ("wind.grib", "is GRIB; convert it to NetCDF"), ("broken.nc", "cannot be read")],
+    [
+        ("none.csv", "no such file"),
+        ("wind.grib", "is GRIB; convert it to NetCDF"),
+        ("broken.nc", "cannot be read"),
+    ],
 )
 def test_files_that_are_none_are_refused(tmp_path, name, said):
     if name == "broken.nc":

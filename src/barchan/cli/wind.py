@@ -42,7 +42,8 @@ def wind(
     Parameters
     ----------
     source
-        A wind record (a table of text, a spreadsheet or NetCDF), a scenario file, a preset's name or a run's folder; sample is a made-up
+        A wind record (a table of text, a spreadsheet or NetCDF), a scenario file, a preset's name or a
+        run's folder; sample is a made-up
         record that ships with Barchan.
     view
         Draw roses, the threshold of movement against grain size, or the flux laws side by side.
@@ -223,8 +224,10 @@ def _part_rows(record: "WindRecord", subject: _Subject, by: Literal["month", "se
     return [
         (
             part.name,
-            f"DP {part.potential.total:.1f} VU, RDP {part.potential.resultant:.1f} VU "
-            f"{_toward(part.potential.toward)}, of {part.days:.4g} days",
+            (
+                f"DP {part.potential.total:.1f} VU, RDP {part.potential.resultant:.1f} VU "
+                f"{_toward(part.potential.toward)}, of {part.days:.4g} days"
+            ),
             "",
         )
         for part in parts

@@ -71,7 +71,8 @@ def assess(drift: Drift, potential: Drift | None = None, supply: float | None = 
 def assess_record(record: WindRecord, sand: Saltation, supply: float | None = None) -> Assessment:
     """Expectations for a wind record over some sand.
 
-    Speeds are at the record's height, or at that of the sand's law where the record states none. Drift potential
+    Speeds are at the record's height, or at that of the sand's law where the record states none. Drift
+    potential
     takes them at 10 m, by the law of the wall; its threshold is 12 knots, or the sand's where that is stated.
     """
     high = at_ten_metres(record, sand)
@@ -106,7 +107,8 @@ def _remarks(record: WindRecord) -> list[str]:
     usual = float(np.median(record.duration))
     if usual > LONGEST_MEAN:
         said.append(
-            f"rows stand for {spoken(usual)} each; means over so long hide strong winds, and the drift potential "
+            f"rows stand for {spoken(usual)} each; means over so long hide strong winds, and the drift "
+            f"potential "
             "comes out too low"
         )
     return said

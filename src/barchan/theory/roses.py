@@ -32,7 +32,8 @@ def sector_sums(
 ) -> NDArray[np.float64]:
     """Amounts by sector, each shared evenly over the ``width`` (degrees) that its direction stands for.
 
-    Whole directions counted by sectors would be biased: of the tens of degrees three fall into the sectors of N, E,
+    Whole directions counted by sectors would be biased: of the tens of degrees three fall into the
+    sectors of N, E,
     S and W of 16, and two into the others.
     """
     if width <= 0.0:
@@ -58,7 +59,8 @@ def wind_rose(
 ) -> tuple[NDArray[np.float64], float]:
     """Shares of the time by sector (row) and class of speed (column), and the share of calms.
 
-    ``limits`` (m/s) part the classes: below the first, between them, and from the last on. Directions are shared
+    ``limits`` (m/s) part the classes: below the first, between them, and from the last on. Directions
+    are shared
     over what they stand for, as in ``sector_sums``.
     """
     blows = record.speed > 0.0

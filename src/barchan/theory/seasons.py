@@ -39,7 +39,8 @@ class PartOfYear:
 def by_part_of_year(record: WindRecord, parting: Parting, threshold: float = THRESHOLD) -> list[PartOfYear]:
     """Drift potential of each month or season of which the record has winds, speeds being those at 10 m.
 
-    Each month counts for its length in a mean year, whatever part of it the record covers, so that the parts add
+    Each month counts for its length in a mean year, whatever part of it the record covers, so that the
+    parts add
     up to the drift potential of a year. ``threshold`` is in knots. Raises ValueError where the record has no
     dates.
     """

@@ -18,7 +18,7 @@ def winds(seed=5, count=60):
 
 
 def potential(speeds, directions, hours=None):
-    """DP, eastward and northward RDP (VU): U² (U - 12) t in knots, t the share of the time; calms have no way."""
+    """DP, eastward and northward RDP (VU): U² (U - 12) t in knots, t the share of the time."""
     knots = np.asarray(speeds, float) * 3600 / 1852
     share = np.full(len(knots), 1.0 / len(knots)) if hours is None else np.asarray(hours) / np.sum(hours)
     weight = np.where(knots > 12, knots**2 * (knots - 12), 0.0) * share

@@ -24,13 +24,17 @@ def rows(pattern, speeds=SPEEDS, directions=DIRECTIONS):
 
 
 def isd():
-    lines = ['"STATION","DATE","SOURCE","LATITUDE","LONGITUDE","NAME","REPORT_TYPE","QUALITY_CONTROL","WND","TMP"']
+    lines = [
+        '"STATION","DATE","SOURCE","LATITUDE","LONGITUDE","NAME","REPORT_TYPE","QUALITY_CONTROL","WND","TMP"'
+    ]
     body = rows(
         '"72494023234","{t:%Y-%m-%dT%H:%M:%S}","4","37.6","-122.4","SOMEWHERE, CA","FM-15","V020",'
         '"{d:03d},1,N,{s:04d},1","+0123,1"',
         whole("0.1 m/s"),
     )
-    again = body[3].replace("FM-15", "FM-12").replace(",N,", ",V,").replace(f'"{DIRECTIONS[3]:03d},1', '"999,9')
+    again = (
+        body[3].replace("FM-15", "FM-12").replace(",N,", ",V,").replace(f'"{DIRECTIONS[3]:03d},1', '"999,9')
+    )
     return lines + body[:4] + [again] + body[4:], whole("0.1 m/s") * 0.1
 
 
@@ -40,7 +44,11 @@ def isd_lite():
 
 
 def asos():
-    lines = ["#DEBUG: Format Typ    -> onlycomma", "#DEBUG: Time Period   -> 2024", "station,valid,drct,sknt,gust"]
+    lines = [
+        "#DEBUG: Format Typ    -> onlycomma",
+        "#DEBUG: Time Period   -> 2024",
+        "station,valid,drct,sknt,gust",
+    ]
     return lines + rows("SFO,{t:%Y-%m-%d %H:%M},{d}.00,{s}.00,M", whole("kn")), whole("kn") * SIZE["kn"]
 
 
@@ -49,9 +57,15 @@ def knmi():
         "# BRON: KONINKLIJK NEDERLANDS METEOROLOGISCH INSTITUUT (KNMI)",
         "# STN         LON(east)   LAT(north)  ALT(m)      NAME",
         "# 209         4.518       52.465      0.00        IJmond",
-        "# DD        : Mean wind direction (in degrees) during the 10-minute period preceding the time of observation",
+        (
+            "# DD        : Mean wind direction (in degrees) during the 10-minute period preceding the time "
+            "of observation"
+        ),
         "# FH        : Hourly mean wind speed (in 0.1 m/s)",
-        "# FF        : Mean wind speed (in 0.1 m/s) during the 10-minute period preceding the time of observation",
+        (
+            "# FF        : Mean wind speed (in 0.1 m/s) during the 10-minute period preceding the time of "
+            "observation"
+        ),
         "# FX        : Maximum wind gust (in 0.1 m/s) during the hourly division",
         "",
         "# STN,YYYYMMDD,   HH,   DD,   FH,   FF,   FX",
@@ -65,34 +79,48 @@ def knmi():
 
 
 def dwd():
-    return ["STATIONS_ID;MESS_DATUM;QN_3;   F;   D;eor"] + rows("         44;{t:%Y%m%d%H};    3;{s:6.1f};{d:5d};eor"), SPEEDS
+    return [
+        "STATIONS_ID;MESS_DATUM;QN_3;   F;   D;eor",
+        *rows("         44;{t:%Y%m%d%H};    3;{s:6.1f};{d:5d};eor"),
+    ], SPEEDS
 
 
 def dwd_ten_minutes():
-    return ["STATIONS_ID;MESS_DATUM;  QN;FF_10;DD_10;eor"] + rows("         44;{t:%Y%m%d%H%M};    3;{s:6.1f};{d:5d};eor"), SPEEDS
+    return [
+        "STATIONS_ID;MESS_DATUM;  QN;FF_10;DD_10;eor",
+        *rows("         44;{t:%Y%m%d%H%M};    3;{s:6.1f};{d:5d};eor"),
+    ], SPEEDS
 
 
 def bom():
     heading = (
-        "hm,Station Number,Year Month Day Hour Minutes in YYYY,MM,DD,HH24,MI format in Local time,Year Month Day Hour "
-        "Minutes in YYYY,MM,DD,HH24,MI format in Local standard time,Wind speed in km/h,Quality of wind speed,Wind "
-        "direction in degrees true,Quality of wind direction,Speed of maximum windgust in last 10 minutes in  km/h,"
+        "hm,Station Number,Year Month Day Hour Minutes in YYYY,MM,DD,HH24,MI format in Local time,Year "
+        "Month Day Hour "
+        "Minutes in YYYY,MM,DD,HH24,MI format in Local standard time,Wind speed in km/h,Quality of wind "
+        "speed,Wind "
+        "direction in degrees true,Quality of wind direction,Speed of maximum windgust in last 10 "
+        "minutes in  km/h,"
         "Quality of speed of maximum windgust in last 10 minutes,AWS Flag,#"
     )
     time = "{t:%Y,%m,%d,%H,%M}"
-    return [heading] + rows("hm,066037," + time + "," + time + ", {s},Y,{d},Y, 99,N,1,#", whole("km/h")), whole("km/h") / 3.6
+    return [
+        heading,
+        *rows("hm,066037," + time + "," + time + ", {s},Y,{d},Y, 99,N,1,#", whole("km/h")),
+    ], whole("km/h") / 3.6
 
 
 def environment_canada():
     heading = (
         '"Longitude (x)","Latitude (y)","Station Name","Climate ID","Date/Time (LST)","Year","Month","Day",'
-        '"Time (LST)","Temp (°C)","Temp Flag","Wind Dir (10s deg)","Wind Dir Flag","Wind Spd (km/h)","Wind Spd Flag"'
+        '"Time (LST)","Temp (°C)","Temp Flag","Wind Dir (10s deg)","Wind Dir Flag","Wind Spd '
+        '(km/h)","Wind Spd Flag"'
     )
     pattern = (
-        '"-60.0","43.9","SABLE ISLAND","8204703","{t:%Y-%m-%d %H:%M}","{t:%Y}","{t:%m}","{t:%d}","{t:%H:%M}","1.2","",'
+        '"-60.0","43.9","SABLE '
+        'ISLAND","8204703","{t:%Y-%m-%d %H:%M}","{t:%Y}","{t:%m}","{t:%d}","{t:%H:%M}","1.2","",'
         '"{d}","","{s}",""'
     )
-    return [heading] + rows(pattern, whole("km/h"), DIRECTIONS // 10), whole("km/h") / 3.6
+    return [heading, *rows(pattern, whole("km/h"), DIRECTIONS // 10)], whole("km/h") / 3.6
 
 
 def ndbc():
@@ -101,7 +129,7 @@ def ndbc():
 
 
 def ndbc_before_2005():
-    return ["YY MM DD hh WD   WSPD GST  WVHT"] + rows("{t:%y %m %d %H} {d:3d} {s:4.1f} 99.0 99.00"), SPEEDS
+    return ["YY MM DD hh WD   WSPD GST  WVHT", *rows("{t:%y %m %d %H} {d:3d} {s:4.1f} 99.0 99.00")], SPEEDS
 
 
 def power():
@@ -109,7 +137,10 @@ def power():
         "-BEGIN HEADER-",
         "NASA/POWER Source Native Resolution Hourly Data",
         "Dates (month/day/year): 01/30/2024 through 02/01/2024 in LST",
-        "The value for missing source data that cannot be computed or is outside of the sources availability: -999",
+        (
+            "The value for missing source data that cannot be computed or is outside of the sources "
+            "availability: -999"
+        ),
         "parameter(s):",
         "WS50M     MERRA-2 Wind Speed at 50 Meters (m/s)",
         "WS10M     MERRA-2 Wind Speed at 10 Meters (m/s)",
@@ -125,15 +156,20 @@ def open_meteo():
         "latitude,longitude,elevation,utc_offset_seconds,timezone,timezone_abbreviation",
         "52.5,13.4,38.0,0,GMT,GMT",
         "",
-        "time,wind_speed_100m (km/h),wind_gusts_10m (km/h),wind_speed_10m (km/h),wind_direction_100m (°),"
-        "wind_direction_10m (°)",
+        (
+            "time,wind_speed_100m (km/h),wind_gusts_10m (km/h),wind_speed_10m (km/h),wind_direction_100m (°),"
+            "wind_direction_10m (°)"
+        ),
     ]
     return lines + rows("{t:%Y-%m-%dT%H:%M},70.0,99.0,{s}.0,5,{d}", whole("km/h")), whole("km/h") / 3.6
 
 
 def meteostat():
     heading = "time,temp,dwpt,rhum,prcp,snow,wdir,wspd,wpgt,pres,tsun,coco"
-    return [heading] + rows("{t:%Y-%m-%d %H:%M:%S},1.5,0.1,90.0,,,{d}.0,{s}.0,,1013.2,,", whole("km/h")), whole("km/h") / 3.6
+    return [
+        heading,
+        *rows("{t:%Y-%m-%d %H:%M:%S},1.5,0.1,90.0,,,{d}.0,{s}.0,,1013.2,,", whole("km/h")),
+    ], whole("km/h") / 3.6
 
 
 def meteostat_bulk():
@@ -153,8 +189,11 @@ def toa5():
 def hobo():
     lines = [
         '"Plot Title: mast"',
-        '"#","Date Time, GMT+01:00","Wind Speed, mph (LGR S/N: 9, SEN S/N: 8)","Gust Speed, mph (LGR S/N: 9)",'
-        '"Wind Direction, ø (LGR S/N: 9)"',
+        (
+            '"#","Date Time, GMT+01:00","Wind Speed, mph (LGR S/N: 9, SEN S/N: 8)","Gust Speed, mph (LGR '
+            'S/N: 9)",'
+            '"Wind Direction, ø (LGR S/N: 9)"'
+        ),
     ]
     return lines + rows("1,{t:%m/%d/%y %I:%M:%S %p},{s},99,{d}", whole("mph")), whole("mph") * SIZE["mph"]
 
@@ -169,7 +208,7 @@ def era5_land():
     angle = np.radians(DIRECTIONS)
     east, north = -SPEEDS * np.sin(angle), -SPEEDS * np.cos(angle)
     pattern = "{t:%Y-%m-%d %H:%M:%S},{s!r},{d!r},23.5,15.5"
-    return ["valid_time,u10,v10,latitude,longitude"] + rows(pattern, east.tolist(), north.tolist()), SPEEDS
+    return ["valid_time,u10,v10,latitude,longitude", *rows(pattern, east.tolist(), north.tolist())], SPEEDS
 
 
 FORMATS = {

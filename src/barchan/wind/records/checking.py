@@ -14,7 +14,8 @@ FASTEST = 150.0
 """Speed (m/s) that no wind near the ground exceeds: more is a wrong unit, or a code for a missing value."""
 
 MOST_REPEATED = 0.01
-"""Share of rows that may state another wind for a time that is already there, as at the end of summer time."""
+"""Share of rows that may state another wind for a time that is already there, as at the end of summer
+time."""
 
 
 def checked(rows: Rows) -> WindRecord:
@@ -35,7 +36,9 @@ def checked(rows: Rows) -> WindRecord:
         raise RecordError([Problem("", f"holds no wind; all of {len(usable)} rows are missing")], rows.source)
     remarks = [*ordered, *repeated, *rows.remarks]
     if gaps:
-        remarks.append(f"gaps: {gaps}; the row before each stands for the usual step there, mostly {usual:g} s")
+        remarks.append(
+            f"gaps: {gaps}; the row before each stands for the usual step there, mostly {usual:g} s"
+        )
     read = " and ".join(dict.fromkeys((rows.names["speed"], rows.names["direction"])))
     record = WindRecord(
         time=rows.time[usable],
@@ -65,7 +68,9 @@ def _in_order(rows: Rows) -> tuple[Rows, list[str]]:
     first = float(rows.time[order[0]])
     start = None if rows.start is None else rows.start + np.timedelta64(round(first), "s")
     picked = _picked(rows, order)
-    return replace(picked, time=picked.time - first, start=start), ["rows were not in the order of time; sorted"]
+    return replace(picked, time=picked.time - first, start=start), [
+        "rows were not in the order of time; sorted"
+    ]
 
 
 def _picked(rows: Rows, which: NDArray) -> Rows:
@@ -81,7 +86,8 @@ def _picked(rows: Rows, which: NDArray) -> Rows:
 def _once(rows: Rows) -> tuple[Rows, int, list[str]]:
     """One row for each time, the number of rows dropped, and a remark on them.
 
-    Of several the first with a wind is kept. Raises RecordError where many rows state another wind for the same
+    Of several the first with a wind is kept. Raises RecordError where many rows state another wind for
+    the same
     time, as where stations are mixed.
     """
     again = np.append(False, np.diff(rows.time) == 0)
@@ -92,19 +98,27 @@ def _once(rows: Rows) -> tuple[Rows, int, list[str]]:
     order = np.lexsort((np.arange(len(group)), absent, group))
     kept = np.sort(order[np.append(True, np.diff(group[order]) > 0)])
     heads = kept[group - 1]
-    differs = ~absent & ~absent[heads] & ~(
-        np.isclose(rows.speed, rows.speed[heads]) & np.isclose(rows.direction, rows.direction[heads], equal_nan=True)
+    differs = (
+        ~absent
+        & ~absent[heads]
+        & ~(
+            np.isclose(rows.speed, rows.speed[heads])
+            & np.isclose(rows.direction, rows.direction[heads], equal_nan=True)
+        )
     )
     other = int(np.count_nonzero(differs))
     if other > max(MOST_REPEATED * len(group), 2) and not rows.several_reports:
         row = int(np.argmax(differs))
         message = (
-            f"states another wind for the time of row {rows.numbers[heads[row]]} ({other} such rows): are stations "
+            f"states another wind for the time of row {rows.numbers[heads[row]]} ({other} such rows): "
+            f"are stations "
             "or heights mixed? Allowed: one wind for each time"
         )
         raise RecordError([Problem(f"row {rows.numbers[row]}", message)], rows.source)
     dropped = len(group) - len(kept)
-    told = f"rows of a time that was already there: {dropped} dropped" + (f", {other} with another wind" if other else "")
+    told = f"rows of a time that was already there: {dropped} dropped" + (
+        f", {other} with another wind" if other else ""
+    )
     return _picked(rows, kept), dropped, [told]
 
 

@@ -52,9 +52,7 @@ def choose(
     if form.height is not None:
         pairs = _at(pairs, form.height, source)
     wanted = form.height or USUAL_HEIGHT
-    _, first, second = min(
-        pairs, key=lambda p: (_mismatch(p[1], p[2]), _far(p[1], wanted), p[0])
-    )
+    _, first, second = min(pairs, key=lambda p: (_mismatch(p[1], p[2]), _far(p[1], wanted), p[0]))
     for claim in (first, second):
         if claim.refusal:
             raise RecordError([Problem(f"{kind} '{claim.column}'", claim.refusal)], source)
@@ -74,9 +72,7 @@ def _far(claim: Claim, wanted: float) -> float:
     return 0.0 if claim.height is None else abs(math.log(claim.height / wanted))
 
 
-def _at(
-    pairs: list[tuple[int, Claim, Claim]], height: float, source: str
-) -> list[tuple[int, Claim, Claim]]:
+def _at(pairs: list[tuple[int, Claim, Claim]], height: float, source: str) -> list[tuple[int, Claim, Claim]]:
     """The pairs whose first column is at a height, or does not state one."""
     fitting = [p for p in pairs if p[1].height is None or math.isclose(p[1].height, height, rel_tol=1e-3)]
     if not fitting:
@@ -86,9 +82,7 @@ def _at(
     return fitting
 
 
-def _absent(
-    claims: dict[str, list[Claim]], form: RecordFormat, names: list[str], kind: str
-) -> list[Problem]:
+def _absent(claims: dict[str, list[Claim]], form: RecordFormat, names: list[str], kind: str) -> list[Problem]:
     problems = []
     wanted = _KINDS[1] if claims["eastward"] or claims["northward"] else _KINDS[0]
     listed = f"the {kind}s are {', '.join(names)}"
@@ -117,5 +111,7 @@ def _remarks(claims: dict[str, list[Claim]], first: Claim, second: Claim) -> lis
         told = ", ".join(dict.fromkeys(map(str, left)))
         said.append(f"the wind is read from {first} and {second}; not from {told}")
     if first.quantity == "speed" and second.way == "to":
-        said.append(f"directions of '{second.column}' are where the wind goes to; turned to where it comes from")
+        said.append(
+            f"directions of '{second.column}' are where the wind goes to; turned to where it comes from"
+        )
     return said

@@ -1,6 +1,7 @@
 """What a column or variable claims to hold: quantity, unit, height and convention.
 
-One place decides, from the heading, the row of units, the attributes (CF) and the options of the user; tables and
+One place decides, from the heading, the row of units, the attributes (CF) and the options of the user;
+tables and
 grids both ask here.
 """
 
@@ -74,7 +75,8 @@ def claims_of(
 ) -> dict[str, list[Claim]]:
     """All columns by the quantity that each may hold, the likeliest first.
 
-    ``documented`` are the columns of a known format, ``taken`` those that make the time. A column that the user
+    ``documented`` are the columns of a known format, ``taken`` those that make the time. A column that
+    the user
     gave to one quantity is offered for no other.
     """
     given = taken | frozenset(getattr(form, quantity) for quantity in WIND)
@@ -119,7 +121,7 @@ def guess(headings: list[str], quantity: str) -> str | None:
     return min(likely, key=lambda h: ranks[h] or 0) if likely else None
 
 
-def _claim(column: Column, quantity: str, documented: Mapping[str, Stated]) -> Claim:
+def _claim(column: Column, quantity: str, documented: Documented) -> Claim:
     heading, described = read_heading(column.name), read_heading(column.description)
     known = next((k for k in documented.get(quantity, ()) if k.column == column.name), None)
     if known is not None:

@@ -14,7 +14,8 @@ NEIGHBOURS = 12
 def durations(time: NDArray[np.float64]) -> tuple[float, NDArray[np.float64], int]:
     """The usual step (s), how long each row stands for (s), and the number of gaps.
 
-    ``time`` (s) increases. The usual step is that of the rows nearby, so that a record whose interval changes,
+    ``time`` (s) increases. The usual step is that of the rows nearby, so that a record whose interval
+    changes,
     say from three hours to one, counts each row for its own.
     """
     steps = np.diff(time)

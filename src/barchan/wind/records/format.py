@@ -6,7 +6,8 @@ from barchan.parameters import Parameters, parameter
 from barchan.wind.records.units import AngleUnit, SpeedUnit
 
 MISSING = [
-    -9999.0, -999.0, -999.9, -99.9, 999.0, 999.9, 9999.0, 99999.0, -9999.9, -99999.0, -32768.0, -32767.0, 9999.9,
+    -9999.0, -999.0, -999.9, -99.9, 999.0, 999.9, 9999.0, 99999.0, -9999.9, -99999.0, -32768.0,
+    -32767.0, 9999.9,
 ]  # fmt: skip
 
 
@@ -47,7 +48,8 @@ class RecordFormat(Parameters):
         unit="m",
         gt=0,
         le=1000,
-        meaning="Height of the speeds above the ground: which of several, or that of a file that does not state it.",
+        meaning="Height of the speeds above the ground: which of several, or that of a file that does "
+        "not state it.",
     )
     time_format: str | None = parameter(
         None,
@@ -65,12 +67,8 @@ class RecordFormat(Parameters):
     sheet: str | None = parameter(
         None, unit="-", meaning="Sheet of a spreadsheet; the first where it is not given."
     )
-    station: str | None = parameter(
-        None, unit="-", meaning="Which station of a table that holds several."
-    )
-    member: int | None = parameter(
-        None, unit="-", ge=0, meaning="Which member of an ensemble."
-    )
+    station: str | None = parameter(None, unit="-", meaning="Which station of a table that holds several.")
+    member: int | None = parameter(None, unit="-", ge=0, meaning="Which member of an ensemble.")
     latitude: float | None = parameter(
         None, unit="degrees", ge=-90, le=90, meaning="Which point of a grid to read: the nearest to it."
     )

@@ -22,7 +22,8 @@ _HEIGHTS = ("height", "heightAboveGround", "height_above_ground", "altitude", "l
 """Coordinates that may state the height of a variable."""
 
 _TURNED = (
-    "is along the columns of a grid that is not one of latitude and longitude, and Barchan does not turn it; give "
+    "is along the columns of a grid that is not one of latitude and longitude, and Barchan does not "
+    "turn it; give "
     "eastward and northward wind"
 )
 
@@ -81,7 +82,9 @@ def _column(dataset: "xr.Dataset", name: str) -> Column:
     sideways = latitude is not None and latitude.ndim == 2 and turned
     averaged = str(variable.attrs.get("cell_methods", ""))
     described = attributes["long_name"]
-    extreme = next((f" {word}" for word in ("maximum", "minimum", "standard deviation") if word in averaged), "")
+    extreme = next(
+        (f" {word}" for word in ("maximum", "minimum", "standard deviation") if word in averaged), ""
+    )
     return Column(
         name,
         attributes["units"],
@@ -113,16 +116,19 @@ def _time_name(dataset: "xr.Dataset", variable: "xr.DataArray", form: RecordForm
 
 
 def _unpacked(variable: "xr.DataArray", form: RecordFormat) -> NDArray[np.float64]:
-    """The numbers of a variable in its own unit, NaN where its attributes or stated codes tell that one is missing.
+    """The numbers of a variable in its own unit, NaN where attributes or codes mark one as missing.
 
-    Fill values and valid ranges are those of the packed numbers (CF); codes that the user states hold for packed
+    Fill values and valid ranges are those of the packed numbers (CF); codes that the user states hold
+    for packed
     and unpacked numbers.
     """
     raw = variable.to_numpy()
     values = raw.astype(np.float64)
     attributes = variable.attrs
     fills = [np.ravel(attributes[key]) for key in ("_FillValue", "missing_value") if key in attributes]
-    absent = np.isin(values, np.concatenate(fills).astype(np.float64)) if fills else np.zeros(values.shape, bool)
+    absent = (
+        np.isin(values, np.concatenate(fills).astype(np.float64)) if fills else np.zeros(values.shape, bool)
+    )
     low, high = attributes.get("valid_range", (attributes.get("valid_min"), attributes.get("valid_max")))
     if low is not None:
         absent |= values < float(low)

@@ -8,22 +8,26 @@ from barchan.wind.records.units import ANGLE, SPEED, TIME
 
 _FOOT = 0.3048
 _LENGTHS = {"m": 1.0, "metre": 1.0, "metres": 1.0, "meter": 1.0, "meters": 1.0, "ft": _FOOT, "feet": _FOOT}
-_PERIODS = frozenset("min mins minute minutes h hr hour sec".split())
-_FILLING = frozenset(
-    "at avg mean average averaged wvt wvc above ground level agl scalar vector height true utc gmt lst local the of "
-    "hourly prevailing surface".split()
-)
-_OTHER = frozenset(
-    "gust gusts gustspeed windgust max maximum min minimum std stdev stddev sd sigma deviation peak flag quality qc "
-    "qn code variability variance error uncertainty count lull highest lowest".split()
-)
+_PERIODS = frozenset(["min", "mins", "minute", "minutes", "h", "hr", "hour", "sec"])
+_FILLING = frozenset((
+    "at", "avg", "mean", "average", "averaged", "wvt", "wvc", "above", "ground", "level", "agl",
+    "scalar", "vector", "height", "true", "utc", "gmt", "lst", "local", "the", "of", "hourly",
+    "prevailing", "surface",
+))  # fmt: skip
+_OTHER = frozenset((
+    "gust", "gusts", "gustspeed", "windgust", "max", "maximum", "min", "minimum", "std", "stdev",
+    "stddev", "sd", "sigma", "deviation", "peak", "flag", "quality", "qc", "qn", "code", "variability",
+    "variance", "error", "uncertainty", "count", "lull", "highest", "lowest",
+))  # fmt: skip
 _WAYS = {"to": "to", "toward": "to", "towards": "to", "from": "from"}
 _UNIT_WORDS = {
-    "ms": "m/s", "mps": "m/s", "kn": "kn", "kts": "kn", "kt": "kn", "knots": "kn", "kmh": "km/h", "kph": "km/h",
+    "ms": "m/s", "mps": "m/s", "kn": "kn", "kts": "kn", "kt": "kn", "knots": "kn", "kmh": "km/h",
+    "kph": "km/h",
     "mph": "mph", "deg": "deg", "degrees": "deg", "degree": "deg", "rad": "rad", "radians": "rad",
 }  # fmt: skip
 _LEAST_HEIGHT = 10.0
-"""A number without a unit in a name, as in ``u100``, is a height (m) from here on; below it counts sensors."""
+"""A number without a unit in a name, as in ``u100``, is a height (m) from here on; below it counts
+sensors."""
 
 
 @dataclass(frozen=True)
@@ -80,7 +84,8 @@ def _read_words(text: str) -> Heading:
     joined = " ".join(re.findall(r"[a-z\u00df-\u00ff]+|\d+(?:\.\d+)?", split.lower()))
     joined = re.sub(r"\b(?:s|d \d+) (?=wvt)", "", joined)
     words = re.sub(r"\bsd \d+ (?=wvt)", "sd ", joined).split()
-    name, unit, height, way, plain = [], "", None, "", True
+    name: list[str] = []
+    unit, height, way, plain = "", None, "", True
     for at, word in enumerate(words):
         before, after = (words[k] if 0 <= k < len(words) else "" for k in (at - 1, at + 1))
         if word[0].isdigit():

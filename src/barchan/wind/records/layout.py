@@ -56,7 +56,7 @@ def laid_out(text: str, form: RecordFormat, source: str) -> Layout:
     above = []
     for n in kept[at + 1 : at + 1 + _MOST_UNIT_ROWS]:
         fields = _fields(lines[n], separator)
-        if any(_begins_with_digit(f) for f in fields[:2]) or len(fields) != len(headings):
+        if any(map(_is_value, fields)) or len(fields) != len(headings):
             break
         above.append(fields)
         rest = [k for k in rest if k != n] if n in rest[:1] else rest
@@ -90,6 +90,11 @@ def _is_data(line: str) -> bool:
     return _begins_with_digit(line.lstrip("\" '")) and all(word.lower() in plain for word in words)
 
 
+def _is_value(field: str) -> bool:
+    """Whether a field is a number, a date or a time, which no row of units holds."""
+    return re.fullmatch(r"(?=.*\d)[-+\d/.:,TZ eE]+(?:[AP]M)?", field.strip()) is not None
+
+
 def _begins_with_digit(text: str) -> bool:
     return bool(re.match(r"[-+]?\.?\d", text.strip(" \"'")))
 
@@ -99,11 +104,16 @@ def _heading(lines: list[str], kept: list[int], form: RecordFormat) -> tuple[int
     for at, n in enumerate(kept[:HEADING_WITHIN]):
         line = lines[n]
         marked = line.lstrip().startswith("#")
-        for separator in (*sorted((s for s in SEPARATORS if s in line), key=line.count, reverse=True), BLANKS):
+        for separator in (
+            *sorted((s for s in SEPARATORS if s in line), key=line.count, reverse=True),
+            BLANKS,
+        ):
             fields = _fields(line, separator)
             if len(fields) < 2 or _known(fields, form) < 2:
                 continue
-            if (marked or separator == BLANKS) and not _same_count(lines, kept[at + 1 :], separator, len(fields)):
+            if (marked or separator == BLANKS) and not _same_count(
+                lines, kept[at + 1 :], separator, len(fields)
+            ):
                 continue
             return at, separator
     first = next((at for at, n in enumerate(kept) if not lines[n].lstrip().startswith("#")), 0)
@@ -111,7 +121,7 @@ def _heading(lines: list[str], kept: list[int], form: RecordFormat) -> tuple[int
 
 
 def _known(fields: Sequence[str], form: RecordFormat) -> int:
-    """How many quantities a line of names names; many where it has a stated name or those of a known format."""
+    """How many quantities a line names; many where it has a stated name or those of a known format."""
     stated = [name for name in (getattr(form, q) for q in ("time", *WIND)) if name]
     if any(joined_columns(name, fields) for name in stated) or provider_of(fields):
         return 99
@@ -129,13 +139,16 @@ def _is_row(line: str) -> bool:
 
 
 def _fields(line: str, separator: str) -> list[str]:
-    """The fields of a line, without quotes and blanks around; of a heading without a mark before the first."""
+    """The fields of a line, without quotes, blanks and the mark ``#`` of a heading."""
     line = line.strip(" \r\n") if separator != BLANKS else line.strip()
     if line.startswith("#") and not line.startswith('"'):
         line = line.lstrip("# ")
     if separator == BLANKS:
         return line.split()
-    return [field.strip(' "\ufeff') for field in next(csv.reader([line], delimiter=separator, skipinitialspace=True))]
+    return [
+        field.strip(' "\ufeff')
+        for field in next(csv.reader([line], delimiter=separator, skipinitialspace=True))
+    ]
 
 
 def _unique(headings: list[str]) -> list[str]:

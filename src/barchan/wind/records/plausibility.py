@@ -5,7 +5,8 @@ import numpy as np
 from barchan.wind.records.record import WindRecord
 
 STRONGEST_MEAN = 20.0
-"""Mean speed (m/s) above which a record is doubted: that of Cape Denison, the windiest place at sea level, is 19."""
+"""Mean speed (m/s) above which a record is doubted: that of Cape Denison, the windiest place at sea
+level, is 19."""
 
 STRONGEST = 75.0
 """Speed (m/s) above which a record is doubted: gusts of the strongest cyclones."""
@@ -27,11 +28,14 @@ def warnings_of(record: WindRecord) -> tuple[str, ...]:
     found = []
     if mean > STRONGEST_MEAN:
         found.append(
-            f"the mean speed is {mean:.1f} m/s; no place on Earth has more than {STRONGEST_MEAN:g} m/s: is the unit "
+            f"the mean speed is {mean:.1f} m/s; no place on Earth has more than {STRONGEST_MEAN:g} m/s: "
+            f"is the unit "
             "right (0.1 m/s, km/h, kn)?"
         )
     elif highest > STRONGEST:
-        found.append(f"the highest speed is {highest:.1f} m/s, more than in the strongest cyclones: is the unit right?")
+        found.append(
+            f"the highest speed is {highest:.1f} m/s, more than in the strongest cyclones: is the unit right?"
+        )
     if highest < WEAKEST_HIGHEST and len(record) >= ENOUGH:
         found.append(f"the highest speed is {highest:.2f} m/s, hardly a wind: is the unit right?")
     blows = record.direction[record.speed > 0]
@@ -49,6 +53,4 @@ def direction_width(record: WindRecord) -> float:
     if len(blows) < ENOUGH:
         return 0.0
     different = len(np.unique(blows))
-    return next(
-        (width for width, least in _WIDTHS if different >= least and not np.any(blows % width)), 0.0
-    )
+    return next((width for width, least in _WIDTHS if different >= least and not np.any(blows % width)), 0.0)

@@ -31,7 +31,8 @@ class PointSeries:
 def at_one_point(variable: "xr.DataArray", time: str, form: RecordFormat, source: str) -> PointSeries:
     """A variable at the one point that is there or that is asked for.
 
-    Of final and preliminary values (``expver``) whichever is there is taken. Raises RecordError where a point is
+    Of final and preliminary values (``expver``) whichever is there is taken. Raises RecordError where
+    a point is
     asked for outside the grid, and where more than one point, member or level remains.
     """
     variable = _either_version(variable, time)
@@ -118,7 +119,10 @@ def _nearest(variable: "xr.DataArray", form: RecordFormat, source: str) -> tuple
     if latitude.dims == longitude.dims and latitude.ndim:
         return _scattered(variable, latitude, longitude, form, source)
     found = {}
-    for axis, coordinate, wanted in (("latitude", latitude, form.latitude), ("longitude", longitude, form.longitude)):
+    for axis, coordinate, wanted in (
+        ("latitude", latitude, form.latitude),
+        ("longitude", longitude, form.longitude),
+    ):
         values = np.atleast_1d(coordinate.to_numpy().astype(np.float64))
         if wanted is None:
             if values.size > 1:
@@ -141,7 +145,8 @@ def _index(values: NDArray[np.float64], wanted: float, axis: str, source: str) -
     step = float(np.median(np.abs(np.diff(values)))) if values.size > 1 else 2 * FARTHEST
     if away[at] > step / 2 * (1 + 1e-6):
         message = (
-            f"is {wanted:g}, outside the grid; allowed: {values.min():g} to {values.max():g} degrees (steps of "
+            f"is {wanted:g}, outside the grid; allowed: {values.min():g} to {values.max():g} degrees "
+            f"(steps of "
             f"{step:g})"
         )
         raise RecordError([Problem(axis, message)], source)
@@ -149,7 +154,11 @@ def _index(values: NDArray[np.float64], wanted: float, axis: str, source: str) -
 
 
 def _scattered(
-    variable: "xr.DataArray", latitude: "xr.DataArray", longitude: "xr.DataArray", form: RecordFormat, source: str
+    variable: "xr.DataArray",
+    latitude: "xr.DataArray",
+    longitude: "xr.DataArray",
+    form: RecordFormat,
+    source: str,
 ) -> tuple["xr.DataArray", str]:
     """The nearest of stations, or of a grid in rows and columns of its own."""
     if form.latitude is None or form.longitude is None:
@@ -162,7 +171,8 @@ def _scattered(
     at = np.unravel_index(int(np.nanargmin(away)), away.shape)
     if away[at] > FARTHEST:
         message = (
-            f"is {form.latitude:g}, {form.longitude:g}; the nearest point, {place_words(north[at], east[at])}, is "
+            f"is {form.latitude:g}, {form.longitude:g}; the nearest point, "
+            f"{place_words(north[at], east[at])}, is "
             f"farther than {FARTHEST:g}°"
         )
         raise RecordError([Problem("latitude, longitude", message)], source)

@@ -59,7 +59,21 @@ _DATE = r"(?:18|19|20)\d\d-\d\d-\d\d"
 _BOM_TIME = "Year Month Day Hour Minutes in YYYY"
 _BOM_END = "MI format in Local"
 _ISD_WRONG = ("2", "3", "6", "7")
-_METEOSTAT = ("date", "hour", "temp", "dwpt", "rhum", "prcp", "snow", "wdir", "wspd", "wpgt", "pres", "tsun", "coco")
+_METEOSTAT = (
+    "date",
+    "hour",
+    "temp",
+    "dwpt",
+    "rhum",
+    "prcp",
+    "snow",
+    "wdir",
+    "wspd",
+    "wpgt",
+    "pres",
+    "tsun",
+    "coco",
+)
 
 PROVIDERS = (
     Provider(
@@ -141,7 +155,9 @@ PROVIDERS = (
     Provider(
         "Environment Canada hourly",
         headings=("Date/Time (LST)|Date/Time", "Wind Dir (10s deg)", "Wind Spd (km/h)"),
-        documented=_wind(Stated("Wind Spd (km/h)", "km/h", 10.0), Stated("Wind Dir (10s deg)", "10 deg", 10.0, calm=0.0)),
+        documented=_wind(
+            Stated("Wind Spd (km/h)", "km/h", 10.0), Stated("Wind Dir (10s deg)", "10 deg", 10.0, calm=0.0)
+        ),
         times=(("Date/Time (LST)",), ("Date/Time",)),
         station="Climate ID",
     ),
@@ -156,7 +172,8 @@ PROVIDERS = (
             ("YY", "MM", "DD", "hh", "mm"), ("YYYY", "MM", "DD", "hh", "mm"), ("YY", "MM", "DD", "hh"),
             ("YYYY", "MM", "DD", "hh"),
         ),
-        remark="NDBC files do not state the height of the anemometer, which on buoys is 3 to 5 m; state it as height",
+        remark="NDBC files do not state the height of the anemometer, which on buoys is 3 to 5 m; state "
+        "it as height",
     ),
     Provider(
         "NASA POWER",
@@ -170,7 +187,7 @@ PROVIDERS = (
     ),
     Provider(
         "Open-Meteo",
-        headings=("time", "wind_speed_10m (km/h)|wind_speed_10m (m/s)|wind_speed_10m (mp/h)|wind_speed_10m (kn)"),
+        headings=("time", "|".join(f"wind_speed_10m ({unit})" for unit in ("km/h", "m/s", "mp/h", "kn"))),
     ),
     Provider(
         "Meteostat",
@@ -206,7 +223,7 @@ PROVIDERS = (
 
 
 def provider_of(headings: Sequence[str], text: str = "") -> Provider | None:
-    """The format of a table with these headings, in a file that begins with this text; None if none is known."""
+    """The format of a table with these headings, in a file that begins so; None if none is known."""
     return next((p for p in PROVIDERS if p.fits(headings, text)), None)
 
 

@@ -48,7 +48,8 @@ DIRECTIONS = Quantity(
     "direction",
     ANGLE,
     (
-        "direction", "wind_direction", "winddirection", "wind_dir", "winddir", "wd", "wdir", "drct", "dir", "dd",
+        "direction", "wind_direction", "winddirection", "wind_dir", "winddir", "wd", "wdir", "drct",
+        "dir", "dd",
         "d", "windrichtung", "wdirection", "wind_bearing",
     ),
     ("wind_from_direction", "wind_to_direction"),

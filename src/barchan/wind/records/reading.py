@@ -16,12 +16,26 @@ SAMPLE = "sample"
 
 SAMPLE_FILE = "sample.csv.gz"
 
-SUFFIXES = (".csv", ".txt", ".tsv", ".dat", ".psv", ".xlsx", ".nc", ".nc4", ".netcdf", ".gz", ".grib", ".grb", ".xls")
+SUFFIXES = (
+    ".csv",
+    ".txt",
+    ".tsv",
+    ".dat",
+    ".psv",
+    ".xlsx",
+    ".nc",
+    ".nc4",
+    ".netcdf",
+    ".gz",
+    ".grib",
+    ".grb",
+    ".xls",
+)
 """Suffixes that are taken for a wind record where the file is not there to be looked at."""
 
 
 def read_record(path: Path | str, form: RecordFormat | None = None) -> WindRecord:
-    """The wind record in a file, a table or NetCDF by its content; ``sample`` is the one that ships with Barchan.
+    """The wind record in a file, a table or NetCDF by its content; ``sample`` is the shipped one.
 
     Raises RecordError, with file, row and column, where it cannot be used.
     """
@@ -46,4 +60,6 @@ def is_record(path: Path) -> bool:
     """
     if not path.is_file():
         return path.suffix.lower() in SUFFIXES
-    return path.suffix.lower() != ".json" and not first_bytes(path).lstrip(b"\xef\xbb\xbf \t\r\n").startswith(b"{")
+    return path.suffix.lower() != ".json" and not first_bytes(path).lstrip(b"\xef\xbb\xbf \t\r\n").startswith(
+        b"{"
+    )

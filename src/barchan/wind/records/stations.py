@@ -12,8 +12,9 @@ from barchan.wind.records.layout import Layout
 if TYPE_CHECKING:
     import pandas as pd
 
-_STATIONS = ("station", "station_id", "stationid", "stn", "stations_id", "usaf", "site", "site_id", "station_name",
-             "station number", "station name", "climate id", "location", "location_id", "name")  # fmt: skip
+_STATIONS = ("station", "station_id", "stationid", "stn", "stations_id", "usaf", "site", "site_id", "name",
+             "station_name",
+             "station number", "station name", "climate id", "location", "location_id")  # fmt: skip
 """Names of columns that tell stations apart."""
 
 _MOST_TOLD = 12
@@ -41,7 +42,9 @@ def _of_station(words: "pd.Series", wanted: str | None, source: str) -> NDArray[
     there = [name for name in words.unique() if name]
     if wanted is None and len(there) <= 1:
         return np.ones(len(words), bool)
-    told = ", ".join(there[:_MOST_TOLD]) + (f" and {len(there) - _MOST_TOLD} more" if len(there) > _MOST_TOLD else "")
+    told = ", ".join(there[:_MOST_TOLD]) + (
+        f" and {len(there) - _MOST_TOLD} more" if len(there) > _MOST_TOLD else ""
+    )
     if wanted is None:
         raise RecordError([Problem("station", f"the table holds several; state one of {told}")], source)
     if wanted not in there:
@@ -54,7 +57,10 @@ def _of_point(table: "pd.DataFrame", form: RecordFormat, source: str) -> NDArray
     import pandas as pd
 
     named = {h.lower(): h for h in table}
-    axes = [next((named[n] for n in names if n in named), None) for names in (("latitude", "lat"), ("longitude", "lon"))]
+    axes = [
+        next((named[n] for n in names if n in named), None)
+        for names in (("latitude", "lat"), ("longitude", "lon"))
+    ]
     everywhere = np.ones(len(table), bool)
     if None in axes:
         return everywhere
@@ -71,7 +77,8 @@ def _of_point(table: "pd.DataFrame", form: RecordFormat, source: str) -> NDArray
     nearest = points.iloc[int(np.argmin(away))]
     if away.min() > FARTHEST:
         message = (
-            f"is {form.latitude:g}, {form.longitude:g}; the nearest point of the table is {nearest.iloc[0]:g}, "
+            f"is {form.latitude:g}, {form.longitude:g}; the nearest point of the table is "
+            f"{nearest.iloc[0]:g}, "
             f"{nearest.iloc[1]:g}, farther than {FARTHEST:g}°"
         )
         raise RecordError([Problem("latitude, longitude", message)], source)

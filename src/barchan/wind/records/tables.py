@@ -62,7 +62,7 @@ def read_table(path: Path, form: RecordFormat) -> Rows:
 
 
 def _found(layout: Layout, form: RecordFormat, source: str) -> tuple[list[str], str | None, Choice]:
-    """The columns of the time and how it is written, and those of the wind; raises RecordError with all absent."""
+    """The columns of the time, how it is written, and those of the wind; RecordError names all absent."""
     problems: list[Problem] = []
     parts: list[str] = []
     hint = None
@@ -124,7 +124,9 @@ def _table(layout: Layout, source: str) -> "pd.DataFrame":
         message = "has rows with more values than the heading has names"
         raise RecordError([Problem("", message)], source) from None
     except (pd.errors.ParserError, pd.errors.EmptyDataError) as error:
-        raise RecordError([Problem("", f"cannot be read as a table: {_said(error, layout)}")], source) from None
+        raise RecordError(
+            [Problem("", f"cannot be read as a table: {_said(error, layout)}")], source
+        ) from None
 
 
 def _said(error: Exception, layout: Layout) -> str:
@@ -134,7 +136,12 @@ def _said(error: Exception, layout: Layout) -> str:
 
 
 def _values(
-    table: "pd.DataFrame", claim: Claim, unit: Unit, numbers: NDArray[np.int64], form: RecordFormat, source: str
+    table: "pd.DataFrame",
+    claim: Claim,
+    unit: Unit,
+    numbers: NDArray[np.int64],
+    form: RecordFormat,
+    source: str,
 ) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
     """A column in its own unit, NaN where a value is missing or marked as wrong, and which rows are calm."""
     words, stated = table[claim.column], claim.stated

@@ -19,8 +19,19 @@ COMPACT = {8: "%Y%m%d", 10: "%Y%m%d%H", 12: "%Y%m%d%H%M", 14: "%Y%m%d%H%M%S"}
 
 _ZONE = re.compile(r"(?:Z|[+-]\d\d:?\d\d)$")
 
-_CLEAR = ("%d.%m.%Y %H:%M", "%d.%m.%Y %H:%M:%S", "%d.%m.%Y", "%Y.%m.%d %H:%M", "%Y:%m:%d %H:%M", "%Y%m%d:%H%M",
-          "%d-%b-%Y %H:%M", "%d-%b-%Y %H:%M:%S", "%d %b %Y %H:%M", "%Y%m%d %H%M", "%Y%m%d %H:%M")  # fmt: skip
+_CLEAR = (
+    "%d.%m.%Y %H:%M",
+    "%d.%m.%Y %H:%M:%S",
+    "%d.%m.%Y",
+    "%Y.%m.%d %H:%M",
+    "%Y:%m:%d %H:%M",
+    "%Y%m%d:%H%M",
+    "%d-%b-%Y %H:%M",
+    "%d-%b-%Y %H:%M:%S",
+    "%d %b %Y %H:%M",
+    "%Y%m%d %H%M",
+    "%Y%m%d %H:%M",
+)
 """Ways to write a time that can be read in one way only."""
 
 _SLASHES = tuple(
@@ -117,9 +128,8 @@ def _guessed(words: "pd.Series", times: Times) -> str:
     Raises RecordError where both the day and the month may come first.
     """
     if times.hint:
-        ways = (times.hint, times.hint.replace("%Y", "%y"))
-        fitting = next((form for form in ways if _fits(words, form)), None)
-        return fitting or times.hint
+        hints = (times.hint, times.hint.replace("%Y", "%y"))
+        return next((form for form in hints if _fits(words, form)), times.hint)
     first = words.iloc[0]
     if first.isdigit():
         return COMPACT.get(len(first), "ISO8601")
@@ -188,7 +198,10 @@ def _first_mistake(words: "pd.Series", wanted: str) -> tuple[int, str]:
     zones = [_zone(word) for word in words]
     row = next(k for k, zone in enumerate(zones) if bool(zone) != bool(zones[0]))
     states = f"states the zone {zones[row]}" if zones[row] else "states no zone"
-    return row, f"is '{words.iloc[row]}', which {states} unlike the rows before; allowed: a zone in all or none"
+    return (
+        row,
+        f"is '{words.iloc[row]}', which {states} unlike the rows before; allowed: a zone in all or none",
+    )
 
 
 def _zone(word: str) -> str:

@@ -38,7 +38,8 @@ _SPEED_WORDS = {
     "ft/s": "ft/s fts-1 fps feet/second",
 }
 _ANGLE_WORDS = {
-    "deg": "deg degree degrees ° º ø degt degtrue degreetrue degreestrue °true °t degn degreesnorth degreenorth °n "
+    "deg": "deg degree degrees ° º ø degt degtrue degreetrue degreestrue °true °t degn degreesnorth "
+    "degreenorth °n "
     "degreesclockwisefromnorth degreeclockwisefromnorth degfromnorth degreesfromnorth arcdeg arcdegree "
     "azimuthdegrees degaz",
     "10 deg": "10deg 10sdeg 10degrees 10°s 10° tensofdegrees tensdeg tensofdeg dadeg decadegrees",
@@ -90,12 +91,17 @@ def _plain(spelling: str) -> str:
     return re.sub(r"\s*per\s*", "/", re.sub(r"\*\*|\^|[_ \t]|(?<=[a-z])\.(?=[a-z])", "", text))
 
 
-def _dimension(name: str, sizes: dict[str, float], words: dict[str, str], useless: dict[str, str]) -> Dimension:
+def _dimension(
+    name: str, sizes: dict[str, float], words: dict[str, str], useless: dict[str, str]
+) -> Dimension:
     return Dimension(name, sizes, {unit: frozenset(text.split()) for unit, text in words.items()}, useless)
 
 
 SPEED = _dimension(
-    "speed", UNITS, _SPEED_WORDS, {r"beaufort|\bbft\b": "a class of the Beaufort scale is no speed; state speeds"}
+    "speed",
+    UNITS,
+    _SPEED_WORDS,
+    {r"beaufort|\bbft\b": "a class of the Beaufort scale is no speed; state speeds"},
 )
 ANGLE = _dimension(
     "direction",
@@ -104,8 +110,8 @@ ANGLE = _dimension(
     {
         r"magnetic|degm\b|°\s*m\b": "directions from magnetic north; allowed: from true north (state "
         "direction_unit to take them as they are)",
-        r"counter|anti-?clockwise|from east|cartesian|math": "angles counted from east; allowed: clockwise from "
-        "north",
+        r"counter|anti-?clockwise|from east|cartesian|math": "angles counted from east; allowed: clockwise "
+        "from north",
     },
 )
 TIME = _dimension("time", SECONDS, _TIME_WORDS, {})

@@ -16,7 +16,25 @@ if TYPE_CHECKING:
     import pandas as pd
 
 NO_VALUE = frozenset(
-    ["", "-", "--", "---", "m", "mm", "na", "n/a", "nan", "null", "none", "missing", "nd", "*", "***", "/", "///"]
+    [
+        "",
+        "-",
+        "--",
+        "---",
+        "m",
+        "mm",
+        "na",
+        "n/a",
+        "nan",
+        "null",
+        "none",
+        "missing",
+        "nd",
+        "*",
+        "***",
+        "/",
+        "///",
+    ]
 )
 """Words that stand for a missing value, in lower case."""
 
@@ -29,7 +47,7 @@ VARIABLE_CODE = 990.0
 CALM = frozenset(["calm", "clm", "c"])
 """Words for no wind, in a column of speeds or of directions."""
 
-_POINTS = "N NNE NE ENE E ESE SE SSE S SSW SW WSW W WNW NW NNW".split()
+_POINTS = ["N", "NNE", "NE", "ENE", "E", "ESE", "SE", "SSE", "S", "SSW", "SW", "WSW", "W", "WNW", "NW", "NNW"]
 COMPASS = {name.lower(): 22.5 * k for k, name in enumerate(_POINTS)}
 """Degrees of the points of the compass."""
 
@@ -86,9 +104,7 @@ def wind_of(
     return first, from_there
 
 
-def without_codes(
-    values: NDArray[np.float64], claim: Claim, form: RecordFormat
-) -> NDArray[np.float64]:
+def without_codes(values: NDArray[np.float64], claim: Claim, form: RecordFormat) -> NDArray[np.float64]:
     """Numbers of a column as the file has them, NaN where they stand for a missing value."""
     codes = [*form.missing, *(claim.stated.missing if claim.stated else ())]
     if claim.quantity == "direction":
@@ -137,4 +153,3 @@ def _short(word: str) -> str:
 def _allowed(quantity: str) -> str:
     also = ", points of the compass (N, WSW), VRB, Calm" if quantity == "direction" else ", Calm"
     return f"numbers{also}, or nothing"
-
