@@ -10,6 +10,7 @@ from pydantic import Field
 from barchan.errors import Problem, RecordError, ScenarioError
 from barchan.parameters import parameter
 from barchan.wind.records import SAMPLE, RecordFormat, WindRecord, read_record
+from barchan.wind.records.gaps import with_gaps
 from barchan.wind.series import Series, SeriesWind
 
 
@@ -52,5 +53,5 @@ class Recorded(SeriesWind):
 
 @lru_cache(maxsize=4)
 def _read(source: str, columns: RecordFormat, _changed: int) -> Series:
-    record = read_record(source, columns)
+    record = with_gaps(read_record(source, columns))
     return Series(record, np.cumsum(record.duration))

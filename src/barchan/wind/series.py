@@ -1,5 +1,6 @@
 """Winds of a series of rows, recorded or made up, one after the other at the speed of the run's clock."""
 
+import math
 from typing import NamedTuple
 
 import numpy as np
@@ -37,9 +38,9 @@ class SeriesWind(Parameters):
 
     A wind has polls in proportion to the sand that it moves, by the clock's flux law; below the threshold
     time passes without polls. Speeds at a height that the series states are brought to the clock's. Where a
-    step covers more winds than ``winds``, that many of them blow for equal shares of the step's sand: they are
-    picked at equal distances of sand moved from a random start, so that each is picked in proportion to the
-    sand it moves, and all have the step's mean weather. Gaps of a record are skipped.
+    step covers more winds than ``winds``, that many of them blow for equal shares of the step's sand: they
+    are picked at equal distances of sand moved from a random start, so that each is picked in proportion to
+    the sand it moves, and all have the step's mean weather. Gaps of a record are skipped.
     """
 
     repeat: bool = parameter(
@@ -138,7 +139,9 @@ def _weather_of(record: WindRecord, numbers: NDArray[np.intp]) -> list[Weather]:
     if record.temperature is None and record.snowfall is None:
         return [UNKNOWN] * len(numbers)
     columns = [
-        [None] * len(numbers) if values is None else [None if v != v else v for v in values[numbers].tolist()]
+        [None] * len(numbers)
+        if values is None
+        else [None if math.isnan(v) else v for v in values[numbers].tolist()]
         for values in (record.temperature, record.snowfall)
     ]
     return [Weather(*values) for values in zip(*columns, strict=True)]

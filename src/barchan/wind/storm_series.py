@@ -39,9 +39,9 @@ class Storm:
     """A storm."""
 
     start: float
-    """s since the series begins."""
+    """Time (s) since the series begins."""
     duration: float
-    """s."""
+    """How long it lasts (s)."""
     peak: float
     """Mean wind (m/s) at its height."""
     direction: float
@@ -53,7 +53,7 @@ class Storm:
 
     @property
     def end(self) -> float:
-        """s since the series begins."""
+        """Time (s) since the series begins."""
         return self.start + self.duration
 
 
@@ -85,7 +85,7 @@ def storm_record(rules: "Storms", seed: int) -> WindRecord:
     """The storms as rows of equal length, each with its means."""
     storms = storms_of(rules, seed)
     rows = max(round(rules.days * DAY / rules.row_seconds), 2)
-    time = np.arange(rows) * rules.row_seconds
+    time = np.arange(rows, dtype=np.float64) * rules.row_seconds
     middle = time + rules.row_seconds / 2
     speed = _speed(rules, storms, middle) * _gusts(rules, time, seed)
     turns = rules.spread * correlated(middle / TURNING, Stream(seed, "wind direction"))

@@ -21,8 +21,8 @@ class Storms(SeriesWind):
 
     After a quiet time, exponential with the mean ``quiet_days``, a storm lasts for a lognormal time. Its wind
     rises from the quiet wind to a peak and falls again as a squared sine; the peak is a Weibull number
-    above ``least_peak``. It comes from its own side of ``direction`` and turns about it. Snow falls in its first
-    part at a constant rate. Each storm brings air of its own temperature; ahead of its front the air is
+    above ``least_peak``. It comes from its own side of ``direction`` and turns about it. Snow falls in its
+    first part at a constant rate. Each storm brings air of its own temperature; ahead of its front the air is
     warmer, behind it colder, and changes evenly from storm to storm. A daily wave comes on top.
     """
 

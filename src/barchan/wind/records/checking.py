@@ -55,6 +55,8 @@ def checked(rows: Rows) -> WindRecord:
         columns=f"{read}, in {rows.unit[0]}",
         place=rows.place,
         duplicates=duplicates,
+        temperature=None if rows.temperature is None else rows.temperature[usable],
+        snowfall=None if rows.snowfall is None else rows.snowfall[usable],
     )
     return replace(record, warnings=warnings_of(record), direction_width=direction_width(record))
 
@@ -80,6 +82,8 @@ def _picked(rows: Rows, which: NDArray) -> Rows:
         speed=rows.speed[which],
         direction=rows.direction[which],
         numbers=rows.numbers[which],
+        temperature=None if rows.temperature is None else rows.temperature[which],
+        snowfall=None if rows.snowfall is None else rows.snowfall[which],
     )
 
 

@@ -71,7 +71,11 @@ Documented = Mapping[str, tuple[Stated, ...]]
 
 
 def claims_of(
-    columns: list[Column], form: RecordFormat, documented: Documented, taken: frozenset[str]
+    columns: list[Column],
+    form: RecordFormat,
+    documented: Documented,
+    taken: frozenset[str],
+    quantities: tuple[str, ...] = WIND,
 ) -> dict[str, list[Claim]]:
     """All columns by the quantity that each may hold, the likeliest first.
 
@@ -81,7 +85,7 @@ def claims_of(
     """
     given = taken | frozenset(getattr(form, quantity) for quantity in WIND)
     found = {}
-    for quantity in WIND:
+    for quantity in quantities:
         stated = getattr(form, quantity)
         if stated:
             chosen = [c for c in columns if c.name == stated]

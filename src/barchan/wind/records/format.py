@@ -31,6 +31,20 @@ class RecordFormat(Parameters):
     northward: str | None = parameter(
         None, unit="-", meaning="Column of the northward wind v; guessed where it is not given."
     )
+    temperature: str | None = parameter(
+        None, unit="-", meaning="Column of the temperature of the air; guessed where it is not given."
+    )
+    snowfall: str | None = parameter(
+        None,
+        unit="-",
+        meaning="Column of the snowfall, a rate or the amount since the row before; guessed where it is not "
+        "given.",
+    )
+    precipitation: str | None = parameter(
+        None,
+        unit="-",
+        meaning="Column of rain and snow together, parted by temperature; guessed where it is not given.",
+    )
     unit: SpeedUnit | None = parameter(
         None, unit="-", meaning="Unit of the speeds; from the file where it is not given, else m/s."
     )

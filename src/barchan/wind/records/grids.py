@@ -8,12 +8,13 @@ from numpy.typing import NDArray
 
 from barchan.errors import Problem, RecordError
 from barchan.wind.records.choice import choose
-from barchan.wind.records.claims import Column, claims_of, guess
+from barchan.wind.records.claims import Claim, Column, claims_of, guess
 from barchan.wind.records.format import MISSING, RecordFormat
 from barchan.wind.records.points import at_one_point, latitude_longitude
 from barchan.wind.records.providers import UNKNOWN, provider_of
 from barchan.wind.records.record import Rows
-from barchan.wind.records.values import unit_of, wind_of, without_codes
+from barchan.wind.records.values import Unit, unit_of, wind_of, without_codes
+from barchan.wind.records.weather_columns import weather_of
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -56,18 +57,38 @@ def _rows(dataset: "xr.Dataset", form: RecordFormat, source: str) -> Rows:
         height = point.height if height is None or point.height is not None else height
     speed, direction = wind_of(choice, measured[0], measured[1], form)
     stamps = dataset[time].to_numpy().astype("datetime64[ms]")
+    seconds = (stamps - stamps[0]).astype(np.float64) / 1e3 if len(stamps) else np.zeros(0)
+    numbers = np.arange(1, len(stamps) + 1)
+
+    def numbers_of(claim: Claim, _unit: Unit) -> NDArray[np.float64]:
+        point = at_one_point(dataset[claim.column], time, form, source)
+        return without_codes(_unpacked(point.values, form), claim, form)
+
+    over_time = [name for name in names if time in dataset[name].dims]
+    weather = weather_of(
+        [_column(dataset, name) for name in over_time],
+        form,
+        {},
+        frozenset((choice.first.column, choice.second.column)),
+        numbers_of,
+        seconds,
+        numbers,
+        source,
+    )
     return Rows(
         source,
-        (stamps - stamps[0]).astype(np.float64) / 1e3 if len(stamps) else np.zeros(0),
+        seconds,
         stamps[0].astype("datetime64[s]") if len(stamps) else None,
         speed,
         direction,
         {**choice.names, "time": time},
-        np.arange(1, len(stamps) + 1),
+        numbers,
         (units[0].name, units[0].size),
-        (*(unit.remark for unit in units if unit.remark), *choice.remarks),
+        (*(unit.remark for unit in units if unit.remark), *choice.remarks, *weather.remarks),
         height,
         provider.name,
+        weather.temperature,
+        weather.snowfall,
         place=place,
     )
 

@@ -210,6 +210,17 @@ PROVIDERS = (
             "northward": (Stated("v10", "m/s", 10.0), Stated("v100", "m/s", 100.0)),
         },
     ),
+    Provider(
+        "PROMICE and GC-Net (GEUS)",
+        headings=("time", "wspd_u", "wdir_u", "t_u"),
+        documented={
+            "speed": (Stated("wspd_u", "m/s"),),
+            "direction": (Stated("wdir_u", "deg"),),
+            "temperature": (Stated("t_u", "°C"),),
+        },
+        times=(("time",),),
+        remark="the boom's height over snow changes (z_boom_u, mostly 1 to 3 m); state its mean as height",
+    ),
     Provider("HOBO (Onset)", begins="Plot Title", time_format="%m/%d/%y %I:%M:%S %p"),
     Provider("TOA5 (Campbell Scientific)", begins="TOA5"),
     Provider(

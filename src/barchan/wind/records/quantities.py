@@ -6,7 +6,7 @@ is added by adding it here.
 
 from dataclasses import dataclass
 
-from barchan.wind.records.units import ANGLE, SPEED, TIME, Dimension
+from barchan.wind.records.units import ANGLE, FALL, SPEED, TEMPERATURE, TIME, Dimension
 
 
 @dataclass(frozen=True)
@@ -71,10 +71,41 @@ NORTHWARD = Quantity(
     "m/s",
 )
 
-QUANTITIES: dict[str, Quantity] = {q.name: q for q in (TIMES, SPEEDS, DIRECTIONS, EASTWARD, NORTHWARD)}
+TEMPERATURES = Quantity(
+    "temperature",
+    TEMPERATURE,
+    (
+        "temperature", "air_temperature", "ta", "tair", "air_temp", "temp", "t_air", "temp_air", "t_u", "tt",
+        "temp_single_mean", "t",
+    ),
+    ("air_temperature",),
+    "°C",
+)  # fmt: skip
+SNOWFALLS = Quantity(
+    "snowfall",
+    FALL,
+    ("snowfall", "snowf", "sf", "precsno", "precsn", "snowfall_flux", "snow_fall", "psum_s", "prsn"),
+    ("snowfall_flux", "lwe_thickness_of_snowfall_amount", "snowfall_amount"),
+)
+PRECIPITATIONS = Quantity(
+    "precipitation",
+    FALL,
+    ("precipitation", "psum", "pint", "tp", "total_precipitation", "precip", "prectotcorr", "prectot", "pr"),
+    ("precipitation_flux", "precipitation_amount", "lwe_thickness_of_precipitation_amount"),
+)
+
+QUANTITIES: dict[str, Quantity] = {
+    q.name: q
+    for q in (
+        TIMES, SPEEDS, DIRECTIONS, EASTWARD, NORTHWARD, TEMPERATURES, SNOWFALLS, PRECIPITATIONS
+    )
+}  # fmt: skip
 
 WIND = ("speed", "direction", "eastward", "northward")
 """Quantities that a wind is made of: the first two, or the last two."""
+
+WEATHER = ("temperature", "snowfall", "precipitation")
+"""Quantities of the weather that comes with it."""
 
 UNIT_OF_NAME = {"sknt": "kn"}
 """Names that contain the unit."""

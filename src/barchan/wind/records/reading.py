@@ -22,6 +22,8 @@ SUFFIXES = (
     ".tsv",
     ".dat",
     ".psv",
+    ".smet",
+    ".nead",
     ".xlsx",
     ".nc",
     ".nc4",

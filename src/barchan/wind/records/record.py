@@ -83,6 +83,10 @@ class Rows:
     height: float | None = None
     """Height of the speeds (m), where it is known."""
     format: str = ""
+    temperature: NDArray[np.float64] | None = None
+    """°C, where the file has it."""
+    snowfall: NDArray[np.float64] | None = None
+    """kg/m²/s, where the file has it."""
     several_reports: bool = False
     """Whether rows of one time and different winds are usual."""
     place: str = ""

@@ -13,6 +13,7 @@ from barchan.errors import Problem, RecordError
 from barchan.wind.records.choice import Choice, choose
 from barchan.wind.records.claims import Claim, Column, claims_of
 from barchan.wind.records.format import RecordFormat
+from barchan.wind.records.headed import headed
 from barchan.wind.records.layout import BLANKS, Layout, laid_out
 from barchan.wind.records.record import Rows
 from barchan.wind.records.stations import one_place
@@ -21,6 +22,7 @@ from barchan.wind.records.time_columns import time_columns
 from barchan.wind.records.times import Times, seconds
 from barchan.wind.records.units import ANGLE, SPEED
 from barchan.wind.records.values import Unit, numbers_of, unit_of, wind_of, without_codes
+from barchan.wind.records.weather_columns import weather_of
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -29,7 +31,8 @@ if TYPE_CHECKING:
 def read_table(path: Path, form: RecordFormat) -> Rows:
     """The rows of a table; raises RecordError where it is none."""
     source = path.name
-    layout = laid_out(text_of(path, form.sheet), form, source)
+    text = text_of(path, form.sheet)
+    layout = headed(text, source) or laid_out(text, form, source)
     parts, hint, choice = _found(layout, form, source)
     table, numbers = one_place(_table(layout, source), np.asarray(layout.numbers), layout, form, source)
     name = "+".join(parts)
@@ -44,7 +47,17 @@ def read_table(path: Path, form: RecordFormat) -> Rows:
         calm |= still
     speed, direction = wind_of(choice, measured[0], measured[1], form)
     provider = layout.provider
-    said = [*(unit.remark for unit in units), *choice.remarks, provider.remark]
+    weather = weather_of(
+        _columns(layout),
+        form,
+        provider.documented,
+        frozenset((*parts, choice.first.column, choice.second.column)),
+        lambda claim, unit: _values(table, claim, unit, numbers, form, source)[0],
+        time,
+        numbers,
+        source,
+    )
+    said = [*(unit.remark for unit in units), *choice.remarks, provider.remark, *weather.remarks]
     return Rows(
         source,
         time,
@@ -57,6 +70,8 @@ def read_table(path: Path, form: RecordFormat) -> Rows:
         tuple(filter(None, said)),
         choice.height,
         provider.name,
+        weather.temperature,
+        weather.snowfall,
         provider.several_reports,
     )
 

@@ -115,3 +115,43 @@ ANGLE = _dimension(
     },
 )
 TIME = _dimension("time", SECONDS, _TIME_WORDS, {})
+TEMPERATURE = _dimension(
+    "temperature",
+    {"°C": 1.0, "K": 1.0, "°F": 5 / 9},
+    {
+        "°C": "°c c degc deg_c celsius degcelsius degreecelsius degreescelsius ℃",
+        "K": "k kelvin degk kelvins",
+        "°F": "°f f degf fahrenheit degreesfahrenheit",
+    },
+    {},
+)
+ZEROS = {"K": -273.15, "°F": -160 / 9}
+"""The zero of a unit of temperature, in °C."""
+
+FALL = _dimension(
+    "snowfall",
+    {
+        "kg/m²/s": 1.0, "mm/s": 1.0, "kg/m²/h": 1 / 3600, "mm/h": 1 / 3600, "mm/d": 1 / 86400,
+        "m/s": 1000.0, "mm": 1.0, "kg/m²": 1.0, "cm": 10.0, "m": 1000.0,
+    },
+    {
+        "kg/m²/s": "kg/m²/s kg/m2/s kgm-2s-1 kgm²s-1 kg/(m2s) kg/m2s kgm-2/s",
+        "mm/s": "mm/s mms-1",
+        "kg/m²/h": "kg/m²/h kg/m2/h kgm-2h-1",
+        "mm/h": "mm/h mmh-1 mm/hr mm/hour mmwe/h mmw.e./h",
+        "mm/d": "mm/d mm/day mmd-1 mmday-1",
+        "m/s": "mofwaterequivalent/s",
+        "mm": "mm mmwe mmw.e. mmh2o mmofwaterequivalent",
+        "kg/m²": "kg/m² kg/m2 kgm-2",
+        "cm": "cmwe cmofwaterequivalent",
+        "m": "m mofwaterequivalent mw.e. mwe",
+    },
+    {
+        r"^in$|inch": "inches of water; allowed: mm",
+        r"^cm$": "centimetres may be of snow or of water; allowed: mm of water",
+    },
+)  # fmt: skip
+"""Snow or water that falls, as a mass per time, or as an amount since the row before."""
+
+AMOUNTS = frozenset(["mm", "kg/m²", "cm", "m"])
+"""Units of amounts since the row before."""

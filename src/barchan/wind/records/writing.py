@@ -1,5 +1,6 @@
 """Writing a record as a table of text that can be read again."""
 
+import math
 from pathlib import Path
 
 import numpy as np
@@ -35,4 +36,4 @@ def _times(record: WindRecord) -> list[str]:
 
 def _numbers(values: np.ndarray) -> list[str]:
     """Numbers as short as they can be read back exactly; nothing where there is none."""
-    return ["" if value != value else repr(value) for value in values.tolist()]
+    return ["" if math.isnan(value) else repr(value) for value in values.tolist()]
