@@ -208,6 +208,9 @@ PROVIDERS = (
         documented={
             "eastward": (Stated("u10", "m/s", 10.0), Stated("u100", "m/s", 100.0)),
             "northward": (Stated("v10", "m/s", 10.0), Stated("v100", "m/s", 100.0)),
+            "temperature": (Stated("t2m", "K", 2.0),),
+            "snowfall": (Stated("sf", "m"),),
+            "precipitation": (Stated("tp", "m"),),
         },
     ),
     Provider(
