@@ -82,9 +82,22 @@ def test_time_passes_in_a_gap_without_wind_and_snow(path):
     found = with_gaps(read_record(path))
     assert found.duration.tolist() == [3600.0] * 4 + [9 * 3600.0] + [3600.0] * 2
     assert (found.speed[4], found.snowfall[4]) == (0.0, 0.0)
-    assert found.temperature[4] == pytest.approx(-2 - 8.5 / 10)
+    assert found.temperature[4] == pytest.approx(-2.3 - 5 / 10)  # 8:30, between 3:30 and 13:30
     blown = segments(Recorded(kind="record", path=str(path), repeat=False), 0, 15, step_seconds=3600.0)
     assert sum(s.weather.snowfall * s.steps for s in blown) * 3600 == pytest.approx(6.0, rel=1e-6)
+
+
+def test_snow_of_rows_without_a_wind_falls_and_the_wind_before_goes_on_for_three_hours(path):
+    """Two hours without a wind, then five: the first keep 6 m/s, the second are calm; all snow falls."""
+    winds = ["6,270"] + [","] * 2 + ["9,180"] * 2 + [","] * 5 + ["4,90"] * 2
+    lines = ["time,speed (m/s),direction,snowfall (mm/h)"]
+    lines += [f"{time},{wind},1" for time, wind in zip(HOURS, winds, strict=False)]
+    path.write_text("\n".join(lines))
+    record = read_record(path)
+    assert (len(record), record.missing) == (5, 7)
+    found = with_gaps(record)
+    assert found.speed.tolist() == [6.0] * 3 + [9.0] * 2 + [0.0] * 5 + [4.0] * 2
+    assert (found.snowfall * found.duration).sum() == pytest.approx(12.0)
 
 
 def test_storms_are_read_with_the_weather_that_was_written(path):
@@ -112,7 +125,7 @@ units_offset = 0 273.15 0 0 0 0
 
 
 def test_smet_is_read_by_its_header(tmp_path):
-    """Zone one hour east of UTC; the second row has no wind, the third no temperature, and 2.0 mm fell before it."""
+    """The zone is one hour east of UTC; the second row has no wind but 2.0 mm, the third no temperature."""
     (tmp_path / "test.smet").write_text(SMET)
     found = read_record(tmp_path / "test.smet", RecordFormat(height=7.0))
     assert found.format == "SMET"
@@ -120,6 +133,7 @@ def test_smet_is_read_by_its_header(tmp_path):
     assert found.speed.tolist() == [9.5, 7.5, 6.0]
     np.testing.assert_allclose(found.temperature, [-8.0, -9.5, -10.0])
     np.testing.assert_allclose(found.snowfall * 3600, [1.5, 0.0, np.nan])
+    np.testing.assert_allclose(with_gaps(found).snowfall[1] * 3600, 2.0)
     assert found.height == 7.0
 
 
@@ -181,12 +195,12 @@ def test_reanalyses_bring_temperature_and_snowfall(tmp_path, units, fall):
 @pytest.mark.parametrize(
     ("heading", "rows", "form", "said"),
     [
-        ("T (°C)", ["-5", "75"], {"temperature": "T (°C)"}, r"row 3, column 'T \(°C\)': is 75 °C; allowed: -90 to 60 °C"),
-        ("fall (mm/h)", ["-1", "0"], {"snowfall": "fall (mm/h)"}, r"row 2, .*: is -1 mm/h; allowed: 0 to 30 kg/m²/h"),
+        ("T (°C)", ["-5", "75"], {"temperature": "T (°C)"}, r"row 3, column 'T .*': is 75 °C; allowed: -90 to 60"),
+        ("fall (mm/h)", ["-1", "0"], {"snowfall": "fall (mm/h)"}, r"row 2, .*: is -1 mm/h; allowed: 0 to 30 kg"),
         ("fall (mm/h)", ["0", "31"], {"snowfall": "fall (mm/h)"}, r"row 3, .*: is 31 mm/h; allowed: 0 to 30"),
         ("fall", ["0", "1"], {"snowfall": "fall"}, r"column 'fall': states no unit; name one"),
-        ("fall (inch)", ["0", "1"], {"snowfall": "fall (inch)"}, r"column 'fall \(inch\)': is in 'inch'; inches of water"),
-        ("rain (mm/h)", ["0", "1"], {"precipitation": "rain (mm/h)"}, r"there is no temperature to tell snow from"),
+        ("fall (inch)", ["0", "1"], {"snowfall": "fall (inch)"}, r"is in 'inch'; inches of water; allowed: mm"),
+        ("rain (mm/h)", ["0", "1"], {"precipitation": "rain (mm/h)"}, r"is no temperature to tell snow from"),
         ("x", ["0", "1"], {"temperature": "tt"}, r"temperature: no column 'tt'; the columns are time, speed"),
         (
             "t (°C),a (mm/h),b (mm/h)",

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from barchan.errors import Problem, RecordError
 from barchan.wind.records.durations import durations
 from barchan.wind.records.plausibility import direction_width, warnings_of
-from barchan.wind.records.record import Rows, WindRecord
+from barchan.wind.records.record import Rows, WindlessRows, WindRecord
 
 FASTEST = 150.0
 """Speed (m/s) that no wind near the ground exceeds: more is a wrong unit, or a code for a missing value."""
@@ -55,10 +55,24 @@ def checked(rows: Rows) -> WindRecord:
         columns=f"{read}, in {rows.unit[0]}",
         place=rows.place,
         duplicates=duplicates,
-        temperature=None if rows.temperature is None else rows.temperature[usable],
-        snowfall=None if rows.snowfall is None else rows.snowfall[usable],
+        temperature=_some(rows.temperature, usable),
+        snowfall=_some(rows.snowfall, usable),
+        windless=_windless(rows, duration, ~usable),
     )
     return replace(record, warnings=warnings_of(record), direction_width=direction_width(record))
+
+
+def _some(values: NDArray[np.float64] | None, which: NDArray) -> NDArray[np.float64] | None:
+    """Values of some rows, where there are any."""
+    return None if values is None else values[which]
+
+
+def _windless(rows: Rows, duration: NDArray[np.float64], which: NDArray[np.bool_]) -> WindlessRows | None:
+    """The rows that hold weather and no wind."""
+    if not which.any() or (rows.temperature is None and rows.snowfall is None):
+        return None
+    weather = _some(rows.temperature, which), _some(rows.snowfall, which)
+    return WindlessRows(rows.time[which], duration[which], *weather)
 
 
 def _in_order(rows: Rows) -> tuple[Rows, list[str]]:
@@ -82,8 +96,8 @@ def _picked(rows: Rows, which: NDArray) -> Rows:
         speed=rows.speed[which],
         direction=rows.direction[which],
         numbers=rows.numbers[which],
-        temperature=None if rows.temperature is None else rows.temperature[which],
-        snowfall=None if rows.snowfall is None else rows.snowfall[which],
+        temperature=_some(rows.temperature, which),
+        snowfall=_some(rows.snowfall, which),
     )
 
 

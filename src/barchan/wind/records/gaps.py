@@ -1,55 +1,88 @@
-"""Gaps of a record with weather: time passes in them, for snow ages without wind too."""
+"""Gaps of a record with weather: time passes in them, for snow falls and ages without a known wind too."""
 
 from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
-from barchan.wind.records.record import WindRecord
+from barchan.wind.records.record import WindlessRows, WindRecord
+
+SHORT = 3 * 3600.0
+"""Longest gap (s) in which the wind of the row before goes on; in longer ones it is calm."""
 
 _ROUNDING = 1e-6
 """Time (s) below which rows follow one another."""
 
 
 def with_gaps(record: WindRecord) -> WindRecord:
-    """A record with weather, with a calm in each gap: no snow falls, temperature goes on straight.
+    """A record with weather, without gaps; a record without weather stays as it is, and its gaps are skipped.
 
-    A record without weather stays as it is, and its gaps are skipped.
+    Rows without a wind keep their snowfall. Where rows are absent no snow falls, and temperature goes on
+    straight. The wind is that of the row before for three hours or less; in longer gaps it is calm.
     """
     if record.temperature is None and record.snowfall is None:
         return record
-    ends = record.time + record.duration
-    before = np.flatnonzero(record.time[1:] - ends[:-1] > _ROUNDING)
-    if not before.size:
+    rows = _joined(_all_rows(record), _holes(record))
+    known = ~np.isnan(rows.speed)
+    if known.all():
         return record
-    lasting = record.time[before + 1] - ends[before]
-    calm = np.zeros(before.size)
-    days = float(lasting.sum()) / 86_400.0
-    told = f"in {before.size} gaps of {days:.3g} days in all no wind blows and no snow falls; time passes"
+    days = float(rows.duration[~known].sum()) / 86_400.0
+    told = f"time passes in {days:.3g} days without a wind, in gaps over {SHORT / 3600:g} hours as a calm"
+    return replace(_filled(rows, known), remarks=(*record.remarks, told))
+
+
+def _all_rows(record: WindRecord) -> WindRecord:
+    """The rows of a record and those without a wind (NaN)."""
+    return record if record.windless is None else _joined(record, record.windless)
+
+
+def _holes(record: WindRecord) -> WindlessRows:
+    """What is missing between the rows of a record, with no snowfall and no temperature."""
+    rows = _all_rows(record)
+    ends = rows.time + rows.duration
+    before = np.flatnonzero(rows.time[1:] - ends[:-1] > _ROUNDING)
+    unknown = np.full(before.size, np.nan)
+    return WindlessRows(ends[before], rows.time[before + 1] - ends[before], unknown, np.zeros(before.size))
+
+
+def _joined(record: WindRecord, more: WindlessRows) -> WindRecord:
+    """The rows of both in the order of time."""
+    time = np.append(record.time, more.time)
+    order = np.argsort(time, kind="stable")
+    unknown = np.full(len(more.time), np.nan)
+
+    def merged(
+        values: NDArray[np.float64] | None, others: NDArray[np.float64] | None
+    ) -> NDArray[np.float64] | None:
+        return None if values is None else np.append(values, unknown if others is None else others)[order]
+
     return replace(
         record,
-        time=_inserted(record.time, before, ends[before]),
-        duration=_inserted(record.duration, before, lasting),
-        speed=_inserted(record.speed, before, calm),
-        direction=_inserted(record.direction, before, calm),
-        temperature=_bridged(record, before, ends[before] + lasting / 2),
-        snowfall=None if record.snowfall is None else _inserted(record.snowfall, before, calm),
-        remarks=(*record.remarks, told),
+        time=time[order],
+        duration=np.append(record.duration, more.duration)[order],
+        speed=np.append(record.speed, unknown)[order],
+        direction=np.append(record.direction, unknown)[order],
+        temperature=merged(record.temperature, more.temperature),
+        snowfall=merged(record.snowfall, more.snowfall),
+        windless=None,
     )
 
 
-def _inserted(
-    values: NDArray[np.float64], before: NDArray[np.intp], new: NDArray[np.float64]
-) -> NDArray[np.float64]:
-    return np.insert(values, before + 1, new)
-
-
-def _bridged(
-    record: WindRecord, before: NDArray[np.intp], middles: NDArray[np.float64]
-) -> NDArray[np.float64] | None:
-    """Temperatures, those in the gaps on a straight line between the rows around them."""
-    if record.temperature is None:
-        return None
-    known = ~np.isnan(record.temperature)
-    between = np.interp(middles, record.time[known], record.temperature[known])
-    return _inserted(record.temperature, before, between)
+def _filled(rows: WindRecord, known: NDArray[np.bool_]) -> WindRecord:
+    """The rows, those without a wind (not ``known``) with one and with a temperature."""
+    last = np.maximum.accumulate(np.where(known, np.arange(len(known)), 0))
+    run = np.cumsum(known)
+    lasting = np.bincount(run, np.where(known, 0.0, rows.duration))[run]
+    goes_on = known | (known[last] & (lasting <= SHORT))
+    temperature = rows.temperature
+    if temperature is not None:
+        there = ~np.isnan(temperature)
+        middles = rows.time + rows.duration / 2
+        between = np.interp(middles, middles[there], temperature[there])
+        temperature = np.where(there | known, temperature, between)
+    return replace(
+        rows,
+        speed=np.where(goes_on, rows.speed[last], 0.0),
+        direction=np.where(goes_on, rows.direction[last], 0.0),
+        temperature=temperature,
+    )

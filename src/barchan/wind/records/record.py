@@ -7,6 +7,20 @@ from numpy.typing import NDArray
 
 
 @dataclass(frozen=True)
+class WindlessRows:
+    """Rows of a record that hold weather and no wind."""
+
+    time: NDArray[np.float64]
+    """Beginning of each row (s), as in the record."""
+    duration: NDArray[np.float64]
+    """How long it stands for (s)."""
+    temperature: NDArray[np.float64] | None = None
+    """Of the air (°C)."""
+    snowfall: NDArray[np.float64] | None = None
+    """kg/m²/s."""
+
+
+@dataclass(frozen=True)
 class WindRecord:
     """Winds in the order of time, each with its duration; missing rows are left out and counted."""
 
@@ -46,6 +60,8 @@ class WindRecord:
     """Of the air (°C), NaN where a row states none; None where the record has none."""
     snowfall: NDArray[np.float64] | None = None
     """kg/m²/s, NaN where a row states none; None where the record has none."""
+    windless: WindlessRows | None = None
+    """Rows that hold weather and no wind, where the record has any."""
 
     @property
     def calms(self) -> int:

@@ -78,9 +78,11 @@ def weather_of(
                 raise
             said = "; ".join(f"{p.key}: {p.message}" for p in error.problems)
             remarks.append(f"{quantity} is not read from '{claims[0].column}': {said}")
-    snowfall = _snowfall(found, form, remarks, source)
-    _warn_of_jumps(found.get("temperature"), time, remarks)
-    return WeatherColumns(_bridged(found.get("temperature"), time), snowfall, tuple(remarks))
+    temperature = found.pop("temperature", None)
+    _warn_of_jumps(temperature, time, remarks)
+    temperature = _bridged(temperature, time)
+    snowfall = _snowfall(found, temperature, form, remarks, source)
+    return WeatherColumns(temperature, snowfall, tuple(remarks))
 
 
 def _values(
@@ -131,7 +133,11 @@ def _rates(amounts: NDArray[np.float64], time: NDArray[np.float64]) -> NDArray[n
 
 
 def _snowfall(
-    found: dict[str, NDArray[np.float64]], form: RecordFormat, remarks: list[str], source: str
+    found: dict[str, NDArray[np.float64]],
+    temperature: NDArray[np.float64] | None,
+    form: RecordFormat,
+    remarks: list[str],
+    source: str,
 ) -> NDArray[np.float64] | None:
     """Snowfall as stated, or the part of precipitation that is snow at its temperature."""
     if "precipitation" not in found:
@@ -142,13 +148,13 @@ def _snowfall(
             raise RecordError([Problem("precipitation", message)], source)
         remarks.append("precipitation is not used, for there is snowfall")
         return found["snowfall"]
-    if "temperature" not in found:
+    if temperature is None:
         if form.precipitation:
             message = f"is '{form.precipitation}', but there is no temperature to tell snow from rain"
             raise RecordError([Problem("precipitation", message)], source)
         remarks.append("precipitation is not used, for there is no temperature to tell snow from rain")
         return None
-    share = np.clip((ALL_RAIN - found["temperature"]) / (ALL_RAIN - ALL_SNOW), 0.0, 1.0)
+    share = np.clip((ALL_RAIN - temperature) / (ALL_RAIN - ALL_SNOW), 0.0, 1.0)
     remarks.append(
         f"precipitation is snow up to {ALL_SNOW:g} °C, rain from {ALL_RAIN:g} °C on, and in between both; "
         "rain is left out"
