@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field
 
+from barchan.aeolian.wall import REFERENCE_HEIGHT
 from barchan.errors import Problem, RecordError, ScenarioError
 from barchan.parameters import Parameters, parameter
 from barchan.wind.blowing import Blowing
@@ -92,9 +93,8 @@ class Recorded(Parameters):
     def intervals(self, step: int, clock: StepClock) -> list[WindInterval]:
         """Intervals of a step, in order."""
         rows, record = self._rows(step, clock), self.record
-        speeds, directions = record.speed[rows.numbers], record.direction[rows.numbers]
-        if clock.raised is not None:
-            speeds = clock.raised(speeds, record.height)
+        speeds = self._at_clock_height(record.speed[rows.numbers], clock)
+        directions = record.direction[rows.numbers]
         strengths = np.ones(len(speeds)) if clock.strength is None else clock.strength(speeds)
         shares = rows.shares
         if clock.deviates and len(speeds) > self.winds:
@@ -108,6 +108,19 @@ class Recorded(Parameters):
         ]
         after = 1.0 - float(shares.sum())
         return [*found, WindInterval(after, 0.0, None, 0.0, 0.0)] if after > _ROUNDING else found
+
+    def _at_clock_height(self, speeds: NDArray[np.float64], clock: StepClock) -> NDArray[np.float64]:
+        """Speeds of the record as they are at the clock's height, or without a clock at 10 m."""
+        height = self.record.height
+        if clock.raised is None:
+            if height in {None, REFERENCE_HEIGHT}:
+                return speeds
+            text = f"is {height:g} m; allowed without a clock: winds at {REFERENCE_HEIGHT:g} m"
+            raise ScenarioError([Problem("wind.columns.height", text)])
+        try:
+            return clock.raised(speeds, height)
+        except ValueError as error:
+            raise ScenarioError([Problem("wind.columns.height", str(error))]) from None
 
     def _picked(
         self, step: int, works: NDArray[np.float64], clock: StepClock
