@@ -6,6 +6,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from barchan.aeolian.wall import REFERENCE_HEIGHT
+from barchan.errors import Problem, ScenarioError
 from barchan.parameters import Parameters, parameter
 from barchan.wind.blowing import Blowing
 from barchan.wind.interval import FOR_EVER, StepClock, WindInterval
@@ -65,9 +67,8 @@ class SeriesWind(Parameters):
     def intervals(self, step: int, clock: StepClock) -> list[WindInterval]:
         """Intervals of a step, in order."""
         rows, record = self._rows(step, clock), self.series(clock.seed).record
-        speeds, directions = record.speed[rows.numbers], record.direction[rows.numbers]
-        if clock.raised is not None:
-            speeds = clock.raised(speeds, record.height)
+        speeds = _at_clock_height(record.speed[rows.numbers], record.height, clock)
+        directions = record.direction[rows.numbers]
         strengths = np.ones(len(speeds)) if clock.strength is None else clock.strength(speeds)
         shares = rows.shares
         weather = _weather_of(record, rows.numbers)
@@ -122,6 +123,21 @@ class SeriesWind(Parameters):
     def placed_parts(self) -> list[tuple[tuple[str | int, ...], Blowing]]:
         """The winds that it is made of, and under which keys they stand: none is stated."""
         return []
+
+
+def _at_clock_height(
+    speeds: NDArray[np.float64], height: float | None, clock: StepClock
+) -> NDArray[np.float64]:
+    """Speeds of a height (m) as they are at the clock's height, or without a clock at 10 m."""
+    if clock.raised is None:
+        if height in {None, REFERENCE_HEIGHT}:
+            return speeds
+        text = f"is {height:g} m; allowed without a clock: winds at {REFERENCE_HEIGHT:g} m"
+        raise ScenarioError([Problem("wind.columns.height", text)])
+    try:
+        return clock.raised(speeds, height)
+    except ValueError as error:
+        raise ScenarioError([Problem("wind.columns.height", str(error))]) from None
 
 
 def _covered(

@@ -1,7 +1,7 @@
 """A record gives the same drift potential in whatever unit, height, convention and layout it is written.
 
-The right value is that of numpy from the winds at 10 m before they are written (``known.potential``). Speeds at
-other heights are written by the law of the wall over 1 mm, the roughness that the drift potential assumes.
+The right value is that of numpy from the winds at 10 m before they are written (``known.potential``).
+Speeds at other heights are written by the law of the wall over 1 mm, which the drift potential assumes.
 """
 
 import numpy as np

@@ -83,6 +83,7 @@ def _read_words(text: str) -> Heading:
     split = re.sub(r"(?<=[a-z])(?=[A-Z])|(?<=[A-Za-z])(?=\d)|(?<=\d)(?=[A-Za-z])", " ", text)
     joined = " ".join(re.findall(r"[a-z\u00df-\u00ff]+|\d+(?:\.\d+)?", split.lower()))
     joined = re.sub(r"\b(?:s|d \d+) (?=wvt)", "", joined)
+    joined = re.sub(r"\bdeg t\b", "deg", joined)
     words = re.sub(r"\bsd \d+ (?=wvt)", "sd ", joined).split()
     name: list[str] = []
     unit, height, way, plain = "", None, "", True

@@ -30,7 +30,7 @@ TIMES = Quantity(
     TIME,
     (
         "time", "datetime", "date_time", "timestamp", "valid_time", "valid", "mess_datum", "utc",
-        "observation_time", "obs_time", "time_stamp", "date",
+        "observation_time", "obstime", "obs_time", "time_stamp", "date",
     ),
     ("time",),
 )  # fmt: skip
@@ -38,8 +38,8 @@ SPEEDS = Quantity(
     "speed",
     SPEED,
     (
-        "speed", "wind_speed", "windspeed", "wind_spd", "ws", "wspd", "sknt", "ff", "f", "wind_velocity",
-        "windgeschwindigkeit", "si", "wind", "spd",
+        "speed", "wind_speed", "windspeed", "windspd", "wndspd", "wind_spd", "ws", "wspd", "sknt", "ff", "f",
+        "wind_velocity", "windgeschwindigkeit", "si", "wind", "spd",
     ),
     ("wind_speed",),
     "m/s",
@@ -49,8 +49,7 @@ DIRECTIONS = Quantity(
     ANGLE,
     (
         "direction", "wind_direction", "winddirection", "wind_dir", "winddir", "wd", "wdir", "drct",
-        "dir", "dd",
-        "d", "windrichtung", "wdirection", "wind_bearing",
+        "dir", "dd", "d", "windrichtung", "wdirection", "wind_bearing",
     ),
     ("wind_from_direction", "wind_to_direction"),
     "deg",

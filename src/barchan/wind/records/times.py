@@ -92,7 +92,14 @@ def _counted(times: Times, unit: float) -> NDArray[np.float64]:
 
 
 def _joined(parts: "list[pd.Series]") -> "pd.Series":
-    """The parts of each time, with a blank between; fractions of whole numbers are dropped."""
+    """The parts of each time, with a blank between, of whole numbers without fractions; ``a`` as ``AM``."""
+    words = _plainly_joined(parts)
+    return words.str.replace(
+        r"(?<=\d)\s*([aApP])\.?[mM]?\.?$", lambda found: f" {found[1].upper()}M", regex=True
+    )
+
+
+def _plainly_joined(parts: "list[pd.Series]") -> "pd.Series":
     if len(parts) == 1:
         return parts[0].str.strip().str.replace(r"\s*(?:UTC|GMT)$", "Z", regex=True)
     whole = [part.str.strip().str.replace(r"(?<=\d)\.0+$", "", regex=True) for part in parts]

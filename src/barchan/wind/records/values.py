@@ -23,6 +23,7 @@ NO_VALUE = frozenset(
         "---",
         "m",
         "mm",
+        "mq",
         "na",
         "n/a",
         "nan",
