@@ -178,7 +178,7 @@ def _packs(data: dict[str, Any]) -> dict[str, Any]:
 def _timeless(data: dict[str, Any]) -> dict[str, Any]:
     """A scenario without clock and influx, which would ask more of its parts than can be drawn one by one."""
     wind = data.get("wind")
-    if wind is not None and wind.get("kind") == "record":
+    if wind is not None and wind.get("kind") in {"record", "storms"}:
         data = {**data, "wind": {"kind": "steady"}}
     data = {**data, "clock": None, "influx": None}
     return _cold(data) if data.get("model", {}).get("name") == "snow_werner" else data
