@@ -21,7 +21,7 @@ def check(scenario: str, /, *values: Tokens) -> None:
         sound.forcing().wind_of(0)
         model.initialise(sound.first_bed(), sound.seed)
     console.print(f"{scenario}: sound")
-    for name, fact in {**sound.time_facts(), **model.facts()}.items():
+    for name, fact in {**sound.ground_facts(), **sound.time_facts(), **model.facts()}.items():
         console.print(f"{name}: {fact}")
     for remark in sound.remarks():
         print_note(remark)

@@ -3,8 +3,11 @@
 from typing import TYPE_CHECKING
 
 from barchan.directions import downwind
+from barchan.errors import ScenarioError
+from barchan.ground.edges import unmatched_edges
 from barchan.models import Model
 from barchan.scenario.source_map import Path
+from barchan.streams import Stream
 from barchan.wind import Recorded
 
 if TYPE_CHECKING:
@@ -88,6 +91,16 @@ def starved_edges(scenario: "Scenario") -> list[str]:
     plural = "edges are" if len(edges) > 1 else "edge is"
     text = f"the {sides} {plural} open and nothing enters there: the wind will empty the field"
     return [f'{text}; state what enters with "influx", for instance {{"kind": "saturation", "share": 0.2}}']
+
+
+def broken_edges(scenario: "Scenario") -> list[str]:
+    """A remark where edges are joined and the ground does not go on over them."""
+    lattice = scenario.lattice
+    try:
+        ground = scenario.ground.elevation(lattice, Stream(scenario.run.seed or 0, "ground"))
+    except ScenarioError:  # said where the bed is made
+        return []
+    return unmatched_edges(ground, lattice)
 
 
 def _timeless(scenario: "Scenario") -> list[Found]:
