@@ -200,7 +200,7 @@ def test_coordinates_in_kilometres_become_metres(tmp_path):
 
 
 def test_a_netcdf_grid_of_longitudes_is_refused_with_the_true_size_of_its_cells(tmp_path):
-    """A degree at 45° is 78 847 m of the parallel and 111 132 m of the meridian (WGS 84), a cell 1/1200 of it."""
+    """A degree at 45° is 78 847 m of the parallel and 111 132 m of the meridian (WGS 84)."""
     pytest.importorskip("rasterio")
     data = grid().rename(x="lon", y="lat")
     lon, lat = 10 + np.arange(COLUMNS) / 1200, 45 + np.arange(ROWS) / 1200

@@ -36,7 +36,7 @@ def print_facts(simulation: Simulation, random_seed: bool) -> None:
         **simulation.model.facts(),
     }.items():
         console.print(f"{name}: {fact}")
-    for remark in scenario.remarks():
+    for remark in scenario.remarks(simulation.bed.ground):
         print_note(remark)
 
 

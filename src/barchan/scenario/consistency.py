@@ -2,6 +2,9 @@
 
 from typing import TYPE_CHECKING
 
+import numpy as np
+from numpy.typing import NDArray
+
 from barchan.directions import downwind
 from barchan.errors import ScenarioError
 from barchan.ground.edges import unmatched_edges
@@ -93,14 +96,14 @@ def starved_edges(scenario: "Scenario") -> list[str]:
     return [f'{text}; state what enters with "influx", for instance {{"kind": "saturation", "share": 0.2}}']
 
 
-def broken_edges(scenario: "Scenario") -> list[str]:
-    """A remark where edges are joined and the ground does not go on over them."""
-    lattice = scenario.lattice
-    try:
-        ground = scenario.ground.elevation(lattice, Stream(scenario.run.seed or 0, "ground"))
-    except ScenarioError:  # said where the bed is made
-        return []
-    return unmatched_edges(ground, lattice)
+def broken_edges(scenario: "Scenario", ground: NDArray[np.float64] | None) -> list[str]:
+    """A remark where edges are joined and the ground does not go on over them; made here if not given."""
+    if ground is None:
+        try:
+            ground = scenario.ground.elevation(scenario.lattice, Stream(scenario.run.seed or 0, "ground"))
+        except ScenarioError:  # said where the bed is made
+            return []
+    return unmatched_edges(ground, scenario.lattice)
 
 
 def _timeless(scenario: "Scenario") -> list[Found]:

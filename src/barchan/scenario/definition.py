@@ -3,6 +3,8 @@
 import secrets
 from typing import TYPE_CHECKING, Annotated, Any, Literal, Self, Union
 
+import numpy as np
+from numpy.typing import NDArray
 from pydantic import Field, PrivateAttr, model_validator
 from pydantic_core import PydanticCustomError
 
@@ -216,11 +218,11 @@ class Scenario(Parameters):
     def _repr_html_(self) -> str:
         return html_table(self.title or "Scenario", summary(self))
 
-    def remarks(self) -> list[str]:
-        """Remarks that a user should know before running this."""
+    def remarks(self, ground: NDArray[np.float64] | None = None) -> list[str]:
+        """Remarks that a user should know before running this; ``ground`` (m) as it was made, if it was."""
         model = self.new_model()
         remarks = [model.remarks(part.longest_hop, part.direction) for _, part in self.wind.placed_parts()]
-        remarks += [starved_edges(self), self.ground.remarks(self.lattice), broken_edges(self)]
+        remarks += [starved_edges(self), self.ground.remarks(self.lattice), broken_edges(self, ground)]
         return list(dict.fromkeys(remark for found in remarks for remark in found))
 
 

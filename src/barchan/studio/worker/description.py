@@ -40,6 +40,6 @@ def description(simulation: Simulation) -> dict[str, Any]:
         "measures": declared_measures(simulation),
         "repose": math.degrees(math.atan(limits[0] * lattice.aspect)) if limits else None,
         "facts": {**sound.ground_facts(), **model.facts()},
-        "remarks": sound.remarks(),
+        "remarks": sound.remarks(simulation.bed.ground),
         "events": len(simulation.events),
     }
