@@ -10,6 +10,9 @@ from barchan.lattice import Lattice
 if TYPE_CHECKING:
     from scipy.sparse import csr_array
 
+WHOLE = 0.01
+"""Cells by which our last border may miss one of the file's, for the file's cells to count as whole."""
+
 
 def resampled(
     heights: NDArray[np.float64], step_y: float, step_x: float, lattice: Lattice
@@ -28,21 +31,37 @@ def resampled(
 
 def _shares(count: int, available: int, step: float) -> "csr_array":
     """The share that each of the file's cells (columns) has in each of ours (rows), along one axis."""
-    return _overlaps(count, available, step) if step > 1.0 else _between(count, available, step)
+    return _means(count, available, step) if step > 1.0 else _between(count, available, step)
 
 
-def _overlaps(count: int, available: int, step: float) -> "csr_array":
-    """Parts of each of our cells that the file's cells cover; beyond the file's edge its last cell does."""
+def _means(count: int, available: int, step: float) -> "csr_array":
+    """Weights of the file's cells in the mean over each of ours; at the file's edge its last cell goes on.
+
+    Where ours begin and end between two of the file's cells, the mean is that of the cells; elsewhere it is
+    that of the heights between their centres, which keeps a slope free of steps.
+    """
     from scipy.sparse import coo_array
 
-    first = np.arange(count) * step
-    reach = int(np.ceil(step)) + 1
-    cell = np.floor(first).astype(np.int64)[:, None] + np.arange(reach)
-    length = np.minimum(cell + 1.0, first[:, None] + step) - np.maximum(cell, first[:, None])
+    whole = abs(step - round(step)) * count < WHOLE
+    up_to = _within_cell if whole else _between_centres
+    first = np.arange(count) * step - 0.5
+    reach = int(np.ceil(step)) + 3
+    cell = np.floor(first).astype(np.int64)[:, None] - 1 + np.arange(reach)
+    weight = up_to(first[:, None] + step - cell) - up_to(first[:, None] - cell)
     row = np.repeat(np.arange(count), reach)
     column = np.clip(cell.ravel(), 0, available - 1)
-    shares = coo_array((np.maximum(length, 0.0).ravel() / step, (row, column)), shape=(count, available))
-    return shares.tocsr()
+    return coo_array((weight.ravel() / step, (row, column)), shape=(count, available)).tocsr()
+
+
+def _within_cell(place: NDArray[np.float64]) -> NDArray[np.float64]:
+    """The part of a cell that lies before a place, counted in cells from its centre."""
+    return np.clip(place + 0.5, 0.0, 1.0)
+
+
+def _between_centres(place: NDArray[np.float64]) -> NDArray[np.float64]:
+    """The same of a cell whose height falls off linearly to the centres of its neighbours."""
+    place = np.clip(place, -1.0, 1.0)
+    return np.where(place < 0, 0.5 * (1.0 + place) ** 2, 1.0 - 0.5 * (1.0 - place) ** 2)
 
 
 def _between(count: int, available: int, step: float) -> "csr_array":
