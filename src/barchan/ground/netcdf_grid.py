@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from barchan.ground.raster import Hints, Raster, UnreadableError, placed
 from barchan.ground.reference import reference_of, stated
 from barchan.ground.units import metres_in
+from barchan.ground.voids import marked
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -121,10 +122,8 @@ def _reference(dataset: "xr.Dataset", variable: "xr.DataArray", across: str) -> 
 
 def _without_fill(values: NDArray[Any], attributes: dict[str, Any]) -> NDArray[Any]:
     """Values with NaN where the attributes say that there is none."""
-    empty = np.zeros(values.shape, bool)
-    for key in ("_FillValue", "missing_value"):
-        for mark in np.atleast_1d(attributes.get(key, [])):
-            empty |= values == mark
+    marks = [np.atleast_1d(attributes.get(key, [])) for key in ("_FillValue", "missing_value")]
+    empty = marked(values.astype(np.float64), [float(mark) for mark in np.concatenate(marks)])
     low, high = attributes.get("valid_range", (None, None))
     low, high = attributes.get("valid_min", low), attributes.get("valid_max", high)
     if low is not None:

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from barchan.ground.raster import Hints, Raster, UnreadableError, placed
 from barchan.ground.reference import reference_of, stated
+from barchan.ground.voids import marked
 
 NEEDED = ("ncols", "nrows")
 KNOWN = (*NEEDED, "xllcorner", "yllcorner", "xllcenter", "yllcenter", "cellsize", "dx", "dy", "nodata_value")
@@ -42,7 +43,7 @@ def read_ascii_grid(path: Path, hints: Hints) -> Raster:
         )
     values = values.reshape(rows, columns)
     if "nodata_value" in head:
-        values[values == head["nodata_value"]] = np.nan
+        values[marked(values, [head["nodata_value"]])] = np.nan
     west = head.get("xllcorner", head.get("xllcenter", width / 2) - width / 2)
     south = head.get("yllcorner", head.get("yllcenter", height / 2) - height / 2)
     beside = path.with_suffix(".prj")
@@ -128,7 +129,7 @@ def _steps(places: NDArray[np.float64], name: str) -> tuple[NDArray[np.int64], f
     gaps = gaps[gaps > 1e-9 * max(abs(first), abs(last))]
     if not gaps.size:
         raise UnreadableError(f"has points at a single {name}; allowed: a grid")
-    count = round((last - first) / float(gaps.min()))
+    count = round((last - first) / float(np.median(gaps)))
     step = (last - first) / count
     number = np.rint((places - first) / step)
     if np.abs((places - first) / step - number).max() > OFF_GRID:

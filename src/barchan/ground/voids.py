@@ -13,6 +13,9 @@ from barchan.ground.terrain import HIGHEST
 CODES = (-9999.0, -9999.9, -99999.0, -32768.0, -32767.0, 9999.0, 32767.0, 99999.0)
 """Codes for missing heights within the range of heights; beyond that range every number is one."""
 
+SINGLE = 1e-6
+"""Relative difference of two numbers that single precision may write alike."""
+
 STEEPEST = 20.0
 """Cells' widths that a step to every neighbour must exceed to set a value off."""
 
@@ -24,7 +27,7 @@ def marked(values: NDArray[np.float64], codes: list[float]) -> NDArray[np.bool_]
     """The cells that hold one of the codes, as exactly as single precision writes them."""
     found = np.zeros(values.shape, bool)
     for code in codes:
-        found |= np.isclose(values, code, rtol=1e-6, atol=0.0)
+        found |= np.abs(values - code) <= SINGLE * abs(code)
     return found
 
 
