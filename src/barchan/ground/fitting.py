@@ -101,8 +101,7 @@ class FromFile(Parameters):
                 raise UnreadableError("is an image: state lowest and highest, the heights of black and white")
             return self.lowest + (self.highest - self.lowest) * values / raster.full_scale
         if self.missing is None:
-            cell = raster.place.cell_size if raster.place is not None else cell_size
-            _refuse_suspects(suspects(values, raster.scale, cell))
+            _refuse_suspects(doubtful(raster, cell_size))
         values[marked(values, self.missing or [])] = np.nan
         return values * raster.scale + raster.offset
 
@@ -141,6 +140,15 @@ class FromFile(Parameters):
                 f"{lattice.columns} cells, or resample true"
             )
         return heights
+
+
+def doubtful(raster: Raster, cell_size: float) -> list[tuple[float, int]]:
+    """Numbers of a raster that look like undeclared codes for missing cells, each with its count.
+
+    ``cell_size`` (m) counts where the raster has no cells of its own.
+    """
+    cell = raster.place.cell_size if raster.place is not None else cell_size
+    return suspects(raster.values.astype(np.float64), raster.scale, cell)
 
 
 def _beyond(needed: float, available: int) -> bool:

@@ -76,6 +76,11 @@ def name_of(crs: Any) -> str:
     return text if len(text) < 40 else text.split('"')[1]
 
 
+def system_of(place: Place) -> str:
+    """The reference system of a raster, for people to read."""
+    return "no coordinate reference system stated" if place.crs is None else name_of(place.crs)
+
+
 def require_metres(place: Place, shape: tuple[int, int], hints: Hints) -> None:
     """Raise UnreadableError where a raster's coordinates are not metres on the ground."""
     if place.crs is None:

@@ -10,7 +10,7 @@ from barchan.ground.cylinders import Cylinders
 from barchan.ground.fitting import FromFile
 from barchan.ground.landforms import Bump, Cliff, DuneForm, Escarpment, FlatGround, Hump, Ramp, Valley
 from barchan.ground.raster import Place, Raster, UnreadableError
-from barchan.ground.reference import name_of, remarks_on
+from barchan.ground.reference import name_of, remarks_on, system_of
 from barchan.ground.rocks import ThreeRocks, UnevenGround
 from barchan.ground.terrain import HIGHEST, Georeference, Terrain
 from barchan.lattice import Lattice
@@ -77,8 +77,7 @@ def _cells(place: Place) -> str:
 
 
 def _position(place: Place) -> str:
-    system = "no coordinate reference system stated" if place.crs is None else name_of(place.crs)
-    return f"west edge {place.west:.9g} m, south edge {place.south:.9g} m, {system}"
+    return f"west edge {place.west:.9g} m, south edge {place.south:.9g} m, {system_of(place)}"
 
 
 Ground = Annotated[

@@ -6,6 +6,7 @@ from typing import Any
 from pydantic import ValidationError
 
 from barchan.errors import Problem
+from barchan.ground.fitting import FARTHEST, TOLERANCE
 from barchan.ground.raster import UnreadableError
 from barchan.ground.surface import FileGround
 from barchan.scenario.source_map import Path
@@ -61,5 +62,12 @@ def _size(ground: FileGround, cell_size: Any) -> dict[str, Any]:
         return {"rows": rows, "columns": columns, "cell_size": place.cell_size}
     if not ground.resample:
         return {"rows": rows, "columns": columns}
-    whole = (rows * place.height / cell_size, columns * place.width / cell_size)
-    return {"rows": max(int(whole[0] + 1e-6), 1), "columns": max(int(whole[1] + 1e-6), 1)}
+    return {
+        "rows": _whole_cells(rows * place.height / cell_size),
+        "columns": _whole_cells(columns * place.width / cell_size),
+    }
+
+
+def _whole_cells(covered: float) -> int:
+    """Cells that a file covers, of which the last may lack what the tolerance allows."""
+    return max(int(covered + min(FARTHEST, TOLERANCE * covered)), 1)
