@@ -186,3 +186,39 @@ def test_frames_over_made_up_ground_are_measured_from_its_edges():
     )
     assert (frames["x"].values[0], frames["y"].values[0]) == (0.5, 0.5)
     assert "spatial_ref" not in frames.variables
+
+
+def test_a_map_of_mars_is_measured_on_mars(model):
+    """Equirectangular, true at 20°: at 22° a parallel is shorter by cos 22° / cos 20°, a meridian is not."""
+    mars, radius = "+proj=eqc +lat_ts=20 +lon_0=180 +R=3396190 +units=m", 3_396_190.0
+    near = ground(model(mars, 0.0, radius * math.radians(22), 2.0))
+    (remark,) = near.remarks(lattice(2.0))
+    assert "1.97 m from west to east and 2 m from south to north" in remark
+    message = refused(model(mars, 0.0, radius * math.radians(50), 2.0))
+    assert "1.37 m from west to east" in message
+    assert "EPSG" not in message
+
+
+def test_coordinates_of_a_site_are_taken_as_they_are(model):
+    site = 'LOCAL_CS["Site grid",UNIT["metre",1],AXIS["Easting",EAST],AXIS["Northing",NORTH]]'
+    assert ground(model(site, 100.0, 200.0, 2.0)).georeference().west == 100.0
+    feet = site.replace('"metre",1', '"foot",0.3048')
+    assert "in units of 0.3048 m (foot); allowed: metres" in refused(model(feet, 100.0, 200.0, 2.0))
+
+
+def test_degrees_that_are_called_metres_are_refused(model):
+    message = refused(model("EPSG:32633", 14.2, 40.1, 1 / 3600))
+    assert message.startswith("is in EPSG:32633, but its cells of 0.000277778 from 14.2 to 14.2044 look like")
+
+
+def test_a_height_system_in_the_reference_is_no_hindrance(model):
+    compound = ground(model("EPSG:25832+5783", 500_000.0, 5_500_000.0, 2.0))
+    np.testing.assert_array_equal(compound.elevation(lattice(2.0), Stream(1, "ground")), HEIGHTS)
+    for system, foot in (("EPSG:26917+8228", 0.3048), ("EPSG:26917+6360", 1200 / 3937)):
+        feet = ground(model(system, 500_000.0, 4_000_000.0, 2.0))
+        np.testing.assert_allclose(feet.elevation(lattice(2.0), Stream(1, "ground")), HEIGHTS * foot)
+
+
+def test_coordinates_that_a_map_does_not_cover_are_refused(model):
+    message = refused(model("EPSG:32633", 1e12, 1e12, 2.0))
+    assert "coordinates that its reference system does not cover" in message
