@@ -141,7 +141,7 @@ def test_cells_that_are_almost_square_are_taken_as_squares_and_told(model):
     path = model("EPSG:32633", 500_000.0, 4_000_000.0, 2.0, 2.00001)
     np.testing.assert_array_equal(ground(path).elevation(lattice(2.0), Stream(1, "ground")), HEIGHTS)
     (remark,) = ground(path).remarks(lattice(2.0))
-    assert remark == "cells of the terrain are 2 × 2.00001 m, not quite square, and taken as squares"
+    assert remark == "cells of the terrain are 2 × 2.00001 m, and taken as squares of 2 m"
 
 
 def test_cells_beyond_the_tolerance_are_only_taken_when_resampled(model):
@@ -222,3 +222,10 @@ def test_a_height_system_in_the_reference_is_no_hindrance(model):
 def test_coordinates_that_a_map_does_not_cover_are_refused(model):
     message = refused(model("EPSG:32633", 1e12, 1e12, 2.0))
     assert "coordinates that its reference system does not cover" in message
+
+
+def test_grads_are_no_degrees(model):
+    """0.01 grad are 0.009°; a degree at 45° is 78 847 m of the parallel and 111 132 m of the meridian."""
+    message = refused(model("EPSG:4807", 2.0, 50.0, 0.01))
+    assert message.startswith("is in grads (EPSG:4807): its cells of 0.01 are 709 m from west to east")
+    assert "1e+03 m from south to north" in message

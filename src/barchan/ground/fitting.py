@@ -1,5 +1,6 @@
 """Heights from a file brought onto the lattice: holes, scale and size, never in silence."""
 
+from functools import lru_cache
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
@@ -8,7 +9,7 @@ from numpy.typing import NDArray
 from pydantic import BeforeValidator
 
 from barchan.errors import Problem, ScenarioError
-from barchan.ground.raster import Hints, Place, Raster, UnreadableError
+from barchan.ground.raster import Hints, Outline, Place, Raster, UnreadableError
 from barchan.ground.reading import read
 from barchan.ground.reference import require_metres
 from barchan.ground.resampling import resampled
@@ -80,6 +81,13 @@ class FromFile(Parameters):
         if raster.place is not None:
             require_metres(raster.place, raster.values.shape, hints)
         return raster
+
+    def outline(self) -> Outline:
+        """Size, place and unit of what the file holds; raises as ``raster`` does."""
+        path = Path(self.path)
+        if not path.is_file():
+            raise UnreadableError("no such file")
+        return _outline(self, _stamps(path, path.with_suffix(".prj")))
 
     def heights(self, lattice: Lattice, group: str, least: float, most: float) -> NDArray[np.float64]:
         """The file's heights on the lattice, all of them from ``least`` to ``most``.
@@ -154,6 +162,20 @@ def doubtful(raster: Raster, cell_size: float) -> list[tuple[float, int]]:
 def _beyond(needed: float, available: int) -> bool:
     """Whether more of the file's cells are needed than there are, within the tolerance."""
     return needed - available > min(FARTHEST, TOLERANCE * available)
+
+
+@lru_cache(maxsize=32)
+def _outline(file: FromFile, _stamps: tuple[tuple[str, int, int], ...]) -> Outline:
+    """The outline of a file; kept as long as its stamps are the same."""
+    raster = file.raster()
+    rows, columns = raster.values.shape
+    return Outline((rows, columns), raster.place, raster.scale, raster.unit)
+
+
+def _stamps(*paths: Path) -> tuple[tuple[str, int, int], ...]:
+    """Place, time of change and length of those files that exist."""
+    found = [(str(path.resolve()), path.stat()) for path in paths if path.is_file()]
+    return tuple((name, stat.st_mtime_ns, stat.st_size) for name, stat in found)
 
 
 def _refuse_suspects(found: list[tuple[float, int]]) -> None:

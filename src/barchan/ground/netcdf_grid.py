@@ -41,8 +41,8 @@ def read_netcdf(path: Path, hints: Hints) -> Raster:
     try:
         with xr.open_dataset(path, mask_and_scale=False, decode_times=False) as opened:
             return _raster(opened, hints)
-    except (OSError, ValueError) as error:
-        raise UnreadableError(f"cannot be read as NetCDF: {error}") from None
+    except (OSError, ValueError):
+        raise UnreadableError("cannot be read as NetCDF: it is another kind of file, or damaged") from None
 
 
 def _raster(dataset: "xr.Dataset", hints: Hints) -> Raster:

@@ -65,6 +65,16 @@ class Raster:
     """Unit of length that the file states for its numbers; None where it states none."""
 
 
+@dataclass(frozen=True)
+class Outline:
+    """What there is to know of a raster without its numbers; see ``Raster``."""
+
+    shape: tuple[int, int]
+    place: Place | None
+    scale: float
+    unit: str | None
+
+
 def placed(
     values: NDArray[Any], transform: tuple[float, float, float, float, float, float], crs: Any
 ) -> tuple[NDArray[Any], Place]:

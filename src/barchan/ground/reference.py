@@ -87,7 +87,8 @@ def require_metres(place: Place, shape: tuple[int, int], hints: Hints) -> None:
     allowed = f"allowed: a projected one in metres, {advice}"
     if crs.is_geographic:
         raise UnreadableError(
-            f"is in degrees ({name_of(crs)}): its cells of {place.width:.4g}° are {true.sides()}; {allowed}"
+            f"is in {crs.units_factor[0]}s ({name_of(crs)}): its cells of {place.width:.4g} are "
+            f"{true.sides()}; {allowed}"
         )
     unit, factor = crs.linear_units_factor
     if factor != 1.0:

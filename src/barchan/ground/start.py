@@ -46,7 +46,7 @@ def _misplaced(lattice: Lattice, ground: Ground, sand: Sand) -> list[Problem]:
     """A problem where files of ground and sand have coordinates and do not begin at the same corner."""
     if not isinstance(ground, FileGround) or not isinstance(sand, FileSand):
         return []
-    below, above = ground.raster().place, sand.raster().place
+    below, above = ground.outline().place, sand.outline().place
     if below is None or above is None:
         return []
     east, north = above.west - below.west, above.south - below.south

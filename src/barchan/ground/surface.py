@@ -9,13 +9,17 @@ from pydantic import Field
 from barchan.ground.cylinders import Cylinders
 from barchan.ground.fitting import FromFile
 from barchan.ground.landforms import Bump, Cliff, DuneForm, Escarpment, FlatGround, Hump, Ramp, Valley
-from barchan.ground.raster import Place, Raster, UnreadableError
+from barchan.ground.raster import Outline, Place, UnreadableError
 from barchan.ground.reference import name_of, remarks_on, system_of
 from barchan.ground.rocks import ThreeRocks, UnevenGround
 from barchan.ground.terrain import HIGHEST, Georeference, Terrain
 from barchan.lattice import Lattice
 from barchan.parameters import parameter
 from barchan.streams import Stream
+
+
+EXACT = 1e-6
+"""Relative difference of lengths that rounding in a file explains."""
 
 
 class FileGround(Terrain, FromFile):
@@ -31,49 +35,51 @@ class FileGround(Terrain, FromFile):
 
     def georeference(self) -> Georeference | None:
         """Position of the field on Earth, if the file states it and can be read."""
-        raster = self._readable()
-        if raster is None or raster.place is None:
+        file = self._known()
+        if file is None or file.place is None:
             return None
-        place = raster.place
+        place = file.place
         if place.crs is None:
             return Georeference(place.west, place.south)
         return Georeference(place.west, place.south, name_of(place.crs), place.crs.to_wkt())
 
     def facts(self, lattice: Lattice) -> dict[str, str]:
         """Size and place of the file's cells, and how they are brought onto the lattice."""
-        raster = self._readable()
-        if raster is None:
+        file = self._known()
+        if file is None:
             return {}
-        rows, columns = raster.values.shape
+        rows, columns = file.shape
         said = [f"{rows} rows of {columns} cells"]
-        if raster.place is not None:
-            said = [f"{said[0]} of {_cells(raster.place)}", _position(raster.place)]
-        if raster.unit is not None and raster.scale != 1.0:
-            said.append(f"heights in {raster.unit} taken to metres")
+        if file.place is not None:
+            said = [f"{said[0]} of {_cells(file.place)}", _position(file.place)]
+        if file.unit is not None and file.scale != 1.0:
+            said.append(f"heights in {file.unit} taken to metres")
         if self.resample:
             said.append(f"brought onto cells of {lattice.cell_size:g} m")
         return {"terrain": "; ".join(said)}
 
-    def remarks(self, _lattice: Lattice) -> list[str]:
-        """Remarks on cells that are not quite square, and on maps that do not keep lengths or north."""
-        raster = self._readable()
-        if raster is None or raster.place is None:
+    def remarks(self, lattice: Lattice) -> list[str]:
+        """Remarks on cells that are not quite the lattice's, and on maps that do not keep lengths or north."""
+        file = self._known()
+        if file is None or file.place is None:
             return []
-        place, found = raster.place, []
-        if place.width != place.height and not self.resample:
-            found.append(f"cells of the terrain are {_cells(place)}, not quite square, and taken as squares")
-        return [*found, *remarks_on(place, raster.values.shape)]
+        place, found = file.place, []
+        sides = (place.width, place.height)
+        if not self.resample and any(abs(side / lattice.cell_size - 1.0) > EXACT for side in sides):
+            squares = f"squares of {lattice.cell_size:.9g} m"
+            found.append(f"cells of the terrain are {_cells(place)}, and taken as {squares}")
+        return [*found, *remarks_on(place, file.shape)]
 
-    def _readable(self) -> Raster | None:
+    def _known(self) -> Outline | None:
         try:
-            return self.raster()
+            return self.outline()
         except UnreadableError:
             return None
 
 
 def _cells(place: Place) -> str:
-    sides = f"{place.width:.9g} × {place.height:.9g} m"
-    return sides if place.width != place.height else f"{place.width:.9g} m"
+    square = abs(place.width / place.height - 1.0) <= EXACT
+    return f"{place.width:.9g} m" if square else f"{place.width:.9g} × {place.height:.9g} m"
 
 
 def _position(place: Place) -> str:

@@ -105,13 +105,14 @@ def _points(path: Path) -> NDArray[np.float64]:
     import pandas as pd
 
     try:
-        first = path.read_text("utf-8-sig").splitlines()[0]
+        with path.open(encoding="utf-8-sig") as file:
+            first = file.readline()
         mark = ";" if ";" in first else "," if "," in first else r"\s+"
         heading = not re.match(r"\s*[-+.\d]", first)
         decimal = "," if mark == ";" else "."
         table = pd.read_csv(path, sep=mark, header=0 if heading else None, comment="#", decimal=decimal)
         points = table.to_numpy(np.float64)
-    except (OSError, ValueError, IndexError) as error:
+    except (OSError, ValueError) as error:
         raise UnreadableError(f"cannot be read as points x, y, z: {error}") from None
     if points.shape[1] != 3 or len(points) < 4:
         raise UnreadableError(

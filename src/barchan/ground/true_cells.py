@@ -9,6 +9,8 @@ from barchan.ground.raster import Place, UnreadableError
 
 _SPHEROID = re.compile(r'SPHEROID\["[^"]*",([0-9.eE+]+),([0-9.eE+]+)')
 
+_UNIT = re.compile(r'UNIT\["[^"]+",([0-9.eE+-]+)')
+
 EARTH = 6_378_137.0
 """Equatorial radius of the Earth (m)."""
 
@@ -64,8 +66,10 @@ def true_cell(place: Place, shape: tuple[int, int]) -> TrueCell:
         (here, east, north), (low, side, high) = transform(place.crs, CRS.from_wkt(_group(text)), xs, ys)
     except (RasterioError, CPLE_BaseError):
         here = east = north = low = side = high = math.inf
-    if not all(map(math.isfinite, (here, east, north, low, side, high))) or abs(low) >= 90:
+    if not all(map(math.isfinite, (here, east, north, low, side, high))):
         raise UnreadableError(f"has coordinates that its reference system does not cover: {x:.9g}, {y:.9g}")
+    turn = math.degrees(_angle(text))
+    here, east, north, low, side, high = (turn * angle for angle in (here, east, north, low, side, high))
     meridian, parallel = _radii(low, radius, flattening)
     along_x = _turn(east - here) * parallel, math.radians(side - low) * meridian
     along_y = _turn(north - here) * parallel, math.radians(high - low) * meridian
@@ -87,6 +91,11 @@ def _group(text: str) -> str:
         if character == "]" and not depth:
             return text[start : start + at + 1]
     raise ValueError("well-known text without an end")
+
+
+def _angle(text: str) -> float:
+    """Radians in the unit of a geographic reference system: a degree, or a grad on some old maps."""
+    return float(_UNIT.findall(_group(text))[-1])
 
 
 def _radii(latitude: float, radius: float, flattening: float) -> tuple[float, float]:

@@ -53,9 +53,8 @@ def measure(data: dict[str, Any], given: AbstractSet[Path]) -> list[Problem]:
 
 def _size(ground: FileGround, cell_size: Any) -> dict[str, Any]:
     """Rows and columns of the ground's file, and its cell size where it has one and none is given."""
-    raster = ground.raster()
-    rows, columns = raster.values.shape
-    place = raster.place
+    outline = ground.outline()
+    (rows, columns), place = outline.shape, outline.place
     if place is None:
         return {"rows": rows, "columns": columns}
     if not isinstance(cell_size, int | float) or not cell_size > 0:
