@@ -17,7 +17,6 @@ from barchan.lattice import Lattice
 from barchan.parameters import parameter
 from barchan.streams import Stream
 
-
 EXACT = 1e-6
 """Relative difference of lengths that rounding in a file explains."""
 
@@ -59,7 +58,7 @@ class FileGround(Terrain, FromFile):
         return {"terrain": "; ".join(said)}
 
     def remarks(self, lattice: Lattice) -> list[str]:
-        """Remarks on cells that are not quite the lattice's, and on maps that do not keep lengths or north."""
+        """Remarks on cells that are not the lattice's, and on lengths and north of the map."""
         file = self._known()
         if file is None or file.place is None:
             return []
