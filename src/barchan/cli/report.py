@@ -30,9 +30,13 @@ def print_facts(simulation: Simulation, random_seed: bool) -> None:
     field = f"{lattice.columns} × {lattice.rows} cells of {lattice.cell_size:g} m"
     seed = f"seed {scenario.run.seed}" + (" (random)" if random_seed else "")
     console.print(f"{field}, slabs of {lattice.thickness:.3g} m, {scenario.run.steps} steps, {seed}")
-    for name, fact in {**scenario.time_facts(), **simulation.model.facts()}.items():
+    for name, fact in {
+        **scenario.ground_facts(),
+        **scenario.time_facts(),
+        **simulation.model.facts(),
+    }.items():
         console.print(f"{name}: {fact}")
-    for remark in scenario.remarks():
+    for remark in scenario.remarks(simulation.bed.ground):
         print_note(remark)
 
 
