@@ -3,7 +3,8 @@
 import numpy as np
 
 import barchan
-from barchan.analysis.time_series import MEASURES, measured_frames
+from barchan.analysis.declared_measures import MEASURES
+from barchan.analysis.time_series import measured_frames
 from barchan.measures.migration import Migration
 from barchan.measures.orientation import Orientation
 from barchan.measures.slopes import Slopes

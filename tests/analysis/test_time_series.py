@@ -5,7 +5,8 @@ import math
 import numpy as np
 import pytest
 
-from barchan.analysis.time_series import MEASURES, PER_YEAR, last_measures, measure_series, measured_frames
+from barchan.analysis.declared_measures import MEASURES, PER_YEAR
+from barchan.analysis.time_series import last_measures, measure_series, measured_frames
 from barchan.entry import simulate
 from barchan.measures import crest_orientation, dominant_spacing, migration, streamwise_slopes
 from barchan.models import models

@@ -6,7 +6,7 @@ import sys
 import pytest
 from PIL import Image
 
-from barchan.analysis.time_series import MEASURES
+from barchan.analysis.declared_measures import MEASURES
 from barchan.archive import open_run, run_info
 from barchan.entry import load
 from barchan.scenario import load_scenario

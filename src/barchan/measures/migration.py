@@ -1,6 +1,7 @@
 """How fast, and which way, bedforms travel."""
 
 from collections.abc import Sequence
+from itertools import pairwise
 from dataclasses import dataclass
 
 import numpy as np
@@ -53,34 +54,34 @@ def migration(
     width: float = 2.0,
     lags: int = 4,
     cycle: float = 0.0,
+    path: Field | None = None,
 ) -> Migration:
     """Migration from surfaces (any unit) at several steps, to a fraction of a cell.
 
     Displacements are the peaks of the cross-correlations of the last surface with up to ``lags`` earlier
-    ones, without their common trend towards open edges and smoothed over ``width`` cells; cells that are NaN are left
-    out. Each lag's peak is sought near where the shorter lags point, so that crests are not mistaken for
-    their neighbours; displacement against time is fitted by least squares through the origin. The shortest
-    lag must be shorter than half a spacing over the speed.
+    ones, without their common trend towards open edges and smoothed over ``width`` cells; cells that are NaN
+    are left out. Each lag's peak is sought near where the shorter lags point, so that crests are not mistaken
+    for their neighbours; displacement against time is fitted by least squares through the origin. The
+    shortest lag must be shorter than half a spacing over the speed.
 
     Where the wind repeats itself every ``cycle`` steps, only surfaces whole cycles earlier are compared (to
     5 % of a cycle): dunes that swing to and fro are where they were after each. The surfaces in between lead
-    to where the peaks are sought; give them all.
+    to where the peaks are sought; give them all, or the ``path`` that ``followed`` finds in them.
 
     NaN where the bed has no relief, where no surface is earlier by whole cycles, and where the surfaces'
     correlation is below 0.5: such surfaces are not the same one moved. Ground that stands still holds the
     peaks back: give the surface of the bedforms (``bedform_surface``).
     """
-    kept = len(surfaces) if cycle else lags + 1
-    times = np.asarray(steps[-kept:], float)
-    raw = [np.asarray(surface, float) for surface in surfaces[-kept:]]
-    if len(raw) < 2 or not all(map(has_relief, raw)):
+    used = whole_cycles(np.asarray(steps, float), cycle, lags)
+    compared = [np.asarray(surfaces[number], float) for number in (*used, -1)] if used else []
+    if not compared or not all(map(has_relief, compared)):
         return NOWHERE
-    fields = [smoothed(field, width, periodic) for field in without_common_trend(raw, periodic)]
-    used = whole_cycles(times, cycle, lags)
-    if not used:
-        return NOWHERE
-    path = followed(fields, periodic) if cycle else None
-    return fitted(times, fields, used, path, periodic)
+    if path is None and cycle:
+        path = followed(surfaces, periodic, width)
+    before = [step - steps[-1] for step in (steps[number] for number in used)]
+    guesses = None if path is None else [path[-1] - path[number] for number in used]
+    fields = [smoothed(field, width, periodic) for field in without_common_trend(compared, periodic)]
+    return _fitted(-np.asarray(before, float), fields, guesses, periodic)
 
 
 def has_relief(surface: Field) -> bool:
@@ -113,32 +114,41 @@ def whole_cycles(times: Field, cycle: float, lags: int) -> list[int]:
     return [best[whole][1] for whole in sorted(best)][:lags]
 
 
-def followed(fields: Sequence[Field], periodic: Periodic) -> Field:
-    """Displacements (rows, columns) since the first of several surfaces, from each to the next."""
-    pairs = zip(fields[:-1], fields[1:], strict=True)
-    moved = [displacement(before, after, None, periodic)[0] for before, after in pairs]
-    return np.concatenate([np.zeros((1, 2)), np.cumsum(moved, axis=0)])
+def followed(surfaces: Sequence[NDArray], periodic: Periodic, width: float = 2.0) -> Field:
+    """Displacements (rows, columns) since the first of several surfaces, each found from the one before."""
+    steps = [np.zeros(2), *(moved(before, after, periodic, width) for before, after in pairwise(surfaces))]
+    return np.cumsum(steps, axis=0)
 
 
-def fitted(
-    times: Field, fields: Sequence[Field], used: Sequence[int], path: Field | None, periodic: Periodic
+def moved(before: NDArray, after: NDArray, periodic: Periodic, width: float = 2.0) -> Field:
+    """Displacement (rows, columns) from one surface to the next; 0 where they do not correlate."""
+    pair = [np.asarray(before, float), np.asarray(after, float)]
+    if not all(map(has_relief, pair)):
+        return np.zeros(2)
+    fields = [smoothed(field, width, periodic) for field in without_common_trend(pair, periodic)]
+    shift, alike = displacement(fields[0], fields[1], None, periodic)
+    return shift if alike >= LEAST_CORRELATION else np.zeros(2)
+
+
+def _fitted(
+    elapsed: Field, fields: Sequence[Field], guesses: Sequence[Field] | None, periodic: Periodic
 ) -> Migration:
-    """The least-squares velocity of the last of some surfaces since each of those ``used``.
+    """The least-squares velocity of the last of some fields since each of the others.
 
-    Peaks are sought where a ``path`` (see ``followed``) leads, or else where shorter lags point.
+    Peaks are sought near the ``guesses``, or without them where shorter lags point. A lag that does not
+    correlate ends the search.
     """
     velocity, moments, square, correlation = np.zeros(2), np.zeros(2), 0.0, float("nan")
-    for number in used:
-        elapsed = times[-1] - times[number]
-        guess = velocity * elapsed if square else None
-        if path is not None:
-            guess = path[-1] - path[number]
-        shift, alike = displacement(fields[number], fields[-1], guess, periodic)
+    for number, (time, before) in enumerate(zip(elapsed, fields[:-1], strict=True)):
+        guess = velocity * time if square else None
+        if guesses is not None:
+            guess = guesses[number]
+        shift, alike = displacement(before, fields[-1], guess, periodic)
         if alike < LEAST_CORRELATION:
-            correlation = alike if not square else correlation
+            correlation = correlation if square else alike
             break
         correlation = alike
-        moments, square = moments + shift * elapsed, square + elapsed**2
+        moments, square = moments + shift * time, square + time**2
         velocity = moments / square
     if not square:
         return Migration(float("nan"), float("nan"), correlation)

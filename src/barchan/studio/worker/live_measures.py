@@ -3,7 +3,8 @@
 import math
 from typing import Any
 
-from barchan.analysis.time_series import FrameMeasurer, measures_of
+from barchan.analysis.declared_measures import measures_of
+from barchan.analysis.frame_measurer import FrameMeasurer
 from barchan.simulation import Simulation
 from barchan.studio.worker.time_budget import TimeBudget
 
@@ -63,7 +64,7 @@ def _row(simulation: Simulation, measurer: FrameMeasurer) -> dict[str, Any]:
     frame = measurer.measured(
         simulation.steps_done,
         simulation.bed,
-        simulation.elevation,
+        simulation.forcing,
         simulation.wind_direction,
         (tally.travel_x, tally.travel_y),
         lambda: (simulation.model, simulation.bed, simulation.last_segment),
