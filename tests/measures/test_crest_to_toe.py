@@ -14,7 +14,7 @@ BOUNDARIES = pytest.mark.parametrize("periodic", [(True, True), (False, False), 
 @BOUNDARIES
 @pytest.mark.parametrize("wave", [(4, 0), (0, 3), (5, 3), (-4, 2)])
 def test_waves_are_twice_as_high_as_their_amplitude(wave, periodic):
-    """Looks a cell apart, and linear values between cells, each miss (2 pi / wavelength)² / 8 of it at most."""
+    """Looks a cell apart and linear values between cells miss (2 pi / wavelength)² / 8 each at most."""
     height = crest_to_toe_height(3.0 * sine(*wave), wind_along(*wave), periodic, width=0.0)
     assert 6.0 * (1 - (2 * math.pi / wavelength(*wave)) ** 2 / 4) - 1e-9 <= height <= 6.0 + 1e-9
 

@@ -51,7 +51,7 @@ FROM_NORTH = "clockwise from north"
 MEASURES = (
     Measure("highest", "highest stack", "m", lambda m: float(m.bed.depth.max())),
     Measure("highest_stack", "highest stack", "slabs", lambda m: highest_stack(m.bed.stack), row="highest"),
-    Measure("bare_fraction", "bare ground", "-", lambda m: bare_fraction(m.bed.stack)),
+    Measure("bare_fraction", "bare ground", "fraction", lambda m: bare_fraction(m.bed.stack)),
     Measure("spacing", "dominant spacing", "m", lambda m: m.spacing, doubts.of_spacing),
     Measure("dune_height", "height, crest to toe", "m", lambda m: m.dune_height, doubts.of_height),
     Measure("bedform_height", "bedform height", "m", lambda m: m.bedform_height, doubts.of_relief),
