@@ -100,7 +100,8 @@ def of_migration(frame: MeasuredFrame) -> str:
     moved = frame.migration.speed * frame.span * frame.cell_size
     if moved > STEP * frame.spacing and frame.span == frame.steps:
         return f"bedforms moved {moved / frame.spacing:.1f} spacings between frames; save frames more often"
-    return of_relief(frame) or _of_wind(frame)
+    held = "sand that rocks hold stands still and counts" if np.isnan(frame.surface).any() else ""
+    return of_relief(frame) or held or _of_wind(frame)
 
 
 def of_flux(frame: MeasuredFrame) -> str:

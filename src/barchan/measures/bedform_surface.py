@@ -23,9 +23,10 @@ def bedform_surface(
 
     On level ground it is the elevation. On uneven ground it is the depth of the sand where that varies no
     more than the elevation does, from one cell with sand to another: sand that drapes the ground. Where the
-    elevation varies less, the sand has filled the ground's hollows, and it is the elevation. Rock is NaN: cells
-    without sand that rise more steeply than 15 degrees from the nearest sand, and all of a bare body most of
-    whose cells do; so are cells of unknown ground.
+    elevation varies less, the sand has filled the ground's hollows, and it is the elevation.
+
+    Rock is NaN: cells without sand that rise more steeply than 15 degrees from the nearest sand, and all of a
+    bare body most of whose cells do. So are cells of unknown ground.
     """
     level, height = np.asarray(ground, float), np.asarray(depth, float)
     if is_level(level):

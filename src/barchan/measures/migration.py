@@ -1,8 +1,8 @@
 """How fast, and which way, bedforms travel."""
 
 from collections.abc import Sequence
-from itertools import pairwise
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray

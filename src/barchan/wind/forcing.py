@@ -28,7 +28,7 @@ class Blows(Protocol):
         ...
 
     def period(self, step: int, clock: StepClock, /) -> float:
-        """Steps after which the wind of ``step`` repeats itself: 0 if it stays the same, infinite if never."""
+        """Steps after which the wind of ``step`` comes again: 0 if it stays the same, infinite if never."""
         ...
 
 

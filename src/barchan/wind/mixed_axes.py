@@ -80,7 +80,7 @@ class MixedAxes(Parameters):
         ]
 
     def period(self, _step: int, _clock: StepClock) -> float:
-        """Steps after which the wind repeats itself: 0, as every step is the same."""
+        """Steps after which the wind comes again: 0, as every step is the same."""
         return 0.0
 
     def placed_parts(self) -> list[tuple[tuple[str | int, ...], Blowing]]:

@@ -90,7 +90,7 @@ class Recorded(Parameters):
         return max(int((edges[row] - start) / clock.seconds() + _ROUNDING), 1)
 
     def period(self, _step: int, clock: StepClock) -> float:
-        """Steps after which the wind repeats itself: 0 if within a step, infinite if never."""
+        """Steps after which the wind comes again: 0 if within a step, infinite if never."""
         if not self.repeat:
             return math.inf
         cycle = float(self._series.ends[-1]) / clock.seconds()

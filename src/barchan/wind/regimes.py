@@ -131,10 +131,11 @@ class Regimes(Parameters):
         return math.fsum(regime.duration(clock) for regime in self.regimes)
 
     def period(self, step: int, clock: StepClock) -> float:
-        """Steps after which the wind repeats itself: 0 if within a step or all are done, infinite if never."""
+        """Steps after which the wind comes again: 0 if within a step or all are done, infinite if never."""
         cycle = self.cycle(clock)
         if self.repeat:
-            return 0.0 if cycle < 1.0 or len(self.regimes) == 1 and not self.regimes[0].changes else cycle
+            same = len(self.regimes) == 1 and not self.regimes[0].changes
+            return 0.0 if same or cycle < 1.0 else cycle
         return 0.0 if step >= cycle else math.inf
 
     def lasts(self, step: int, clock: StepClock) -> int:

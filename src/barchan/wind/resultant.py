@@ -13,10 +13,11 @@ CANCELS = 0.02
 def resultant_direction(forcing: Forcing, step: int, usual_hop: float = 1.0) -> float:
     """Direction (degrees) that the mean transport of a whole cycle of the wind comes from.
 
-    The cycle is that of the wind of ``step``. Of a wind that never repeats itself it is the mean until the end
-    of that step; of one that stays the same, or repeats itself within a step, that of the step. Transport is
-    in proportion to the polls and the hop length of each wind (``usual_hop``, in cells, where it states
-    none); random deviations from its direction are left out. NaN where no sand moves, or where the winds cancel to less than 2 % of the transport.
+    The cycle is that of the wind of ``step``. Of a wind that never comes again it is the mean until the end
+    of that step; of one that stays the same, or comes again within a step, that of the step. Transport is in
+    proportion to the polls and the hop length of each wind (``usual_hop``, in cells, where it states none);
+    random deviations from its direction are left out. NaN where no sand moves, or where the winds cancel to
+    less than 2 % of the transport.
     """
     period = forcing.wind.period(step, forcing.clock)
     whole = replace(forcing, clock=replace(forcing.clock, deviates=False))
