@@ -46,6 +46,26 @@ class Value:
     """Why it should not be quoted; empty where all is well."""
 
 
+def _ratio(value: float, over: float) -> float:
+    return value / over if over else math.nan
+
+
+def _towards(frame: MeasuredFrame) -> float:
+    """Direction (degrees) that bedforms move towards; NaN where they stand still."""
+    x, y = frame.migration.x, frame.migration.y
+    return math.degrees(math.atan2(x, y)) % 360.0 if math.hypot(x, y) > 0.0 else math.nan
+
+
+def _flux(frame: MeasuredFrame) -> float:
+    lattice = frame.scenario.lattice
+    travel = math.hypot(*frame.travel)
+    return flux(travel, lattice.cells, frame.steps, lattice.thickness, lattice.cell_size)
+
+
+def _per_year(frame: MeasuredFrame, per_step: float) -> float:
+    return per_step * YEAR / (frame.scenario.step_seconds or math.nan)
+
+
 FROM_NORTH = "clockwise from north"
 
 MEASURES = (
@@ -79,7 +99,7 @@ MEASURES = (
         "migration_direction",
         "migration towards",
         "degrees",
-        lambda m: _towards(m),
+        _towards,
         doubts.of_migration,
         FROM_NORTH,
     ),
@@ -96,7 +116,7 @@ MEASURES = (
         doubts.of_resultant,
         FROM_NORTH,
     ),
-    Measure("flux", "net flux", "m²/step", lambda m: _flux(m), doubts.of_flux),
+    Measure("flux", "net flux", "m²/step", _flux, doubts.of_flux),
     Measure("volume", "volume", "m³", lambda m: m.bed.volume),
 )
 """Every measure of any frame, in the order in which tables show them."""
@@ -133,23 +153,3 @@ def in_rows(values: list[Value]) -> list[list[Value]]:
 
 def _own(own: ModelMeasure) -> Measure:
     return Measure(own.name, own.title, own.unit, lambda m: float(own.compute(*m.modelled())))
-
-
-def _ratio(value: float, over: float) -> float:
-    return value / over if over else math.nan
-
-
-def _towards(frame: MeasuredFrame) -> float:
-    """Direction (degrees) that bedforms move towards; NaN where they stand still."""
-    x, y = frame.migration.x, frame.migration.y
-    return math.degrees(math.atan2(x, y)) % 360.0 if math.hypot(x, y) > 0.0 else math.nan
-
-
-def _flux(frame: MeasuredFrame) -> float:
-    lattice = frame.scenario.lattice
-    travel = math.hypot(*frame.travel)
-    return flux(travel, lattice.cells, frame.steps, lattice.thickness, lattice.cell_size)
-
-
-def _per_year(frame: MeasuredFrame, per_step: float) -> float:
-    return per_step * YEAR / (frame.scenario.step_seconds or math.nan)

@@ -30,7 +30,7 @@ class _Kept:
     surface: NDArray[np.float64]
     travelled: NDArray[np.float64]
     path: NDArray[np.float64]
-    """Displacement (rows, columns) of the bedforms since some earlier frame; followed only where it is needed."""
+    """Displacement (rows, columns) of the bedforms since some earlier frame; followed under winds in turn."""
 
 
 class FrameMeasurer:
@@ -77,7 +77,7 @@ class FrameMeasurer:
         travelled: Sequence[float],
         modelled: Callable[[], tuple[Model, Bed, Segment]],
     ) -> MeasuredFrame:
-        """The next frame of the run, after ``step`` steps of which the last was under the wind of ``forcing``.
+        """The next frame of the run, after ``step`` steps, the last of them under the wind of ``forcing``.
 
         ``direction`` (degrees) is where the wind of that step came from.
         """

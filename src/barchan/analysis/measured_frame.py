@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from barchan.bed import Bed
 from barchan.directions import downwind
-from barchan.measures.bedform_surface import bedform_surface, is_level
+from barchan.measures.bedform_surface import is_level
 from barchan.measures.crest_to_toe import crest_to_toe_height
 from barchan.measures.migration import Migration
 from barchan.measures.orientation import Orientation, crest_orientation
@@ -23,7 +23,7 @@ from barchan.scenario import Scenario
 from barchan.wind.segment import Segment
 
 WindChoice = Literal["resultant", "last"]
-"""The wind that windward, lee and downwind refer to: the mean transport of a whole cycle, or the last step's."""
+"""The wind that windward, lee and downwind refer to: that of a whole cycle's transport, or the last one."""
 
 STRAIGHT = 0.2
 """Straightness from which on crests have a common direction; ours."""

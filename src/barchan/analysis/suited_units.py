@@ -2,7 +2,7 @@
 
 import math
 
-from barchan.wind.clock import DAY, YEAR
+from barchan.wind.clock import YEAR
 
 _MINUTE = 60.0
 
