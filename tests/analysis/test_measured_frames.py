@@ -23,6 +23,11 @@ def waves(moved=0.0, m=8, n=4, height=8.0):
     return 20.0 + height * np.sin(2 * np.pi * (m * (east - moved) / COLUMNS + n * north / ROWS))
 
 
+def bedforms(moved=0.0):
+    """Slabs of crests that are not straight, so that it shows which way they move, moved east."""
+    return 20.0 + sum(waves(moved, *wave) - 20.0 for wave in ((8, 1), (6, -3), (5, 2))) / 2
+
+
 def scenario_of(**changes):
     return tiny(lattice__rows=ROWS, lattice__columns=COLUMNS, **changes)
 
@@ -49,11 +54,11 @@ def last(scenario, run, name, **options):
 
 @pytest.mark.parametrize("height", [0.0, 6.0])
 def test_waves_that_move_a_cell_in_four_steps_do_so_between_rocks_too(height):
-    """Waves of 16 and of 13 slabs go over level ground and over rocks, where sand lies on the rocks too."""
+    """They go over level ground and over rocks, on which sand lies too."""
     ground = np.zeros((ROWS, COLUMNS))
     ground[10:20, 30:50] = ground[40:50, 80:90] = height
     scenario = scenario_of(ground={"kind": "three_rocks"})
-    slabs = [np.roll(np.rint(waves()), k, axis=1) for k in range(6)]
+    slabs = [np.roll(np.rint(bedforms()), k, axis=1) for k in range(6)]
     measured = measure_series(run_of(scenario, slabs, range(0, 24, 4), ground), scenario)
     assert math.isnan(measured["speed_cells"][0])
     np.testing.assert_allclose(measured["speed_cells"][1:], 0.25, atol=1e-9)
@@ -65,7 +70,7 @@ def test_dunes_that_swing_in_place_do_not_migrate(net):
     steps = np.arange(0, 81, 5)
     swing = 5.0 * np.abs((steps / 10.0 + 1) % 2 - 1)
     scenario = scenario_of(wind=SEASONS)
-    slabs = [waves(net * step / 20 + s) for step, s in zip(steps, swing, strict=True)]
+    slabs = [bedforms(net * step / 20 + s) for step, s in zip(steps, swing, strict=True)]
     run = run_of(scenario, slabs, steps)
     frames = list(measured_frames(run, scenario))
     for frame, step in zip(frames, steps, strict=True):
@@ -77,10 +82,10 @@ def test_dunes_that_swing_in_place_do_not_migrate(net):
 
 
 def test_a_net_shift_longer_than_the_spacing_is_followed_through_the_cycle():
-    """12 cells in the first season, 8 back in none: 20 a cycle, where waves stand 16 apart."""
+    """Waves that stand 16 cells and more apart go 20 cells in a cycle."""
     steps = np.arange(0, 61, 2)
     scenario = scenario_of(wind=SEASONS)
-    run = run_of(scenario, [waves(step * 1.0) for step in steps], steps)
+    run = run_of(scenario, [bedforms(step * 1.0) for step in steps], steps)
     (frame,) = measured_frames(run, scenario, len(steps) - 1)
     assert (frame.migration.x, frame.migration.y) == pytest.approx((1.0, 0.0), abs=0.02)
 
@@ -88,7 +93,7 @@ def test_a_net_shift_longer_than_the_spacing_is_followed_through_the_cycle():
 def test_frames_that_never_fall_on_whole_cycles_have_no_migration():
     scenario = scenario_of(wind=SEASONS)
     steps = [0, 13, 27, 46, 55]
-    value, doubt = last(scenario, run_of(scenario, [waves(k) for k in range(5)], steps), "speed")
+    value, doubt = last(scenario, run_of(scenario, [bedforms(k) for k in range(5)], steps), "speed")
     assert math.isnan(value)
     assert doubt == "no frame is whole cycles of the wind (20 steps) earlier"
 

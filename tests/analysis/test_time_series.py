@@ -57,7 +57,7 @@ def test_shape_measures_are_those_of_each_surface(dataset, measured):
         joined = (False, True)
         orientation = crest_orientation(surface, 3.0, joined)
         normal = orientation.azimuth + 90.0
-        across = normal if 180.0 <= normal % 360.0 else normal + 180.0
+        across = normal if normal % 360.0 >= 180.0 else normal + 180.0
         if not orientation.coherence >= 0.2:
             across = 270.0
         slopes = streamwise_slopes(surface, 3.0, across, joined)

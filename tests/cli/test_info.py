@@ -9,8 +9,8 @@ import pytest
 from barchan.analysis.declared_measures import in_rows
 from barchan.analysis.time_series import last_values
 from barchan.archive import Archive, open_run
-from barchan.simulation import Simulation
 from barchan.entry import load
+from barchan.simulation import Simulation
 from tests.tiny import tiny
 
 
@@ -131,4 +131,4 @@ def test_a_run_without_frames_has_no_measures_in_json_and_csv(here, barchan):
 
 def test_windward_may_refer_to_the_last_wind(finished, barchan):
     assert barchan("info", finished, "--wind", "last").code == 0
-    assert barchan("info", finished, "--wind", "first").code == 1
+    assert barchan("info", finished, "--wind", "first").code != 0

@@ -11,6 +11,9 @@ from barchan.measures.migration import LEAST_CORRELATION
 SLABS = 2.0
 """Bedforms lower than this number of slabs are roughness; ours."""
 
+ROUNDING = 1e-6
+"""Relief below this number of slabs is rounding."""
+
 CELLS = 6.0
 """Bedforms closer than this number of cells are shaped by the lattice; ours."""
 
@@ -34,9 +37,9 @@ def none(_frame: MeasuredFrame) -> str:
 
 def of_relief(frame: MeasuredFrame) -> str:
     """Of any measure of the bedforms' shape."""
-    if not frame.bedform_height > 0.0:
-        return "no relief"
     slabs = frame.bedform_height / frame.scenario.lattice.thickness
+    if not slabs > ROUNDING:
+        return "no relief"
     if slabs < SLABS:
         return f"relief of {slabs:.1f} slabs is roughness"
     ground, sandy = frame.bed.ground, frame.bed.stack > 0

@@ -27,7 +27,7 @@ LADDERS: dict[str, tuple[tuple[str, float, float], ...]] = {
     "degrees": (("°", 1.0, 0.0),),
     "fraction": (("%", 1e-2, 0.0),),
 }
-"""For a unit, the units that a value is shown in, the largest first: their size, and the least value shown."""
+"""For a unit, the units that values are shown in, the largest first: size, and least value shown in each."""
 
 
 def suited(value: float, unit: str) -> tuple[float, str]:
