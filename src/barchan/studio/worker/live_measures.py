@@ -59,7 +59,10 @@ class LiveMeasures:
 
 
 def _row(simulation: Simulation, measurer: FrameMeasurer) -> dict[str, Any]:
-    """The measures of a simulation as it is now, by name; None where one has no value."""
+    """The measures of a simulation as it is now, by name, and why some should not be quoted.
+
+    None stands where one has no value.
+    """
     tally = simulation.tally
     frame = measurer.measured(
         simulation.steps_done,
@@ -69,13 +72,17 @@ def _row(simulation: Simulation, measurer: FrameMeasurer) -> dict[str, Any]:
         (tally.travel_x, tally.travel_y),
         lambda: (simulation.model, simulation.bed, simulation.last_segment),
     )
-    values = {measure.name: measure.compute(frame) for measure in measures_of(simulation.scenario)}
+    found = [measure.of(frame) for measure in measures_of(simulation.scenario)]
     return {
         "step": simulation.steps_done,
-        **{name: float(value) if math.isfinite(value) else None for name, value in values.items()},
+        "values": {v.measure.name: v.value if math.isfinite(v.value) else None for v in found},
+        "doubts": {v.measure.name: v.doubt for v in found if v.doubt},
     }
 
 
 def declared_measures(simulation: Simulation) -> list[dict[str, str]]:
-    """Name, title and unit of every measure."""
-    return [{"name": m.name, "title": m.title, "unit": m.unit} for m in measures_of(simulation.scenario)]
+    """Name, title and unit of every measure, and what an angle is counted from."""
+    return [
+        {"name": m.name, "title": m.title, "unit": m.unit, "reference": m.reference}
+        for m in measures_of(simulation.scenario)
+    ]
