@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from barchan.analysis.measured_frame import MeasuredFrame, WindChoice
 from barchan.bed import Bed
 from barchan.measures.bedform_surface import bedform_surface
-from barchan.measures.migration import NOWHERE, Migration, migration, moved, whole_cycles
+from barchan.measures.migration import NOWHERE, WHOLE, Migration, migration, moved, whole_cycles
 from barchan.models import Model
 from barchan.scenario import Scenario
 from barchan.wind.forcing import Blows, Forcing
@@ -64,7 +64,7 @@ class FrameMeasurer:
             before = self._recent[-1]
             path = before.path + moved(before.surface, surface, lattice.periodic)
         self._recent.append(_Kept(step, surface, np.asarray(travelled, float), path))
-        least = step - LAGS * cycle - 1 if swings else -math.inf
+        least = step - (LAGS + WHOLE) * cycle if swings else -math.inf
         most = MOST_KEPT if swings else LAGS + 1
         self._recent = [frame for frame in self._recent[-most:] if frame.step >= least]
 
