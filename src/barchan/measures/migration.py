@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from itertools import pairwise
+from itertools import pairwise, takewhile
 
 import numpy as np
 from numpy.typing import NDArray
@@ -68,14 +68,16 @@ def migration(
     5 % of a cycle): dunes that swing to and fro are where they were after each. The surfaces in between lead
     to where the peaks are sought; give them all, or the ``path`` that ``followed`` finds in them.
 
-    NaN where the bed has no relief, where no surface is earlier by whole cycles, and where the surfaces'
-    correlation is below 0.5: such surfaces are not the same one moved. Ground that stands still holds the
-    peaks back: give the surface of the bedforms (``bedform_surface``).
+    Surfaces are compared back to the last flat one. NaN where the bed has no relief, where no surface is
+    earlier by whole cycles, and where the surfaces' correlation is below 0.5: such surfaces are not the same
+    one moved. Ground that stands still holds the peaks back: give the surface of the bedforms
+    (``bedform_surface``).
     """
-    used = whole_cycles(np.asarray(steps, float), cycle, lags)
-    compared = [np.asarray(surfaces[number], float) for number in (*used, -1)] if used else []
-    if not compared or not all(map(has_relief, compared)):
+    earlier = whole_cycles(np.asarray(steps, float), cycle, lags)
+    used = list(takewhile(lambda number: has_relief(surfaces[number]), earlier))
+    if not used or not has_relief(surfaces[-1]):
         return NOWHERE
+    compared = [np.asarray(surfaces[number], float) for number in (*used, -1)]
     if path is None and cycle:
         path = followed(surfaces, periodic, width)
     before = [step - steps[-1] for step in (steps[number] for number in used)]
@@ -84,7 +86,7 @@ def migration(
     return _fitted(-np.asarray(before, float), fields, guesses, periodic)
 
 
-def has_relief(surface: Field) -> bool:
+def has_relief(surface: NDArray) -> bool:
     """Whether a surface is not flat."""
     known = surface[np.isfinite(surface)]
     return bool(known.size and np.ptp(known) > 0)
