@@ -189,6 +189,18 @@ def test_a_live_parameter_changes_at_once_and_another_restarts(studio):
     assert studio.ask("window.barchan.app.runs[0].description.scenario.model.hop_length") == 3
 
 
+def test_the_page_names_the_material_that_the_model_declares(studio):
+    studio.step_beyond(0)
+    studio.pause()
+    studio.ask("window.barchan.app.runs[0].description.materials.werner = 'snow'")
+    studio.ask("window.barchan.app.described.send(window.barchan.app.runs[0])")
+    studio.ask("window.barchan.app.changed.send()")
+    page = studio.page
+    assert page.locator("summary", has_text="Snow at the start").count() == 1
+    assert page.locator("[data-look=field] option").first.inner_text() == "snow, as it looks"
+    assert page.locator("[data-status=volume]").locator("xpath=preceding-sibling::dt").inner_text() == "snow"
+
+
 def test_a_wrong_value_is_told_beside_its_row(studio):
     box = studio.page.locator("[data-path='model.p_s']")
     box.fill("5")

@@ -62,7 +62,7 @@ export interface Description {
   lattice: Lattice;
   model: { name: string; title: string; citation: string };
   models: Record<string, string>;
-  /** What each model is made for, by its name: sand, for instance. */
+  /** The material that each model moves, by the model's name: sand, for instance. */
   materials: Record<string, string>;
   fields: Field[];
   layers: { field: string; title: string; colours: string }[];

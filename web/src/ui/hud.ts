@@ -75,7 +75,7 @@ export class Hud {
     const extra = named && colouring ? ` · ${named.meaning} ${colouring.choice ? (colouring.values[at]! > 0.5 ? "yes" : "no") : short(colouring.values[at])} ${colouring.unit}` : "";
     this.under.textContent =
       `x ${short(place.x)} m, y ${short(place.y)} m · elevation ${metres(run.surface[at])} · ` +
-      `slope ${slope.toFixed(1)}° · sand ${metres(run.depth[at])}${extra}`;
+      `slope ${slope.toFixed(1)}° · ${run.material} ${metres(run.depth[at])}${extra}`;
   }
 
   private notify(): void {

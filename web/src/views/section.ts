@@ -8,7 +8,7 @@ import type { Stage } from "../scene/stage";
 import { button, download, fitCanvas, h, lengthUnit, metres, short, themeColour, ticks } from "../ui/dom";
 
 const MARGIN = { left: 54, right: 14, top: 12, bottom: 30 };
-/** Sand deeper than this multiple of its relief is not shown down to the ground. */
+/** A layer deeper than this multiple of its relief is not shown down to the ground. */
 const DEEP = 3;
 
 export class SectionView {
@@ -123,7 +123,7 @@ export class SectionView {
       c.fill();
     };
     if (p.shadow) this.shadows(c, p, x, y(high), y(low));
-    area(p.surface, themeColour("sand"));
+    area(p.surface, themeColour("loose"));
     area(p.ground, themeColour("rock"));
     this.crest(c, p, x, y, run.description!.repose);
     this.legend(c, width, p.shadow !== null, run.description!.repose);
@@ -173,7 +173,7 @@ export class SectionView {
     });
   }
 
-  /** The surface's line, marked where it is about as steep as sand can stand. */
+  /** The surface's line, marked where it is about as steep as the material can stand. */
   private crest(c: CanvasRenderingContext2D, p: Profile, x: (d: number) => number, y: (z: number) => number, repose: number | null): void {
     c.lineWidth = 1.4;
     c.lineJoin = "round";
@@ -239,6 +239,6 @@ export class SectionView {
     const lee = p.shadow && p.shadow[i]! > 0.5 ? ", in shadow" : "";
     this.readout.textContent =
       `${short(p.distance[i])} m: elevation ${metres(p.surface[i])}, ` +
-      `sand ${metres(p.surface[i]! - p.ground[i]!)}, slope ${p.slope[i]!.toFixed(1)}°${lee}`;
+      `${run.material} ${metres(p.surface[i]! - p.ground[i]!)}, slope ${p.slope[i]!.toFixed(1)}°${lee}`;
   }
 }
