@@ -118,10 +118,7 @@ def test_a_calm_moves_nothing_and_time_passes():
         "steps": 2,
         "speed": 1.0,
         "final_speed": 0.5,
-        "speed_ramp": {
-            "kind": "points",
-            "points": [{"time": 0.01, "value": 9.0}, {"time": 0.99, "value": 9.0}],
-        },
+        "speed_ramp": {"kind": "points", "points": points},
     }
     simulation = Simulation(tiny(wind={"kind": "regimes", "regimes": [fade]}))
     assert simulation.advance(4).moved == 0
