@@ -144,12 +144,12 @@ def test_bits_of_several_sizes_do_not_depend_on_how_a_run_is_cut():
 
 
 def test_grains_of_one_class_are_those_of_sand_that_is_all_alike():
-    alike = Simulation(barchan.load(SMALL))
+    uniform = Simulation(barchan.load(SMALL))
     one = sorted_sand([{"diameter": FINE, "share": 1.0}])
-    for simulation in (alike, one):
+    for simulation in (uniform, one):
         simulation.advance(40)
-    assert one.model.pool.flying == pytest.approx(alike.model.pool.flying, rel=0.15)
-    assert one.tally.moved == pytest.approx(alike.tally.moved, rel=0.15)
+    assert one.model.pool.flying == pytest.approx(uniform.model.pool.flying, rel=0.15)
+    assert one.tally.moved == pytest.approx(uniform.tally.moved, rel=0.15)
 
 
 def test_what_is_too_heavy_to_fly_creeps_downwind_and_never_flies():

@@ -35,7 +35,7 @@ def looks_until_steady(condition, surfaces):
 
 
 def drifting(speeds, height=1.0):
-    """Waves that move on by so many cells from look to look, over random relief that moves with them."""
+    """Waves that move on by a number of cells from look to look, over random relief that moves with them."""
     place = 0.0
     for speed in speeds:
         place += speed

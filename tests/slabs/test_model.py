@@ -1,4 +1,4 @@
-"""What a slab model tells its user about a choice of parameters."""
+"""The facts and remarks of a slab model about a choice of parameters."""
 
 import pytest
 

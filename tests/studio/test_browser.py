@@ -124,7 +124,7 @@ def server(tmp_path_factory):
 
 @pytest.fixture
 def studio(chromium, server):
-    """A fresh page that begins the same small field anew."""
+    """A fresh page that restarts the same small field."""
     process, address, folder = server
     page = chromium.new_page(viewport={"width": 1000, "height": 640})
     studio = Studio(page, process, folder)
@@ -201,7 +201,7 @@ def test_the_page_names_the_material_that_the_model_declares(studio):
     assert page.locator("[data-status=volume]").locator("xpath=preceding-sibling::dt").inner_text() == "snow"
 
 
-def test_a_wrong_value_is_told_beside_its_row(studio):
+def test_a_wrong_value_is_reported_beside_its_row(studio):
     box = studio.page.locator("[data-path='model.p_s']")
     box.fill("5")
     box.press("Enter")

@@ -103,7 +103,7 @@ class GrainFlight(GrainInAir):
         group="bed",
         meaning="A grain takes one parcel along, from the stack below it, or sixteen, from a patch: four "
         "from that stack, two from each neighbour at its faces, one from those at its corners; it lays them "
-        "down alike.",
+        "down in the same way.",
         source="stack: Szabó 2019, §5.1.2, the nearest vertex; patch: ours, for sand of many grains does not "
         "start and land as one",
     )

@@ -1,4 +1,4 @@
-"""What ends a run before its last step: the conditions of ``run.until``, looked at between steps."""
+"""The conditions of ``run.until``, which end a run before its last step; they are checked between steps."""
 
 from typing import TYPE_CHECKING, Any, Protocol
 
@@ -23,11 +23,11 @@ class StopCondition(Protocol):
         ...
 
     def state(self) -> dict[str, Any]:
-        """What was seen so far: arrays, and what JSON can hold."""
+        """The observations up to now: arrays, and values that JSON can hold."""
         ...
 
     def restore(self, state: dict[str, Any]) -> None:
-        """Take up what was seen before."""
+        """Take up earlier observations."""
         ...
 
 
@@ -74,7 +74,7 @@ class StopConditions(dict[str, StopCondition]):
         return next((reason for reason in reasons if reason is not None), None)
 
     def state(self) -> tuple[dict[str, dict[str, Any]], dict[str, NDArray]]:
-        """What each condition has seen: plain data by its name, and arrays as ``<name>/<key>``."""
+        """The observations of all conditions: plain data by name, and arrays as ``<name>/<key>``."""
         data: dict[str, dict[str, Any]] = {name: {} for name in self}
         arrays: dict[str, NDArray] = {}
         for name, condition in self.items():
@@ -86,7 +86,7 @@ class StopConditions(dict[str, StopCondition]):
         return data, arrays
 
     def restore(self, data: dict[str, dict[str, Any]], arrays: dict[str, NDArray]) -> None:
-        """Take up what ``state`` gave."""
+        """Take up the observations that ``state`` gave."""
         for name, condition in self.items():
             own = {k.removeprefix(f"{name}/"): v for k, v in arrays.items() if k.startswith(f"{name}/")}
             condition.restore({**data[name], **own})

@@ -163,8 +163,8 @@ def order_table(angle: float, moore: bool, upwind: bool) -> NDArray[np.int64]:
     """Codes of the neighbours, in the order in which a wind at ``angle`` has them checked.
 
     A slab slides down to the downwind side first and slides in from the upwind side first, faces before
-    corners; of two neighbours that lie alike to the wind the one on its left comes first. Without ``upwind``
-    nothing slides against the wind.
+    corners; of two neighbours at the same angle to the wind the one on its left comes first. Without
+    ``upwind`` nothing slides against the wind.
     """
     downwind = [c * math.cos(angle) + a * math.sin(angle) for a, c in _DIRECTIONS]
     left = [a * math.cos(angle) - c * math.sin(angle) for a, c in _DIRECTIONS]

@@ -63,7 +63,7 @@ class SlabModel(Model):
         check_heights(bed, self.rules().hop is not None)
 
     def rules(self) -> Rules:
-        """What the model adds to slab transport."""
+        """The rules that the model adds to slab transport."""
         return Rules()
 
     def mobility(self, bed: Bed, direction: float) -> NDArray[np.float64] | None:

@@ -46,7 +46,7 @@ export interface Measure {
   unit: string;
 }
 
-/** Something that a brush paints: what a stroke says of it, and how strong it may be. */
+/** Something that a brush paints: the keys of its strokes, and how strong it may be. */
 export interface Brush {
   title: string;
   stroke: JsonObject;
@@ -73,9 +73,9 @@ export interface Description {
   repose: number | null;
   facts: Record<string, string>;
   remarks: string[];
-  /** The ways that the run went; the step where each began, and its last one. */
+  /** The branches of the run; the step where each began, and its last one. */
   branches: { number: number; began: number; step: number }[];
-  /** The number of the one that it is on. */
+  /** The number of the present branch. */
   branch: number;
   events: number;
 }

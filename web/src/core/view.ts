@@ -1,4 +1,4 @@
-/** What is shown and how; kept in the browser from one visit to the next. */
+/** The settings of the view; kept in the browser from one visit to the next. */
 
 import { Signal } from "./signal";
 

@@ -1,4 +1,4 @@
-/** The bar at the top: what runs, how it is run, what it has come to. */
+/** The bar at the top: the scenario, its controls, and the status of the run. */
 
 import type { App } from "../core/app";
 import { button, duration, h, metres, short } from "./dom";

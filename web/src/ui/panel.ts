@@ -119,7 +119,7 @@ export class Panel {
     );
   }
 
-  /** What the model moves: a choice as soon as models of several materials are there. */
+  /** The material that the model moves: a choice if there are models of several materials. */
   private material(material: string, materials: Record<string, string>): HTMLElement {
     const label = id("material");
     const all = [...new Set(Object.values(materials))];

@@ -1,4 +1,4 @@
-/** What is shown and how. */
+/** The panel of the view: colours, layers, lines, light and camera. */
 
 import type { App } from "../core/app";
 import { LOOK, type Look } from "../core/view";
