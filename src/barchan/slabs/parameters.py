@@ -178,8 +178,8 @@ class SlabParameters(Parameters):
         ge=1,
         le=65536,
         group="polling",
-        meaning="Width of a band across the wind's nearer axis. The polls of a step go through the field band "
-        "by band, the bands in random order; the field's width or more means no bands.",
+        meaning="Width of a band across the wind's nearer axis. The polls of a step go through the field "
+        "band by band, the bands in random order; the field's width or more means no bands.",
     )
 
     @model_validator(mode="after")
