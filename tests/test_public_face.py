@@ -62,7 +62,7 @@ def test_models_and_presets_are_known_by_name():
     assert "barchans" in barchan.preset_names()
 
 
-def test_a_run_in_memory_and_one_on_disk_are_read_alike(tmp_path):
+def test_a_run_in_memory_and_one_on_disk_are_read_in_the_same_way(tmp_path):
     scenario = tiny()
     dataset = barchan.simulate(scenario)
     outcome = barchan.run(barchan.Simulation(scenario), tmp_path / "run")

@@ -66,7 +66,7 @@ def run_page(page: Path, folder: Path) -> None:
 def run_python(block: Block, page: Path, names: dict[str, Any]) -> None:
     """Run a block so that errors name its page and line."""
     text = "\n" * (block.line - 1) + block.text
-    exec(compile(text, str(page), "exec"), names)  # noqa: S102: the pages are our own
+    exec(compile(text, str(page), "exec"), names)  # noqa: S102
 
 
 def run_console(block: Block, page: Path) -> None:

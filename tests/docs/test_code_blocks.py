@@ -24,7 +24,7 @@ def test_code_blocks_run(page, tmp_path, monkeypatch):
     assert missing == []
 
 
-def test_blocks_are_found_and_told_apart(tmp_path):
+def test_blocks_are_found_and_distinguished(tmp_path):
     page = tmp_path / "page.md"
     page.write_text(
         "```python\none = 1\n```\n\n<!-- not run -->\n```python\nno\n```\n\n"

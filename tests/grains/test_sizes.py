@@ -143,7 +143,7 @@ def test_bits_of_several_sizes_do_not_depend_on_how_a_run_is_cut():
     np.testing.assert_array_equal(whole.bed.arrays["surface_2"], pieces.bed.arrays["surface_2"])
 
 
-def test_grains_of_one_class_are_those_of_sand_that_is_all_alike():
+def test_grains_of_one_class_are_those_of_uniform_sand():
     uniform = Simulation(barchan.load(SMALL))
     one = sorted_sand([{"diameter": FINE, "share": 1.0}])
     for simulation in (uniform, one):
@@ -185,7 +185,7 @@ def test_without_its_momentum_nothing_creeps():
     )
 
 
-def test_the_surface_tells_its_grains():
+def test_the_surface_lists_its_grains():
     simulation = sorted_sand()
     (field,) = type(simulation.model).derived
     diameter = field.compute(simulation.model, simulation.bed, simulation.forcing.wind_of(0))

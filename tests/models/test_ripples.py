@@ -129,7 +129,7 @@ def test_wind_by_place_survives_a_checkpoint():
     assert np.ptp(simulation.model.feedback.stress) > 0
 
 
-def test_nothing_moves_below_the_threshold_and_the_user_is_told():
+def test_nothing_moves_below_the_threshold_and_a_remark_says_so():
     simulation = run(5, model__wind_speed=8.0)
     assert simulation.tally.moved == 0
     assert any("nothing moves" in remark for remark in simulation.scenario.remarks())

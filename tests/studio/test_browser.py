@@ -342,7 +342,7 @@ def test_a_reload_in_mid_run_goes_on_with_the_same_run(studio):
     assert children_of(studio.process.pid) == workers
 
 
-def test_a_killed_worker_is_told_of_and_restarted(studio):
+def test_a_killed_worker_is_reported_and_restarted(studio):
     studio.page.reload()
     studio.step_beyond(5)
     worker = next(
@@ -450,7 +450,7 @@ def test_an_image_dropped_onto_the_scene_is_the_ground(studio):
     assert (studio.folder / "studio-uploads" / "plateau.png").is_file()
 
 
-def test_what_is_dropped_and_cannot_be_used_is_told(studio):
+def test_a_dropped_file_that_cannot_be_used_is_reported(studio):
     dropped(studio, "tune.mp3", "audio/mpeg", b"0")
     studio.until("window.barchan.app.log.some((entry) => entry.text.startsWith('tune.mp3: not'))")
 

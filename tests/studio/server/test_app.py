@@ -77,7 +77,7 @@ def test_a_live_parameter_changes_during_the_run(served):
         browser.until_message("done", id=1)
 
 
-def test_rock_and_plants_are_painted_and_the_ground_is_sent_anew(served):
+def test_rock_and_plants_are_painted_and_the_ground_is_sent_again(served):
     place = {"x": 20.0, "y": 12.0, "radius": 6.0}
     with served.browser() as browser:
         browser.send("create", scenario=small(model={"name": "nield_baas"}).data(), running=False)

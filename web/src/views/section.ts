@@ -201,9 +201,10 @@ export class SectionView {
     if (shadow) items.push(["shadow", "shadow zone"]);
     if (repose !== null) items.push(["steep", `near repose (${repose.toFixed(1)}°)`]);
     let right = width - MARGIN.right - 4;
+    const wide = items.reduce((sum, [, text]) => sum + c.measureText(text).width + 30, 0);
     c.globalAlpha = 0.85;
     c.fillStyle = themeColour("card");
-    c.fillRect(right - 280, MARGIN.top - 10, 284, 20);
+    c.fillRect(right - wide + 8, MARGIN.top - 10, wide - 4, 20);
     c.globalAlpha = 1;
     c.textAlign = "right";
     for (const [colour, text] of items) {
