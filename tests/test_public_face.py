@@ -1,4 +1,4 @@
-"""What ``import barchan`` offers, and what it does not cost."""
+"""The public names of ``import barchan``, and the modules that importing it does not load."""
 
 import subprocess
 import sys

@@ -33,7 +33,7 @@ CASES = {
 
 
 def sorted_bed(coarse, share, speed, layer, seed):
-    """What the wind makes of a flat bed of mixed sand."""
+    """A flat bed of mixed sand under the wind."""
     scenario = barchan.load(
         {
             "barchan": 2,

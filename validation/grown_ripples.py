@@ -34,7 +34,7 @@ FRAME, FRAMES = 5.0, 7
 
 
 def grown(speed, diameter, thin, rules, looks, seed):
-    """What an hour or half of it makes of a flat bed."""
+    """A flat bed after half an hour or an hour of wind."""
     parcel = diameter * (THIN if thin else 1.0)
     model = {
         "name": "ripples",

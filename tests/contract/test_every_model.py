@@ -1,4 +1,4 @@
-"""What every model must do, whichever it is; a new model is tested by being there."""
+"""The contract of all models; a new model is tested as soon as it is there."""
 
 import json
 

@@ -185,7 +185,7 @@ def test_without_its_momentum_nothing_creeps():
     )
 
 
-def test_the_surface_lists_its_grains():
+def test_the_mean_diameter_of_a_surface_is_that_of_its_grains():
     simulation = sorted_sand()
     (field,) = type(simulation.model).derived
     diameter = field.compute(simulation.model, simulation.bed, simulation.forcing.wind_of(0))

@@ -26,7 +26,7 @@ def show(condition, surface, direction=270.0):
 
 
 def looks_until_steady(condition, surfaces):
-    """How many looks it takes until a condition is met, and what it says then."""
+    """The number of looks until a condition is met, and the reason it gives."""
     for count, surface in enumerate(surfaces, start=1):
         reason = show(condition, surface)
         if reason:

@@ -47,7 +47,7 @@ def chromium():
 
 
 class Studio:
-    """A page, and what a test asks of it."""
+    """A page, and the questions of tests to it."""
 
     def __init__(self, page, process, folder: Path) -> None:
         self.page, self.process, self.folder = page, process, folder

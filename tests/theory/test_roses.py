@@ -1,4 +1,4 @@
-"""Roses add up to what went into them."""
+"""Roses add up to the record they were made from."""
 
 import numpy as np
 import pytest
