@@ -19,7 +19,7 @@ from code_blocks import run_page
 from sphinx.application import Sphinx
 from sphinx.errors import ExtensionError
 
-_PICTURE = re.compile(r"\.\./_static/tutorials/([\w.-]+)")
+_PICTURE = re.compile(r"!\[[^\]]*\]\(\.\./_static/tutorials/([\w.-]+)\)")
 
 
 def setup(app: Sphinx) -> dict[str, Any]:
