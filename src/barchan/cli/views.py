@@ -67,7 +67,7 @@ def _field(source: Source, **options: Any) -> "Figure":
 
 
 def _contours(source: Source, **options: Any) -> "Figure":
-    from barchan.figures.maps import contour_map
+    from barchan.figures.contours import contour_map
 
     return contour_map(source.frame, source.scenario, **options)
 
@@ -79,7 +79,7 @@ def _profile(source: Source, **options: Any) -> "Figure":
 
 
 def _space_time(source: Source, **options: Any) -> "Figure":
-    from barchan.figures.sections import space_time
+    from barchan.figures.space_time import space_time
 
     return space_time(source.run, source.scenario, **options)
 

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from barchan.analysis.grain_paths import broken_at_edges, hops_of
 from barchan.directions import downwind
-from barchan.figures.sections import section_along_wind
+from barchan.figures.section_lines import section_along_wind
 from barchan.figures.style import CURVE, SAND, colour_map, extent, new_figure, title
 from barchan.scenario import Scenario
 

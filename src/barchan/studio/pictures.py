@@ -12,14 +12,13 @@ from matplotlib.colors import Normalize
 from PIL import Image
 
 from barchan.archive import dataset_of
-from barchan.figures.maps import shaded
-from barchan.figures.style import smooth
+from barchan.figures.maps import shaded, surface_range
+from barchan.figures.style import SMOOTHING
 from barchan.scenario import Scenario, load_scenario, preset_names
 from barchan.simulation import Simulation
 
 FOLDER = Path(__file__).parents[1] / "presets" / "pictures"
 WIDTH, HEIGHT = 320, 200
-SMOOTHING = 0.8
 SEED = 1
 PATIENCE = 120.0
 """Seconds that a preset may run, at most."""
@@ -32,10 +31,7 @@ def picture(scenario: Scenario) -> Image.Image:
     while not simulation.done and time.monotonic() - began < PATIENCE:
         simulation.advance(min(20, scenario.run.steps - simulation.steps_done))
     frame = dataset_of(simulation, [simulation.frame()]).isel(step=0)
-    surface = smooth(frame["elevation"].values, SMOOTHING, scenario)
-    covered = (frame["elevation"] > frame["ground"]).values
-    coloured = surface[covered] if covered.any() else surface
-    norm = Normalize(float(coloured.min()), float(coloured.max()))
+    norm = Normalize(*surface_range(frame, scenario))
     colours = shaded(frame, scenario, norm=norm, smoothing=SMOOTHING)[::-1]
     image = Image.fromarray((colours * 255).round().astype(np.uint8))
     scale = max(WIDTH / image.width, HEIGHT / image.height)
