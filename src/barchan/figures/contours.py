@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from barchan.errors import BarchanError
 from barchan.figures.maps import Limits, surface_range
-from barchan.figures.panels import colour_bar, map_panel
+from barchan.figures.panels import colour_bar, drawn_shape, map_panel
 from barchan.figures.style import Colours, colour_map, smooth
 from barchan.scenario import Scenario
 
@@ -23,6 +23,9 @@ ABOUT = 8
 
 MOST_LABELLED = 10
 """Elevations that are written on contours at most; of more, every second, third … one."""
+
+MOST_NARROW = 4.0
+"""Longer side of a map over the shorter one up to which there is room for elevations."""
 
 
 def contour_map(
@@ -49,7 +52,7 @@ def contour_map(
     figure, axes = map_panel(scenario, frame, surface, **style)
     if levels.size and min(surface.shape) > 1 and np.ptp(surface) > 0:
         _draw(axes, scenario, surface, levels)
-    colour_bar(figure, axes, axes.images[0], f"elevation (m), contours every {apart:.3g} m")
+    colour_bar(figure, axes, axes.images[0], f"elevation (m),\ncontours every {apart:.3g} m")
     return figure
 
 
@@ -78,5 +81,7 @@ def _levels(
 def _draw(axes: "Axes", scenario: Scenario, surface: NDArray, levels: NDArray[np.float64]) -> None:
     x, y = scenario.lattice.x, scenario.lattice.y
     contours = axes.contour(x, y, surface, levels=levels, colors="black", linewidths=0.6)
+    if not 1 / MOST_NARROW <= drawn_shape(scenario) <= MOST_NARROW:
+        return
     every = -(-len(levels) // MOST_LABELLED)
     axes.clabel(contours, levels=levels[::every], fontsize=7, fmt=lambda level: f"{level:.4g}")

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 FINE = 1024
-"""Columns of a picture, about: cells are drawn finer until there are as many."""
+"""Cells along the longer side of a picture, about: they are drawn finer until there are as many."""
 
 
 def oblique_view(
@@ -54,8 +54,8 @@ def oblique_view(
 
 
 def _finer(surface: NDArray[np.float64], colours: NDArray[np.float64]) -> tuple[NDArray, NDArray]:
-    """Heights, in finer cells, and colours between those of the cells, for a picture of ``FINE`` columns."""
-    factor = max(1, round(FINE / surface.shape[1]))
+    """Heights, in finer cells, and colours between those of the cells, for a picture of ``FINE`` of them."""
+    factor = max(1, round(FINE / max(surface.shape)))
     zoomed = [
         ndimage.zoom(layer, factor, order=1, grid_mode=True, mode="nearest")
         for layer in (surface, *np.moveaxis(colours, -1, 0))
@@ -81,7 +81,8 @@ def seen_obliquely(
     level = np.arange(picture.shape[0])[:, None]
     horizon = np.zeros(cols, np.int64)
     for row in range(rows):
-        seen = (level >= horizon) & (level < ends[row])
-        picture[seen] = np.broadcast_to(colours[row], picture.shape)[seen]
+        part = slice(int(horizon.min()), int(ends[row].max()))
+        seen = (level[part] >= horizon) & (level[part] < ends[row])
+        picture[part][seen] = np.broadcast_to(colours[row], picture[part].shape)[seen]
         horizon = np.maximum(horizon, ends[row])
     return picture[::-1]

@@ -58,9 +58,8 @@ def _label(axes: "Axes", shape: float, wide: bool, stretched: bool) -> None:
     """Names of the axes, and which of them is not to scale; no more marks than there is room for."""
     from matplotlib.ticker import MaxNLocator
 
-    remark = ", not to scale" if stretched else ""
-    axes.set_xlabel(f"x (m){'' if wide else remark}")
-    axes.set_ylabel(f"y (m){remark if wide else ''}")
+    axes.set_xlabel("x (m), y is not to scale" if stretched and wide else "x (m)")
+    axes.set_ylabel("y (m), x is not to scale" if stretched and not wide else "y (m)")
     for axis, side, room in (
         (axes.xaxis, SIDE / max(shape, 1.0), 0.7),
         (axes.yaxis, SIDE * min(shape, 1.0), 0.4),
@@ -73,15 +72,21 @@ def colour_bar(figure: "Figure", axes: "Axes", scale: Any, label: str, **options
 
     The figure grows for the second bar and those after it.
     """
-    low = _drawn_low(axes)
+    shape = _shape_of(axes)
+    low = shape < LOW
     if len(figure.axes) > 1:
         width, height = figure.get_size_inches()
         figure.set_size_inches(width + BAR * (not low), height + BAR * low)
-    where = {"location": "bottom", "aspect": 40} if low else {"location": "right", "aspect": 30}
+    where = (
+        {"location": "bottom", "aspect": 40}
+        if low
+        else {"location": "right", "aspect": max(30.0, 6.0 * shape)}
+    )
     return figure.colorbar(scale, ax=axes, label=label, shrink=0.9, **where, **options)
 
 
-def _drawn_low(axes: "Axes") -> bool:
+def _shape_of(axes: "Axes") -> float:
+    """Height over width of a map."""
     west, east = axes.get_xlim()
     south, north = axes.get_ylim()
-    return (axes.get_box_aspect() or (north - south) / (east - west)) < LOW
+    return axes.get_box_aspect() or (north - south) / (east - west)

@@ -62,8 +62,8 @@ def profile(
     line = model_shadow(section, surface, scenario_at(frame, scenario))
     edges = section.edges(scenario.lattice.cell_size)
     bottom, top = _heights(ground, surface, scenario)
-    exaggeration = _exaggeration(edges[-1] - edges[0], top - bottom)
-    drawn = LONG * exaggeration * (top - bottom) / (edges[-1] - edges[0])
+    exaggeration, span = _scales(edges, top - bottom)
+    drawn = LONG * exaggeration * (top - bottom) / (span[1] - span[0])
     if field is None:
         figure = new_figure(LONG + 1.2, drawn + 1.4)
         axes = lowest = figure.add_subplot()
@@ -73,9 +73,9 @@ def profile(
         _draw_field(lowest, section, line > surface, field, scenario, max(smoothing, CURVE_SMOOTHING))
     axes.set_aspect(exaggeration)
     axes.set_ylim(bottom, top)
-    _draw_ground(axes, edges, ground, bottom, scenario, section)
-    _draw_sand(axes, edges, ground, surface, line)
-    axes.set_xlim(edges[0], edges[-1])
+    draw_ground(axes, edges, ground, bottom, scenario, section)
+    draw_sand(axes, edges, ground, surface, line)
+    axes.set_xlim(span)
     axes.set_ylabel("elevation (m)")
     lowest.set_xlabel("distance downwind (m)")
     text = f"{title(scenario, int(frame['step']))}\n{section.place}, vertical exaggeration {exaggeration:g}"
@@ -103,13 +103,19 @@ def _heights(ground: NDArray, surface: NDArray, scenario: Scenario) -> tuple[flo
     return low - DEEP * relief, low + (1 + AIR) * relief
 
 
-def _exaggeration(length: float, height: float) -> float:
-    """The greatest round vertical exaggeration with which a section is not higher than ``HIGH``."""
-    most = (HIGH / height) / (LONG / length)
-    return max((factor for factor in EXAGGERATIONS if factor <= most), default=EXAGGERATIONS[0])
+def _scales(edges: NDArray[np.float64], height: float) -> tuple[float, tuple[float, float]]:
+    """The greatest round vertical exaggeration with which a section is not higher than ``HIGH``.
+
+    And its span (m), which goes beyond the ends of a section that is shorter than high.
+    """
+    length = max(edges[-1] - edges[0], LONG / HIGH * height)
+    middle = (edges[0] + edges[-1]) / 2
+    most = (HIGH / height) / (LONG / length) * (1 + 1e-9)
+    factor = max(factor for factor in EXAGGERATIONS if factor <= most)
+    return factor, (middle - length / 2, middle + length / 2)
 
 
-def _draw_ground(
+def draw_ground(
     axes: "Axes",
     edges: NDArray[np.float64],
     ground: NDArray,
@@ -126,7 +132,7 @@ def _draw_ground(
         axes.stairs(tops, edges, baseline=bottom, fill=True, color=STANDING[name], label=name)
 
 
-def _draw_sand(
+def draw_sand(
     axes: "Axes", edges: NDArray[np.float64], ground: NDArray, surface: NDArray, line: NDArray
 ) -> None:
     """The sand of a section where there is any, and the area below the shadow line."""

@@ -40,7 +40,7 @@ POSSIBLE = {
 }
 """Least and greatest value that a measure can have; its scale does not go beyond."""
 
-ACROSS = 3
+ACROSS = 4
 """Panels side by side."""
 
 
@@ -51,7 +51,7 @@ def time_series(measured: "xr.Dataset", scenario: Scenario) -> "Figure":
     """
     names = [*SHOWN, *(own.name for own in models()[scenario.model.name].measures)]
     rows = -(-len(names) // ACROSS)
-    figure = new_figure(10.0, 1.0 + 2.0 * rows)
+    figure = new_figure(12.0, 1.0 + 2.0 * rows)
     times, label = times_of(measured)
     panels = figure.subplots(rows, ACROSS, sharex=True, squeeze=False)
     for axes in panels.flat[len(names) :]:
@@ -85,7 +85,7 @@ def _draw(axes: "Axes", times: NDArray[np.float64], values: "xr.DataArray") -> N
     elif str(values.name) in POSSIBLE:
         _within(axes, *POSSIBLE[str(values.name)])
     if len(times) == 1:
-        axes.set_xticks(times)
+        axes.set_xticks(times, [f"{times[0]:g}"])
 
 
 def alone(values: NDArray[np.float64]) -> NDArray[np.bool_]:

@@ -38,6 +38,8 @@ def space_time(
         image.set_clim(float(surface.min()), float(surface.min()) + scenario.lattice.thickness)
     axes.set_xlabel("distance downwind (m)")
     axes.set_ylabel(label)
+    if len(times) == 1:
+        axes.set_yticks(times, [f"{times[0]:g}"])
     text = f"{scenario.title or 'Run'}, seed {scenario.run.seed}\n{section.place}"
     section_heading(axes, text, direction)
     figure.colorbar(image, ax=axes, label="elevation (m)")
