@@ -23,6 +23,9 @@ LOW = 0.5
 MOST_MARKS = 8
 """Intervals of an axis at most."""
 
+ROUND = (1.0, 2.0, 2.5, 5.0, 10.0)
+"""Intervals of an axis, times a power of ten."""
+
 BAR = 0.85
 """Inches that a colour bar with its labels takes."""
 
@@ -64,7 +67,7 @@ def _label(axes: "Axes", shape: float, wide: bool, stretched: bool) -> None:
         (axes.xaxis, SIDE / max(shape, 1.0), 0.7),
         (axes.yaxis, SIDE * min(shape, 1.0), 0.4),
     ):
-        axis.set_major_locator(MaxNLocator(int(min(max(side / room, 1), MOST_MARKS))))
+        axis.set_major_locator(MaxNLocator(int(min(max(side / room, 1), MOST_MARKS)), steps=ROUND))
 
 
 def colour_bar(figure: "Figure", axes: "Axes", scale: Any, label: str, **options: Any) -> Any:

@@ -10,8 +10,9 @@ from numpy.typing import NDArray
 from barchan.analysis.grain_paths import broken_at_edges, hops_of
 from barchan.directions import downwind
 from barchan.figures.maps import shaded, surface_range
+from barchan.figures.panels import ROUND
 from barchan.figures.section_lines import section_along_wind
-from barchan.figures.sections import draw_ground, draw_sand, section_heading
+from barchan.figures.sections import draw_ground, draw_sand, section_heading, shown_heights
 from barchan.figures.style import CURVE, SAND, SMOOTHING, extent, heading, new_figure, title
 from barchan.scenario import Scenario
 
@@ -68,7 +69,7 @@ def _solid_axes(axes: Any, width: float, depth: float) -> None:
     axes.set_box_aspect(sides, zoom=1.15)
     names = ("x (m)", "y (m)", "elevation (mm)")
     for axis, name, side in zip((axes.xaxis, axes.yaxis, axes.zaxis), names, sides, strict=True):
-        axis.set_major_locator(MaxNLocator(max(1, round(MOST_MARKS * side))))
+        axis.set_major_locator(MaxNLocator(max(1, round(MOST_MARKS * side)), steps=ROUND))
         axis.set_tick_params(labelsize=8, pad=2)
         axis.set_label_text(name, fontsize=9)
         axis.labelpad = 12.0 * side + 3.0
@@ -82,9 +83,9 @@ def _draw_side(axes: "Axes", frame: "xr.Dataset", scenario: Scenario, paths: lis
     surface, ground = (
         frame[name].values[section.rows, section.cols] * 1e3 for name in ("elevation", "ground")
     )
-    bottom = float(min(surface.min(), ground.max())) - 1.0
-    draw_ground(axes, edges, np.maximum(ground, bottom), bottom, scenario, section)
-    draw_sand(axes, edges, np.maximum(ground, bottom), surface, np.full(len(surface), -np.inf))
+    bottom, _ = shown_heights(ground, surface, 1.0)
+    draw_ground(axes, edges, ground, bottom, scenario, section)
+    draw_sand(axes, edges, ground, surface, np.full(len(surface), -np.inf))
     x, y = downwind(direction)
     west, east, south, north = extent(scenario)
     corner = min(0.0, x * (east - west)) + min(0.0, y * (north - south))

@@ -61,7 +61,7 @@ def profile(
     surface = smooth(frame["elevation"].values, smoothing, scenario)[section.rows, section.cols]
     line = model_shadow(section, surface, scenario_at(frame, scenario))
     edges = section.edges(scenario.lattice.cell_size)
-    bottom, top = _heights(ground, surface, scenario)
+    bottom, top = shown_heights(ground, surface, scenario.lattice.thickness)
     exaggeration, span = _scales(edges, top - bottom)
     drawn = LONG * exaggeration * (top - bottom) / (span[1] - span[0])
     if field is None:
@@ -96,10 +96,14 @@ def section_heading(axes: "Axes", text: str, direction: float) -> None:
         )
 
 
-def _heights(ground: NDArray, surface: NDArray, scenario: Scenario) -> tuple[float, float]:
-    """Lowest and highest elevation (m) that a section shows; a level one is some slabs high."""
-    low, high = float(ground.min()), float(surface.max())
-    relief = max(high - low, scenario.lattice.thickness)
+def shown_heights(ground: NDArray, surface: NDArray, least: float) -> tuple[float, float]:
+    """Lowest and highest elevation that a section shows; ``least`` is the relief that it shows at least.
+
+    Of sand much deeper than its surface is uneven, only the upper part.
+    """
+    high = float(surface.max())
+    low = max(float(ground.min()), float(surface.min()) - max(float(np.ptp(surface)), least))
+    relief = max(high - low, least)
     return low - DEEP * relief, low + (1 + AIR) * relief
 
 
@@ -124,11 +128,12 @@ def draw_ground(
     section: Section,
 ) -> None:
     """The ground of a section, and the rocks or stems that stand on it."""
-    axes.stairs(ground, edges, baseline=bottom, fill=True, color=GROUND)
+    shown = np.maximum(ground, bottom)
+    axes.stairs(shown, edges, baseline=bottom, fill=True, color=GROUND)
     standing = standing_cells(scenario)[section.rows, section.cols]
     if standing.any():
         name = scenario.ground.standing
-        tops = np.where(standing, ground, np.nan)
+        tops = np.where(standing, shown, np.nan)
         axes.stairs(tops, edges, baseline=bottom, fill=True, color=STANDING[name], label=name)
 
 
