@@ -11,7 +11,9 @@ from barchan.archive import dataset_of
 from barchan.bed import Bed
 from barchan.directions import downwind
 from barchan.entry import simulate
-from barchan.figures.sections import profile, section_along_wind, shadow_line, space_time
+from barchan.figures.section_lines import section_along_wind, shadow_line
+from barchan.figures.sections import profile
+from barchan.figures.space_time import space_time
 from barchan.models import models
 from barchan.simulation import SetParameter, Simulation
 from tests.tiny import COLUMNS, RIDGES, ROWS, tiny
@@ -141,7 +143,7 @@ def test_shadows_in_a_section_are_the_models_shadows(direction, shadow_from, bou
 def test_the_profile_goes_through_the_highest_stack(one_stack, direction, row, col):
     frame, scenario = one_stack(row, col, direction)
     axes = profile(frame, scenario).axes[0]
-    highest = max(path.vertices[:, 1].max() for c in axes.collections for path in c.get_paths())
+    highest = max(patch.get_path().vertices[:, 1].max() for patch in axes.patches)
     assert highest == pytest.approx(9 / 3)
 
 
@@ -168,8 +170,7 @@ def test_a_profile_shows_the_surface_from_the_upwind_edge(painted, direction):
     heap[8, 4] = 6
     frame, scenario = painted(heap, direction)
     axes = profile(frame, scenario).axes[0]
-    sand = next(c for c in axes.collections if c.get_label() == "sand")
-    places = [p for p in sand.get_paths()[0].vertices if p[1] == pytest.approx(2.0)]
+    places = [p for p in patch_of(axes, "sand").get_path().vertices if p[1] == pytest.approx(2.0)]
     centre = np.mean([p[0] for p in places])
     assert centre == pytest.approx(4.0 if direction == 270.0 else 19.0)
     assert axes.get_xlabel() == "distance downwind (m)"
@@ -206,5 +207,10 @@ def test_shadows_in_a_section_follow_the_angle_in_force_at_the_frame():
 
 def shadow_of(figure):
     """The corners of the shadow zones in a picture of a section."""
-    (shade,) = (c for c in figure.axes[0].collections if c.get_label() == "shadow zone")
-    return np.concatenate([path.vertices for path in shade.get_paths()])
+    return patch_of(figure.axes[0], "shadow zone").get_path().vertices
+
+
+def patch_of(axes, name):
+    """What a section draws under a name of its legend."""
+    (found,) = (patch for patch in axes.patches if patch.get_label() == name)
+    return found
