@@ -23,7 +23,7 @@ SHADOW = "#35507a"
 CURVE = "#b3402a"
 PALE = "#f2ead8"
 
-SANDS = ("#b58a50", "#dab678", "#fcf3da")
+SANDS = ("#b58a50", "#dab678", "#f9e7b9")
 """Sand from the lowest to the highest: lighter upwards, so that shade alone darkens a crest's lee."""
 
 DPI = 150
