@@ -41,6 +41,9 @@ EXAGGERATIONS = (1, 1.5, 2, 3, 5, 7, 10, 15, 20, 30, 50, 70, 100, 150, 200, 300,
 DEEP, AIR = 0.12, 0.08
 """Shares of the relief that a section shows of the ground below the lowest, and of the air above."""
 
+LEAST = 0.2
+"""Relief that a section shows at least, in cells."""
+
 
 def profile(
     frame: "xr.Dataset",
@@ -61,7 +64,8 @@ def profile(
     surface = smooth(frame["elevation"].values, smoothing, scenario)[section.rows, section.cols]
     line = model_shadow(section, surface, scenario_at(frame, scenario))
     edges = section.edges(scenario.lattice.cell_size)
-    bottom, top = shown_heights(ground, surface, scenario.lattice.thickness)
+    lattice = scenario.lattice
+    bottom, top = shown_heights(ground, surface, max(lattice.thickness, LEAST * lattice.cell_size))
     exaggeration, span = _scales(edges, top - bottom)
     drawn = LONG * exaggeration * (top - bottom) / (span[1] - span[0])
     if field is None:
@@ -101,8 +105,10 @@ def shown_heights(ground: NDArray, surface: NDArray, least: float) -> tuple[floa
 
     Of sand much deeper than its surface is uneven, only the upper part.
     """
-    high = float(surface.max())
-    low = max(float(ground.min()), float(surface.min()) - max(float(np.ptp(surface)), least))
+    low, high = float(ground.min()), float(surface.max())
+    uneven = float(np.ptp(surface))
+    if uneven >= least:
+        low = max(low, float(surface.min()) - uneven)
     relief = max(high - low, least)
     return low - DEEP * relief, low + (1 + AIR) * relief
 

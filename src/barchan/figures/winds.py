@@ -1,7 +1,7 @@
 """The wind beside a picture: an arrow of a steady one, a small sand rose of one that changes."""
 
 import json
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
@@ -53,7 +53,7 @@ def from_corner(axes: "Axes", right: float, up: float) -> "Transform":
 
     figure = axes.figure
     points = Affine2D().translate(right, up).scale(1 / 72) + figure.dpi_scale_trans
-    return points + ScaledTranslation(1, 1, axes.transAxes)
+    return points + ScaledTranslation(1, 1, cast(Any, axes.transAxes))
 
 
 def wind_arrow(axes: "Axes", direction: float) -> None:
