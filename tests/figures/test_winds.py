@@ -34,7 +34,7 @@ def test_the_petals_of_the_rose_are_the_winds_shares(turning):
 
 
 def test_the_arrow_of_the_rose_points_where_sand_goes_on_the_whole(turning):
-    """Half to the west, a quarter each to the north and the east: the sum (-1/4, 1/4) is to the north-west."""
+    """Half to the west, a quarter each to the north and the east: (-1/4, 1/4) is to the north-west."""
     frame, scenario = turning
     drift = changing_drift(scenario, frame)
     assert drift.toward == pytest.approx(315.0)

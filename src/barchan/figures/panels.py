@@ -80,7 +80,7 @@ def colour_bar(figure: "Figure", axes: "Axes", scale: Any, label: str, **options
     if len(figure.axes) > 1:
         width, height = figure.get_size_inches()
         figure.set_size_inches(width + BAR * (not low), height + BAR * low)
-    where = (
+    where: dict[str, Any] = (
         {"location": "bottom", "aspect": 40}
         if low
         else {"location": "right", "aspect": max(30.0, 6.0 * shape)}
