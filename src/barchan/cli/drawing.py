@@ -109,8 +109,6 @@ class Size:
     )
 
     def apply(self, figure: Any) -> None:
-        """Give a figure this size."""
+        """Give a figure this width and height."""
         if self.size is not None:
             figure.set_size_inches(*(side / CENTIMETRES for side in self.size))
-        if self.dpi is not None:
-            figure.set_dpi(self.dpi)

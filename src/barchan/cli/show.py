@@ -57,7 +57,7 @@ def show(
     size.apply(figure)
     name = view if field is None else f"{view}-{field}"
     file = f"{name}-{int(frame['step'])}.png" if chosen.of_frame else f"{name}.png"
-    save_picture(figure, out or run / file)
+    save_picture(figure, out or run / file, size.dpi)
 
 
 def _frame(dataset: "xr.Dataset", step: int | None) -> "xr.Dataset":
