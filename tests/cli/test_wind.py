@@ -57,9 +57,10 @@ def test_a_record_that_never_exceeds_the_threshold_moves_nothing(here, barchan):
 @pytest.mark.parametrize("law", LAWS)
 def test_a_flux_law_may_be_chosen(here, barchan, law):
     result = barchan("wind", "--law", law, "--threshold", "5", "--supply", "10", "--sectors", "36")
-    assert f"flux law                     {law}" in result.out
+    assert f"flux law                 {law}," in result.out
     assert "5.00 m/s at 10 m" in result.out
-    assert "dunes to expect              linear dunes, close and compound" in result.out
+    assert "VU above 9.72 kn" in result.out
+    assert "dunes to expect          linear dunes, close and compound" in result.out
 
 
 def test_columns_and_units_may_be_stated(here, barchan):
@@ -90,6 +91,40 @@ def test_mistakes_are_clear_errors(here, barchan, words, said):
     assert result.code == 1
     assert said in result.err
     assert "Traceback" not in result.err
+
+
+def test_an_implausible_wind_is_doubted_before_all_else(here, barchan):
+    rows = "\n".join(f"2024-01-01T{hour:02}:00,{speed},270" for hour, speed in enumerate((50, 60, 70)))
+    (here / "tenths.csv").write_text("time,ws,wd\n" + rows)
+    out = barchan("wind", "tenths.csv").out
+    assert out.startswith("warning: the mean speed is 60.0 m/s")
+    assert "warning" not in barchan("wind", "tenths.csv", "--unit", "0.1 m/s").out
+
+
+def test_drift_potential_is_told_by_month_and_season(here, barchan):
+    seasons = barchan("wind", "--by", "season").out
+    assert [name in seasons for name in ("June to August", "December to February")] == [True, True]
+    assert "July" in barchan("wind", "--by", "month").out
+    (here / "counted.csv").write_text(
+        WEAK.replace("time", "time (h)").replace("2024-01-01T0", "").replace(":00", "")
+    )
+    assert "the record has no dates" in barchan("wind", "counted.csv", "--by", "month").err
+
+
+def test_the_height_that_is_asked_for_is_read_and_told(here, barchan):
+    two = "time,ws_10m (m/s),ws_100m (m/s),wd\n2024-01-01,9,12,270\n2024-01-02,8,11,270\n"
+    (here / "two.csv").write_text(two)
+    assert "ws_10m (m/s) and wd, in m/s, at 10 m" in barchan("wind", "two.csv").out
+    high = barchan("wind", "two.csv", "--height", "100").out
+    assert "ws_100m (m/s) and wd, in m/s, at 100 m" in high
+    assert "highest 12.0 m/s" in high
+    refused = barchan("wind", "two.csv", "--height", "50")
+    assert (refused.code, "the file has winds at 10, 100 m" in refused.err) == (1, True)
+
+
+def test_a_record_is_known_by_its_content(here, barchan):
+    (here / "mast.dat").write_text(WEAK)
+    assert "DP 0 VU" in barchan("wind", "mast.dat").out
 
 
 def test_too_few_sectors_are_refused(here, barchan):

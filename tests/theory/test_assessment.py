@@ -1,5 +1,7 @@
 """A wind is judged by all theories at once, from a record or a scenario."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -51,3 +53,32 @@ def test_the_winds_of_a_scenario_weigh_by_steps_and_hops():
 )
 def test_presets_have_the_winds_that_they_mention(preset, steadiness):
     assert scenario_drift(load_scenario(preset)).steadiness == pytest.approx(steadiness, abs=0.01)
+
+
+def test_speeds_are_taken_from_the_height_of_the_record():
+    winds = replace(record([9.0], [270.0]), height=2.0)
+    speed = 9.0 * np.log(10 / 1e-3) / np.log(2 / 1e-3) / (1852 / 3600)
+    found = assess_record(winds, Saltation())
+    assert found.potential.total == pytest.approx(speed**2 * (speed - 12))
+    assert found.drift.total == pytest.approx(
+        assess_record(record([9.0], [270.0]), Saltation(height=2.0)).drift.total
+    )
+
+
+def test_a_stated_threshold_is_that_of_the_drift_potential():
+    found = assess_record(record([9.0], [270.0]), Saltation(threshold=5.0))
+    speed, least = 9.0 / (1852 / 3600), 5.0 / (1852 / 3600)
+    assert found.threshold == pytest.approx(least)
+    assert found.potential.total == pytest.approx(speed**2 * (speed - least))
+
+
+def test_a_record_shorter_than_a_year_says_that_its_drift_potential_is_not_annual():
+    short, long = (
+        record(np.full(days, 9.0), np.full(days, 270.0), hours=np.full(days, 24)) for days in (10, 365)
+    )
+    assert (
+        "spans 10 days: its drift potential is that of these days, not of a year"
+        in assess_record(short, Saltation()).remarks[0]
+    )
+    assert not any("of a year" in remark for remark in assess_record(long, Saltation()).remarks)
+    assert "means over so long hide strong winds" in assess_record(long, Saltation()).remarks[0]

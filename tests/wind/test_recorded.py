@@ -122,3 +122,28 @@ def test_a_record_that_cannot_be_read_is_named_with_its_key(tmp_path):
 def test_a_record_needs_a_clock():
     with pytest.raises(ScenarioError, match=r"wind\.kind: is a record, whose winds need a clock"):
         tiny(wind={"kind": "record"})
+
+
+def low(folder, height):
+    """Six hours of 8 m/s at a height that the file states."""
+    rows = "\n".join(f"2020-01-01T{hour:02}:00,8,270" for hour in range(6))
+    path = folder / "low.csv"
+    path.write_text(f"time,ws_{height}m (m/s),wd\n{rows}\n")
+    return {"kind": "record", "path": str(path)}
+
+
+def test_speeds_at_the_height_of_the_record_are_brought_to_that_of_the_clock(tmp_path):
+    """By the law of the wall over 1 mm: ln(10 m / 1 mm) over ln(2 m / 1 mm) times faster."""
+    scenario = tiny(wind=low(tmp_path, 2), clock={})
+    blows = next(iter(scenario.seeded().forcing().segments(0, 1)))
+    faster = np.log(10 / 1e-3) / np.log(2 / 1e-3)
+    assert [segment.speed for segment in blows] == pytest.approx([8 * faster] * len(blows))
+
+
+def test_a_record_at_a_height_that_cannot_be_brought_to_another_is_refused(tmp_path):
+    wind = low(tmp_path, 0.5)
+    said = r"wind\.columns\.height: the record's height is 0.5 m; allowed: above the roughness length, 1 m"
+    with pytest.raises(ScenarioError, match=said):
+        list(tiny(wind=wind, clock={"roughness": 1.0}).seeded().forcing().segments(0, 1))
+    with pytest.raises(ScenarioError, match=r"is 0.5 m; allowed without a clock: winds at 10 m"):
+        segments(Recorded(**wind), 0, 1, step_seconds=HOUR, strength=strength)

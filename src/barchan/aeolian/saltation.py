@@ -10,7 +10,7 @@ from barchan.aeolian.flux import LawName, Sorting, mass_flux
 from barchan.aeolian.flux import Sand as FluxSand
 from barchan.aeolian.grains import THRESHOLDS, Numbers, settling_speed
 from barchan.aeolian.sand import Air, Sand
-from barchan.aeolian.wall import friction_velocity, grain_roughness, speed_at
+from barchan.aeolian.wall import Speed, friction_velocity, grain_roughness, speed_at
 from barchan.parameters import parameter
 
 
@@ -94,6 +94,22 @@ class Saltation(Air, Sand):
         if self.threshold is not None:
             return self.threshold
         return speed_at(self.threshold_friction_velocity(), self.height, self.roughness_length)
+
+    def at_own_height(self, speed: Speed, height: float | None) -> Speed:
+        """Wind speeds (m/s) at a height (m) as they are at its own ``height``, by the law of the wall.
+
+        A height of None is its own. Raises ValueError at a height within the roughness length.
+        """
+        if height is None or height == self.height:
+            return speed
+        if height <= self.roughness_length:
+            raise ValueError(
+                f"the record's height is {height:g} m; allowed: above the roughness length, "
+                f"{self.roughness_length:g} m"
+            )
+        return speed_at(
+            friction_velocity(speed, height, self.roughness_length), self.height, self.roughness_length
+        )
 
     def mass_flux(self, speed: Numbers) -> NDArray[np.float64]:
         """Mass of sand per time and metre of width (kg/m/s) under wind speeds (m/s)."""

@@ -25,7 +25,7 @@ def friction_velocity(speed: Speed, height: float, roughness: float, displacemen
     return speed * KARMAN / math.log((height - displacement) / roughness)
 
 
-def speed_at(ustar: float, height: float, roughness: float) -> float:
+def speed_at(ustar: Speed, height: float, roughness: float) -> Speed:
     """Wind speed (m/s) at a height (m) of a friction velocity (m/s)."""
     return ustar * math.log(height / roughness) / KARMAN
 

@@ -12,10 +12,13 @@ from barchan.parameters import Parameters, declarations
 Group = TypeVar("Group", bound=Parameters)
 
 
-def options_of(group: type[Parameters]) -> Any:
-    """A class whose fields are the parameters of a group, all optional, with help from their declarations."""
+def options_of(group: type[Parameters], without: tuple[str, ...] = ()) -> Any:
+    """A class whose fields are the parameters of a group, all optional, with help from their declarations.
+
+    ``without`` names parameters that are no options of the command, as another option gives them.
+    """
     made = []
-    for declared in declarations(group):
+    for declared in (d for d in declarations(group) if d.key not in without):
         annotation = group.model_fields[declared.key].annotation
         text = declared.meaning
         if declared.unit != "-":

@@ -29,6 +29,11 @@ def print_note(text: str) -> None:
     console.print(Text.assemble(("note:", "yellow"), " ", text))
 
 
+def print_warning(text: str) -> None:
+    """Something that makes what follows doubtful."""
+    console.print(Text.assemble(("warning:", "bold red"), " ", text))
+
+
 def save_picture(figure: "Figure", path: Path, dpi: float | None = None) -> None:
     """Write a picture, at the figure's dots per inch or ``dpi``, and print its name.
 

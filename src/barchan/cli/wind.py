@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     FormatOptions = Any
 else:
     SandOptions = options_of(Saltation)
-    FormatOptions = options_of(RecordFormat)
+    FormatOptions = options_of(RecordFormat, without=("height",))
 
 View = Literal["roses", "thresholds", "laws"]
 
@@ -32,6 +32,7 @@ def wind(
     out: Path | None = None,
     supply: Annotated[float | None, Parameter(validator=Number(gte=0))] = None,
     sectors: Annotated[int, Parameter(validator=Number(gte=16, lte=360))] = 16,
+    by: Literal["month", "season"] | None = None,
     sand: Annotated[SandOptions | None, Parameter(name="*")] = None,
     form: Annotated[FormatOptions | None, Parameter(name="*")] = None,
 ) -> None:
@@ -40,7 +41,8 @@ def wind(
     Parameters
     ----------
     source
-        A wind record (CSV or NetCDF), a scenario file, a preset's name or a run's folder; sample is a made-up
+        A wind record (a table of text, a spreadsheet or NetCDF), a scenario file, a preset's name or a
+        run's folder; sample is a made-up
         record that ships with Barchan.
     view
         Draw roses, the threshold of movement against grain size, or the flux laws side by side.
@@ -51,9 +53,11 @@ def wind(
         and for a record both kinds are given.
     sectors
         Directions of the roses.
+    by
+        Print the drift potential of each month, or of each season, too.
     """
     from barchan.cli.report import print_table
-    from barchan.cli.terminal import print_note, save_picture
+    from barchan.cli.terminal import print_note, print_warning, save_picture
     from barchan.wind.records import read_record
 
     grains = group_from(Saltation, sand)
@@ -64,12 +68,18 @@ def wind(
         save_picture((thresholds if view == "thresholds" else flux_laws)(grains), path)
         return
     if _is_record(source):
-        subject = _of_record(read_record(source, group_from(RecordFormat, form)), grains, supply)
+        columns = group_from(RecordFormat, form)
+        if sand is not None and sand.height is not None:
+            columns = columns.model_copy(update={"height": grains.height})
+        subject = _of_record(read_record(source, columns), grains, supply)
     else:
         subject = _of_scenario(source, supply)
     found, record = subject.found, subject.record
-    print_table([*subject.rows, *_drift_rows(found)], left=True)
-    for remark in record.remarks if record else ():
+    for warning in record.warnings if record else ():
+        print_warning(warning)
+    parts = _part_rows(record, subject, by) if record and by else []
+    print_table([*subject.rows, *_drift_rows(found), *parts], left=True)
+    for remark in (*(record.remarks if record else ()), *found.remarks):
         print_note(remark)
     if not found.moves:
         print_note("nothing would move: no wind exceeds the threshold")
@@ -91,12 +101,15 @@ class _Subject:
 
 
 def _of_record(record: "WindRecord", sand: Saltation, supply: float | None) -> _Subject:
-    from barchan.theory.assessment import assess_record
+    from barchan.errors import BarchanError
+    from barchan.theory.assessment import assess_record, is_annual
 
-    found = assess_record(record, sand, supply)
-    return _Subject(
-        record.source, [*_record_rows(record, sand), *_potential_rows(found)], found, record, sand
-    )
+    try:
+        found = assess_record(record, sand, supply)
+    except ValueError as error:
+        raise BarchanError(f"{record.source}: {error}") from None
+    rows = [*_record_rows(record, sand), *_potential_rows(found, is_annual(record))]
+    return _Subject(record.source, rows, found, record, sand)
 
 
 def _of_scenario(source: str, supply: float | None) -> _Subject:
@@ -137,10 +150,15 @@ def _record_rows(record: "WindRecord", sand: Saltation) -> Rows:
 
     whole = len(record) + record.missing
     threshold, friction = sand.threshold_speed(), sand.threshold_friction_velocity()
-    blowing = float(record.duration[record.speed > threshold].sum()) / record.seconds
+    exceeds = sand.at_own_height(record.speed, record.height) > threshold
+    blowing = float(record.duration[exceeds].sum()) / record.seconds
     mean = float(np.average(record.speed, weights=record.duration))
-    return [
-        ("record", record.source, ""),
+    tall = f"at {record.height:g} m" if record.height else f"taken to be at {sand.height:g} m"
+    known = f", format of {record.format}" if record.format else ""
+    rows: Rows = [
+        ("record", f"{record.source}{known}", ""),
+        ("read", f"{record.columns}, {tall}", ""),
+        ("point", record.place, ""),
         ("time covered", f"{record.seconds / 86400:.6g} days{_span(record)}", ""),
         ("rows", f"{whole}, {_share(record.missing, whole)} missing, {_share(record.calms, whole)} calm", ""),
         ("wind speed", f"mean {mean:.2f} m/s, highest {record.speed.max():.1f} m/s", ""),
@@ -148,6 +166,7 @@ def _record_rows(record: "WindRecord", sand: Saltation) -> Rows:
         ("threshold", f"{threshold:.2f} m/s at {sand.height:g} m, u* {friction:.3f} m/s", ""),
         ("exceeded", f"{100 * blowing:.1f} % of the time", ""),
     ]
+    return [row for row in rows if row[1]]
 
 
 def _span(record: "WindRecord") -> str:
@@ -159,21 +178,42 @@ def _span(record: "WindRecord") -> str:
     return f", {str(record.start)[:10]} to {str(last)[:10]}"
 
 
-def _potential_rows(found: "Assessment") -> Rows:
-    from barchan.theory.drift import THRESHOLD, energy, in_metres
+def _potential_rows(found: "Assessment", annual: bool) -> Rows:
+    from barchan.theory.drift import energy, in_metres
 
     potential = found.potential
     if potential is None:
         return []
     total = potential.total
+    kind = f"energy {energy(total)}" if annual else "not annual"
+    told = f"DP {total:.0f} VU above {found.threshold:.3g} kn ({in_metres(total):.1f} by m/s), {kind}"
     return [
-        (
-            f"drift potential above {THRESHOLD:g} kn",
-            f"DP {total:.0f} VU ({in_metres(total):.1f} by m/s), energy {energy(total)}",
-            "",
-        ),
+        ("drift potential", told, ""),
         ("resultant", f"RDP {potential.resultant:.0f} VU, RDP/DP {_number(potential.steadiness)}", ""),
         ("", f"RDD {_toward(potential.toward)}", ""),
+    ]
+
+
+def _part_rows(record: "WindRecord", subject: _Subject, by: Literal["month", "season"]) -> Rows:
+    """Drift potential by month or by season; raises BarchanError where the record has no dates."""
+    from barchan.errors import BarchanError
+    from barchan.theory.assessment import at_ten_metres
+    from barchan.theory.seasons import by_part_of_year
+
+    try:
+        parts = by_part_of_year(at_ten_metres(record, subject.sand), by, subject.found.threshold)
+    except ValueError as error:
+        raise BarchanError(f"--by {by}: {error}") from None
+    return [
+        (
+            part.name,
+            (
+                f"DP {part.potential.total:.1f} VU, RDP {part.potential.resultant:.1f} VU "
+                f"{_toward(part.potential.toward)}, of {part.days:.4g} days"
+            ),
+            "",
+        )
+        for part in parts
     ]
 
 

@@ -181,7 +181,10 @@ class Scenario(Parameters):
             return Forcing(self.wind, step_clock, self.lattice.cells, self.influx)
         volume = model.step_volume()
         step_clock = StepClock(
-            self.seed, clock.duration(volume), lambda speeds: clock.strength(speeds, volume)
+            self.seed,
+            clock.duration(volume),
+            lambda speeds: clock.strength(speeds, volume),
+            clock.at_own_height,
         )
         return Forcing(self.wind, step_clock, self.lattice.cells, self.influx)
 

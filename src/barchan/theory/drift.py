@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from barchan.aeolian.saltation import Saltation
 from barchan.wind.clock import YEAR
 from barchan.wind.records import WindRecord
-from barchan.wind.records.format import UNITS
+from barchan.wind.records.units import UNITS
 
 KNOT = UNITS["kn"]
 
@@ -32,6 +32,8 @@ class Drift:
     amount: NDArray[np.float64]
     """How much sand it moves; not negative."""
     unit: str = "-"
+    width: float = 0.0
+    """Degrees that each direction stands for; 0 where it is exact."""
 
     @property
     def total(self) -> float:
@@ -69,7 +71,7 @@ class Drift:
         """The same drift summed by whole degrees, which is quicker to work with where winds are many."""
         degree = np.round(self.direction).astype(np.int64) % 360
         sums = np.bincount(degree, self.amount, 360).astype(np.float64)
-        return Drift(np.arange(360.0), sums, self.unit)
+        return Drift(np.arange(360.0), sums, self.unit, self.width)
 
 
 def drift_of(winds: list[tuple[float, float]], unit: str = "-") -> Drift:
@@ -79,20 +81,25 @@ def drift_of(winds: list[tuple[float, float]], unit: str = "-") -> Drift:
 
 
 def drift_potential(record: WindRecord, threshold: float = THRESHOLD) -> Drift:
-    """Drift potential in vector units (VU) by knots, with a threshold speed (knots) at 10 m.
+    """Drift potential in vector units (VU) by knots, of speeds at 10 m, with a threshold speed (knots) there.
 
     U² (U - U_t) t above the threshold, U in knots and t the share of the time: Fryberger & Dean (1979), USGS
     Prof. Pap. 1052, 137. Each row has its own weight, so there is no bias from classes of speed.
     """
     speed = record.speed / KNOT
     weight = np.where(speed > threshold, speed**2 * (speed - threshold), 0.0)
-    return Drift(record.direction, weight * record.duration / record.seconds, "VU")
+    share = record.duration / record.seconds
+    return Drift(record.direction, weight * share, "VU", record.direction_width)
 
 
 def sand_flux(record: WindRecord, sand: Saltation) -> Drift:
-    """Sand that each wind moves in a mean year, m² a year of sand as it lies, by a flux law."""
+    """Sand that each wind moves in a mean year, m² a year of sand as it lies, by a flux law.
+
+    Speeds are brought from the record's height to that of the law, where the record states it.
+    """
     share = record.duration / record.seconds
-    return Drift(record.direction, sand.volume_flux(record.speed) * share * YEAR, "m²/yr")
+    flux = sand.volume_flux(sand.at_own_height(record.speed, record.height))
+    return Drift(record.direction, flux * share * YEAR, "m²/yr", record.direction_width)
 
 
 def energy(potential: float) -> str:

@@ -27,9 +27,31 @@ def sectors(directions: NDArray, count: int = SECTORS) -> NDArray[np.int64]:
     return np.floor(directions * (count / 360.0) + 0.5).astype(np.int64) % count
 
 
+def sector_sums(
+    directions: NDArray, amounts: NDArray, width: float = 0.0, count: int = SECTORS
+) -> NDArray[np.float64]:
+    """Amounts by sector, each shared evenly over the ``width`` (degrees) that its direction stands for.
+
+    Whole directions counted by sectors would be biased: of the tens of degrees three fall into the
+    sectors of N, E,
+    S and W of 16, and two into the others.
+    """
+    if width <= 0.0:
+        return np.bincount(sectors(directions, count), amounts, count).astype(np.float64)
+    low = (directions - width / 2) * (count / 360.0) + 0.5
+    reach = width * count / 360.0
+    first = np.floor(low + 1e-9)
+    sums = np.zeros(count)
+    for k in range(int(np.ceil(reach)) + 1):
+        overlap = np.minimum(low + reach, first + k + 1) - np.maximum(low, first + k)
+        share = np.maximum(overlap, 0.0) / reach
+        sums += np.bincount((first + k).astype(np.int64) % count, amounts * share, count)
+    return sums
+
+
 def sand_rose(drift: Drift, count: int = SECTORS) -> NDArray[np.float64]:
     """Sand moved by the winds of each sector, in the drift's unit; sectors are where the winds come from."""
-    return np.bincount(sectors(drift.direction, count), drift.amount, count).astype(np.float64)
+    return sector_sums(drift.direction, drift.amount, drift.width, count)
 
 
 def wind_rose(
@@ -37,12 +59,15 @@ def wind_rose(
 ) -> tuple[NDArray[np.float64], float]:
     """Shares of the time by sector (row) and class of speed (column), and the share of calms.
 
-    ``limits`` (m/s) part the classes: below the first, between them, and from the last on.
+    ``limits`` (m/s) part the classes: below the first, between them, and from the last on. Directions
+    are shared
+    over what they stand for, as in ``sector_sums``.
     """
     blows = record.speed > 0.0
     share = record.duration / record.seconds
     group = np.searchsorted(np.asarray(limits), record.speed, side="right")
-    columns = len(limits) + 1
-    place = sectors(record.direction, count) * columns + group
-    table = np.bincount(place[blows], share[blows], count * columns)
-    return table.reshape(count, columns).astype(np.float64), float(share[~blows].sum())
+    columns = []
+    for number in range(len(limits) + 1):
+        these = blows & (group == number)
+        columns.append(sector_sums(record.direction[these], share[these], record.direction_width, count))
+    return np.stack(columns, axis=1), float(share[~blows].sum())

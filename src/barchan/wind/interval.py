@@ -12,6 +12,9 @@ from barchan.wind.weather import UNKNOWN, Weather
 Strength = Callable[[NDArray[np.float64]], NDArray[np.float64]]
 """From speeds (m/s) to polls, as a fraction of the polls of a step."""
 
+Raised = Callable[[NDArray[np.float64], float | None], NDArray[np.float64]]
+"""From speeds (m/s) at a height (m) to those at the clock's height."""
+
 
 @dataclass(frozen=True)
 class WindInterval:
@@ -41,6 +44,8 @@ class StepClock:
     """Duration of a step (s), if known."""
     strength: Strength | None = None
     """Polls by speed, if polls are in proportion to the flux."""
+    raised: Raised | None = None
+    """Brings speeds of a record from their height to the clock's, if the clock has one."""
     deviates: bool = True
     """Whether directions deviate from their means at random."""
 

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field
 
+from barchan.aeolian.wall import REFERENCE_HEIGHT
 from barchan.errors import Problem, RecordError, ScenarioError
 from barchan.parameters import Parameters, parameter
 from barchan.wind.blowing import Blowing
@@ -41,7 +42,8 @@ class Recorded(Parameters):
     """The winds of a record, one after the other, at the speed of the run's clock.
 
     A wind has polls in proportion to the sand that it moves, by the clock's flux law; below the threshold
-    time passes without polls. Where a step covers more winds than ``winds``, that many of them blow for
+    time passes without polls. Speeds at a height that the record states are brought to the clock's.
+    Where a step covers more winds than ``winds``, that many of them blow for
     equal shares of the step's sand: they are picked at equal distances of sand moved from a random start,
     so that each is picked in proportion to the sand it moves. Gaps of the record are skipped.
     """
@@ -53,7 +55,7 @@ class Recorded(Parameters):
         None,
         unit="-",
         min_length=1,
-        meaning="The record, CSV or NetCDF; by default the made-up one that ships with Barchan.",
+        meaning="The record, a table or NetCDF; by default the made-up one that ships with Barchan.",
     )
     columns: RecordFormat = Field(default_factory=RecordFormat, description="How the record is written.")
     repeat: bool = parameter(
@@ -99,7 +101,8 @@ class Recorded(Parameters):
     def intervals(self, step: int, clock: StepClock) -> list[WindInterval]:
         """Intervals of a step, in order."""
         rows, record = self._rows(step, clock), self.record
-        speeds, directions = record.speed[rows.numbers], record.direction[rows.numbers]
+        speeds = self._at_clock_height(record.speed[rows.numbers], clock)
+        directions = record.direction[rows.numbers]
         strengths = np.ones(len(speeds)) if clock.strength is None else clock.strength(speeds)
         shares = rows.shares
         if clock.deviates and len(speeds) > self.winds:
@@ -113,6 +116,19 @@ class Recorded(Parameters):
         ]
         after = 1.0 - float(shares.sum())
         return [*found, WindInterval(after, 0.0, None, 0.0, 0.0)] if after > _ROUNDING else found
+
+    def _at_clock_height(self, speeds: NDArray[np.float64], clock: StepClock) -> NDArray[np.float64]:
+        """Speeds of the record as they are at the clock's height, or without a clock at 10 m."""
+        height = self.record.height
+        if clock.raised is None:
+            if height in {None, REFERENCE_HEIGHT}:
+                return speeds
+            text = f"is {height:g} m; allowed without a clock: winds at {REFERENCE_HEIGHT:g} m"
+            raise ScenarioError([Problem("wind.columns.height", text)])
+        try:
+            return clock.raised(speeds, height)
+        except ValueError as error:
+            raise ScenarioError([Problem("wind.columns.height", str(error))]) from None
 
     def _picked(
         self, step: int, works: NDArray[np.float64], clock: StepClock

@@ -1,4 +1,4 @@
-"""Wind records of stations and reanalyses, read from CSV and NetCDF files.
+"""Wind records of stations and reanalyses, read from tables and NetCDF files.
 
 A record is data in SI units; nothing here knows of sand.
 """

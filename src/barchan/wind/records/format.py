@@ -1,17 +1,18 @@
-"""Names and units of a file's columns, and its marks of missing values."""
+"""Names, units, height and convention of a file's columns, and its marks of missing values."""
 
 from typing import Literal
 
 from barchan.parameters import Parameters, parameter
+from barchan.wind.records.units import AngleUnit, SpeedUnit
 
-UNITS: dict[str, float] = {"m/s": 1.0, "kn": 1852 / 3600, "km/h": 1 / 3.6, "mph": 0.44704}
-"""Metres a second in one unit of speed."""
-
-MISSING = [-9999.0, -999.0, -999.9, -99.9, 999.0, 999.9, 9999.0, 99999.0]
+MISSING = [
+    -9999.0, -999.0, -999.9, -99.9, 999.0, 999.9, 9999.0, 99999.0, -9999.9, -99999.0, -32768.0,
+    -32767.0, 9999.9,
+]  # fmt: skip
 
 
 class RecordFormat(Parameters):
-    """How a wind record is written, where that cannot be guessed."""
+    """How a wind record is written, where the file does not say it."""
 
     time: str | None = parameter(
         None,
@@ -22,19 +23,52 @@ class RecordFormat(Parameters):
         None, unit="-", meaning="Column of the speeds; guessed where it is not given."
     )
     direction: str | None = parameter(
-        None,
-        unit="-",
-        meaning="Column of where the wind comes from (degrees); guessed where it is not given.",
+        None, unit="-", meaning="Column of the directions; guessed where it is not given."
     )
-    unit: Literal["m/s", "kn", "km/h", "mph"] | None = parameter(
+    eastward: str | None = parameter(
+        None, unit="-", meaning="Column of the eastward wind u; guessed where it is not given."
+    )
+    northward: str | None = parameter(
+        None, unit="-", meaning="Column of the northward wind v; guessed where it is not given."
+    )
+    unit: SpeedUnit | None = parameter(
         None, unit="-", meaning="Unit of the speeds; from the file where it is not given, else m/s."
     )
+    direction_unit: AngleUnit | None = parameter(
+        None, unit="-", meaning="Unit of the directions; from the file where it is not given, else degrees."
+    )
+    convention: Literal["from", "to"] | None = parameter(
+        None,
+        unit="-",
+        meaning="Whether directions are where the wind comes from or goes to; from the file where it is not "
+        "given, else from.",
+    )
+    height: float | None = parameter(
+        None,
+        unit="m",
+        gt=0,
+        le=1000,
+        meaning="Height of the speeds above the ground: which of several, or that of a file that does "
+        "not state it.",
+    )
     time_format: str | None = parameter(
-        None, unit="-", meaning="How times are written, as in %d.%m.%Y %H:%M; ISO 8601 where it is not given."
+        None,
+        unit="-",
+        meaning="How times are written, as in %d.%m.%Y %H:%M, or the unit of counted times (s, min, h, d); "
+        "ISO 8601 where it is not given.",
     )
     missing: list[float] = parameter(
-        lambda: list(MISSING), unit="-", max_length=100, meaning="Numbers that stand for a missing value."
+        lambda: list(MISSING),
+        unit="-",
+        max_length=100,
+        meaning="Numbers that stand for a missing value, in the file's own unit.",
     )
+    skip_rows: int = parameter(0, unit="-", ge=0, meaning="Lines to pass over at the top of a table.")
+    sheet: str | None = parameter(
+        None, unit="-", meaning="Sheet of a spreadsheet; the first where it is not given."
+    )
+    station: str | None = parameter(None, unit="-", meaning="Which station of a table that holds several.")
+    member: int | None = parameter(None, unit="-", ge=0, meaning="Which member of an ensemble.")
     latitude: float | None = parameter(
         None, unit="degrees", ge=-90, le=90, meaning="Which point of a grid to read: the nearest to it."
     )

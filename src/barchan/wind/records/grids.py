@@ -1,26 +1,31 @@
 """Wind records in NetCDF files: time series, or one point of a reanalysis such as ERA5."""
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from barchan.errors import Problem, RecordError
-from barchan.wind.records.columns import allowed_units, guess, speed_unit
-from barchan.wind.records.format import UNITS, RecordFormat
+from barchan.wind.records.choice import choose
+from barchan.wind.records.claims import Column, claims_of, guess
+from barchan.wind.records.format import MISSING, RecordFormat
+from barchan.wind.records.points import at_one_point, latitude_longitude
+from barchan.wind.records.providers import UNKNOWN, provider_of
 from barchan.wind.records.record import Rows
+from barchan.wind.records.values import unit_of, wind_of, without_codes
 
 if TYPE_CHECKING:
     import xarray as xr
 
-STANDARD = {
-    "speed": "wind_speed",
-    "direction": "wind_from_direction",
-    "u": "eastward_wind",
-    "v": "northward_wind",
-}
-"""Standard names of the CF conventions."""
+_HEIGHTS = ("height", "heightAboveGround", "height_above_ground", "altitude", "level", "z")
+"""Coordinates that may state the height of a variable."""
+
+_TURNED = (
+    "is along the columns of a grid that is not one of latitude and longitude, and Barchan does not "
+    "turn it; give "
+    "eastward and northward wind"
+)
 
 
 def read_grid(path: Path, form: RecordFormat) -> Rows:
@@ -28,36 +33,28 @@ def read_grid(path: Path, form: RecordFormat) -> Rows:
     import xarray as xr
 
     try:
-        with xr.open_dataset(path) as opened:
+        with xr.open_dataset(path, mask_and_scale=False) as opened:
             return _rows(opened, form, path.name)
     except (OSError, ValueError) as error:
         raise RecordError([Problem("", f"cannot be read as NetCDF: {error}")], path.name) from None
 
 
 def _rows(dataset: "xr.Dataset", form: RecordFormat, source: str) -> Rows:
-    found = {q: _variable(dataset, form, q) for q in ("speed", "direction", "u", "v")}
-    pair = ("speed", "direction") if found["speed"] and found["direction"] else ("u", "v")
-    for quantity in pair:
-        if found[quantity] is None:
-            message = (
-                "no variables for speed and direction, nor for eastward and northward wind; "
-                f"the variables are {', '.join(map(str, dataset.data_vars))}"
-            )
-            raise RecordError([Problem("", message)], source)
-    first, second = (dataset[found[quantity]] for quantity in pair)
-    time = _time_name(dataset, first, form, source)
-    units = [
-        _unit(variable, form, source) for variable in ((first,) if pair[0] == "speed" else (first, second))
-    ]
-    one, other = (_series(variable, time, form, source) for variable in (first, second))
-    if pair == ("speed", "direction"):
-        speed, direction = one * UNITS[units[0][0]], other
-        names = {"speed": str(first.name), "direction": str(second.name)}
-    else:
-        speed, direction = _polar(one * UNITS[units[0][0]], other * UNITS[units[1][0]])
-        names = dict.fromkeys(("speed", "direction"), f"{first.name}, {second.name}")
-    for values in (speed, direction):
-        values[np.isin(values, form.missing)] = np.nan
+    names = [str(name) for name in dataset.data_vars]
+    provider = provider_of([*names, *map(str, dataset.coords)]) or UNKNOWN
+    claims = claims_of([_column(dataset, name) for name in names], form, {}, frozenset())
+    choice = choose(claims, form, names, source, "variable")
+    time = _time_name(dataset, dataset[choice.first.column], form, source)
+    measured, units, place = [], [], ""
+    height = choice.height
+    for claim in (choice.first, choice.second):
+        unit = unit_of(claim, form, source)
+        point = at_one_point(dataset[claim.column], time, form, source)
+        measured.append(without_codes(_unpacked(point.values, form), claim, form) * unit.size)
+        units.append(unit)
+        place = point.place
+        height = point.height if height is None or point.height is not None else height
+    speed, direction = wind_of(choice, measured[0], measured[1], form)
     stamps = dataset[time].to_numpy().astype("datetime64[ms]")
     return Rows(
         source,
@@ -65,68 +62,80 @@ def _rows(dataset: "xr.Dataset", form: RecordFormat, source: str) -> Rows:
         stamps[0].astype("datetime64[s]") if len(stamps) else None,
         speed,
         direction,
-        {**names, "time": time},
+        {**choice.names, "time": time},
         np.arange(1, len(stamps) + 1),
-        (units[0][0], UNITS[units[0][0]]),
-        tuple(remark for _, remark in units if remark),
+        (units[0].name, units[0].size),
+        (*(unit.remark for unit in units if unit.remark), *choice.remarks),
+        height,
+        provider.name,
+        place=place,
     )
 
 
-def _variable(dataset: "xr.Dataset", form: RecordFormat, quantity: str) -> str | None:
-    stated = getattr(form, quantity, None)
-    if stated:
-        return stated if stated in dataset.data_vars else None
-    named = guess(map(str, dataset.data_vars), quantity)
-    standard = STANDARD[quantity]
-    return named or next(
-        (str(n) for n, v in dataset.data_vars.items() if v.attrs.get("standard_name") == standard), None
+def _column(dataset: "xr.Dataset", name: str) -> Column:
+    """A variable as its attributes describe it."""
+    variable = dataset[name]
+    attributes = {key: str(variable.attrs.get(key, "")) for key in ("units", "standard_name", "long_name")}
+    standard = attributes["standard_name"]
+    latitude, _ = latitude_longitude(variable)
+    turned = standard in {"x_wind", "y_wind"} or not standard
+    sideways = latitude is not None and latitude.ndim == 2 and turned
+    averaged = str(variable.attrs.get("cell_methods", ""))
+    described = attributes["long_name"]
+    extreme = next(
+        (f" {word}" for word in ("maximum", "minimum", "standard deviation") if word in averaged), ""
     )
+    return Column(
+        name,
+        attributes["units"],
+        standard,
+        described + extreme,
+        _height(variable),
+        _TURNED if sideways else "",
+    )
+
+
+def _height(variable: "xr.DataArray") -> float | None:
+    """The height (m) that a coordinate of one value states."""
+    for name in _HEIGHTS:
+        if name in variable.coords and variable[name].size == 1:
+            coordinate = variable[name]
+            if str(coordinate.attrs.get("units", "")).lower() in {"m", "metre", "metres", "meter", "meters"}:
+                return float(coordinate)
+    return None
 
 
 def _time_name(dataset: "xr.Dataset", variable: "xr.DataArray", form: RecordFormat, source: str) -> str:
-    name = form.time or guess(map(str, variable.dims), "time")
+    name = form.time or guess(list(map(str, variable.dims)), "time")
     if name is None or name not in variable.dims or name not in dataset:
-        raise RecordError(
-            [Problem("time", f"no dimension of times in {variable.name}{variable.dims}")], source
-        )
+        problem = Problem("time", f"no dimension of times in {variable.name}{variable.dims}")
+        raise RecordError([problem], source)
     if dataset[name].dtype.kind != "M":
         raise RecordError([Problem(name, "holds no dates of the standard calendar")], source)
     return name
 
 
-def _unit(variable: "xr.DataArray", form: RecordFormat, source: str) -> tuple[str, str]:
-    """Unit of a variable, and the assumptions made."""
-    spelling = str(variable.attrs.get("units", ""))
-    if form.unit:
-        return form.unit, ""
-    if not spelling:
-        return "m/s", f"variable {variable.name} states no unit; taken as m/s"
-    unit = speed_unit(spelling)
-    if unit is None:
-        problem = Problem(str(variable.name), f"is in '{spelling}'; allowed: {allowed_units()}")
-        raise RecordError([problem], source)
-    return unit, ""
+def _unpacked(variable: "xr.DataArray", form: RecordFormat) -> NDArray[np.float64]:
+    """The numbers of a variable in its own unit, NaN where attributes or codes mark one as missing.
 
-
-def _series(variable: "xr.DataArray", time: str, form: RecordFormat, source: str) -> NDArray[np.float64]:
-    """The values over time, at the one point that is there or that is asked for."""
-    for axis, wanted, turn in (("lat", form.latitude, 0.0), ("lon", form.longitude, 360.0)):
-        name = next((d for d in variable.dims if str(d).lower().startswith(axis)), None)
-        if name is not None and wanted is not None and name in variable.coords:
-            variable = variable.isel({name: _nearest(variable[name].to_numpy(), wanted, turn)})
-    variable = variable.squeeze([d for d in variable.dims if d != time and variable.sizes[d] == 1], drop=True)
-    if variable.dims != (time,):
-        sizes = ", ".join(f"{name} ({size})" for name, size in variable.sizes.items() if name != time)
-        message = f"has more than one point: {sizes}; state latitude and longitude"
-        raise RecordError([Problem(str(variable.name), message)], source)
-    return np.array(variable.to_numpy(), np.float64)
-
-
-def _nearest(values: NDArray[Any], wanted: float, turn: float) -> int:
-    away = np.abs(values - wanted)
-    return int(np.argmin(np.minimum(away, np.abs(turn - away)) if turn else away))
-
-
-def _polar(east: NDArray, north: NDArray) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Speed and where the wind comes from, of its eastward and northward parts."""
-    return np.hypot(east, north), np.degrees(np.arctan2(-east, -north)) % 360.0
+    Fill values and valid ranges are those of the packed numbers (CF); codes that the user states hold
+    for packed
+    and unpacked numbers.
+    """
+    raw = variable.to_numpy()
+    values = raw.astype(np.float64)
+    attributes = variable.attrs
+    fills = [np.ravel(attributes[key]) for key in ("_FillValue", "missing_value") if key in attributes]
+    absent = (
+        np.isin(values, np.concatenate(fills).astype(np.float64)) if fills else np.zeros(values.shape, bool)
+    )
+    low, high = attributes.get("valid_range", (attributes.get("valid_min"), attributes.get("valid_max")))
+    if low is not None:
+        absent |= values < float(low)
+    if high is not None:
+        absent |= values > float(high)
+    packed = "scale_factor" in attributes or "add_offset" in attributes
+    if packed and list(form.missing) != MISSING:
+        absent |= np.isin(values, form.missing)
+    scaled = values * float(attributes.get("scale_factor", 1.0)) + float(attributes.get("add_offset", 0.0))
+    return np.where(absent, np.nan, scaled)

@@ -1,6 +1,5 @@
-"""Wind records in tables of text: CSV, also compressed, with commas, semicolons or tabs."""
+"""Wind records in tables of text and spreadsheets."""
 
-import gzip
 import io
 import re
 import warnings
@@ -11,144 +10,155 @@ import numpy as np
 from numpy.typing import NDArray
 
 from barchan.errors import Problem, RecordError
-from barchan.wind.records.columns import UNIT_OF_NAME, allowed_units, guess, speed_unit, split
-from barchan.wind.records.format import UNITS, RecordFormat
+from barchan.wind.records.choice import Choice, choose
+from barchan.wind.records.claims import Claim, Column, claims_of
+from barchan.wind.records.format import RecordFormat
+from barchan.wind.records.layout import BLANKS, Layout, laid_out
 from barchan.wind.records.record import Rows
-from barchan.wind.records.times import seconds
+from barchan.wind.records.stations import one_place
+from barchan.wind.records.texts import text_of
+from barchan.wind.records.time_columns import time_columns
+from barchan.wind.records.times import Times, seconds
+from barchan.wind.records.units import ANGLE, SPEED
+from barchan.wind.records.values import Unit, numbers_of, unit_of, wind_of, without_codes
 
 if TYPE_CHECKING:
     import pandas as pd
 
-NO_VALUE = ["", "-", "--", "M", "NA", "N/A", "NaN", "nan", "null", "None", "missing"]
-"""Words that stand for a missing value."""
-
-VARIABLE = ["VRB", "990", "990.0"]
-"""Codes of a wind without a certain direction; 990 is that of weather services."""
-
-HEADING_WITHIN = 60
-"""Lines in which the heading is looked for."""
-
 
 def read_table(path: Path, form: RecordFormat) -> Rows:
     """The rows of a table; raises RecordError where it is none."""
-    text = _text(path)
-    first, separator = _heading(text, form, path.name)
-    table = _table(text, first, separator, path.name)
-    names = _names(list(table.columns), form, path.name)
-    numbers = np.asarray(table.index, np.int64) + first + 2
-    unit, remarks = _unit(names["speed"], form, path.name)
-    speed = _numbers(table[names["speed"]], numbers, form, NO_VALUE, path.name) * UNITS[unit]
-    direction = _numbers(table[names["direction"]], numbers, form, [*NO_VALUE, *VARIABLE], path.name)
-    parts = [table[part] for part in names["time"].split("+")]
-    time, start = seconds(parts, names["time"], numbers, form.time_format, path.name)
-    return Rows(path.name, time, start, speed, direction, names, numbers, (unit, UNITS[unit]), remarks)
+    source = path.name
+    layout = laid_out(text_of(path, form.sheet), form, source)
+    parts, hint, choice = _found(layout, form, source)
+    table, numbers = one_place(_table(layout, source), np.asarray(layout.numbers), layout, form, source)
+    name = "+".join(parts)
+    times = Times([table[part] for part in parts], name, numbers, form.time_format, hint, source)
+    time, start = seconds(times)
+    measured, calm, units = [], np.zeros(len(table), bool), []
+    for claim in (choice.first, choice.second):
+        unit = unit_of(claim, form, source)
+        values, still = _values(table, claim, unit, numbers, form, source)
+        measured.append(values * unit.size)
+        units.append(unit)
+        calm |= still
+    speed, direction = wind_of(choice, measured[0], measured[1], form)
+    provider = layout.provider
+    said = [*(unit.remark for unit in units), *choice.remarks, provider.remark]
+    return Rows(
+        source,
+        time,
+        start,
+        np.where(calm & np.isnan(speed), 0.0, speed),
+        direction,
+        {**choice.names, "time": name},
+        numbers,
+        (units[0].name, units[0].size),
+        tuple(filter(None, said)),
+        choice.height,
+        provider.name,
+        provider.several_reports,
+    )
 
 
-def _text(path: Path) -> str:
-    data = path.read_bytes()
+def _found(layout: Layout, form: RecordFormat, source: str) -> tuple[list[str], str | None, Choice]:
+    """The columns of the time, how it is written, and those of the wind; RecordError names all absent."""
+    problems: list[Problem] = []
+    parts: list[str] = []
+    hint = None
     try:
-        data = gzip.decompress(data) if data[:2] == b"\x1f\x8b" else data
-    except (OSError, EOFError) as error:
-        raise RecordError([Problem("", f"cannot be unpacked: {error}")], path.name) from None
+        parts, hint = time_columns(layout.headings, form.time, layout.provider, source)
+    except RecordError as error:
+        problems += error.problems
+    claims = claims_of(_columns(layout), form, layout.provider.documented, frozenset(parts))
     try:
-        return data.decode("utf-8-sig")
-    except UnicodeDecodeError:
-        return data.decode("latin-1")
+        choice = choose(claims, form, layout.headings, source)
+    except RecordError as error:
+        problems += error.problems
+    if problems and layout.heading_number is None:
+        message = (
+            f"has no heading; state its {len(layout.headings)} columns by number, as in time 1, speed 2, "
+            "direction 3, and the unit of counted times as time_format"
+        )
+        raise RecordError([Problem("", message)], source)
+    if problems:
+        raise RecordError(problems, source)
+    return parts, hint, choice
 
 
-def _heading(text: str, form: RecordFormat, source: str) -> tuple[int, str]:
-    """Number of the line (from 0) that names the columns, and the separator of columns."""
-    stated = [name for name in (form.time, form.speed, form.direction) if name]
-    lines = text.split("\n", HEADING_WITHIN)[:HEADING_WITHIN]
-    filled = [number for number, line in enumerate(lines) if line.strip() and not line.startswith("#")]
-    if not filled:
-        raise RecordError([Problem("", "is empty")], source)
-    for number in filled:
-        separator = max(",;\t", key=lines[number].count)
-        headings = [heading.strip(' "\r') for heading in lines[number].split(separator)]
-        known = [q for q in ("time", "speed", "direction") if guess(headings, q)]
-        if len(known) > 1 or any(part in headings for name in stated for part in name.split("+")):
-            return number, separator
-    return filled[0], max(",;\t", key=lines[filled[0]].count)
+def _columns(layout: Layout) -> list[Column]:
+    """The columns with the units and kinds of mean that rows below the heading state."""
+    ranked = sorted(layout.above, key=lambda row: -sum(map(_is_unit, row)))
+    units = ranked[0] if ranked and any(map(_is_unit, ranked[0])) else [""] * len(layout.headings)
+    others = [row for row in layout.above if row is not units]
+    described = [" ".join(words) for words in zip(*others, strict=True)] if others else [""] * len(units)
+    return [
+        Column(name, unit, description=text)
+        for name, unit, text in zip(layout.headings, units, described, strict=True)
+    ]
 
 
-def _table(text: str, first: int, separator: str, source: str) -> "pd.DataFrame":
+def _is_unit(text: str) -> bool:
+    return any(kind.unit_of(text) or kind.why_useless(text) for kind in (SPEED, ANGLE))
+
+
+def _table(layout: Layout, source: str) -> "pd.DataFrame":
+    """All columns as words."""
     import pandas as pd
 
-    body = text.split("\n", first)[-1] if first else text
-    sample = body.split("\n", 3)[1:3]
-    comma = separator != "," and any(re.search(r"\d,\d", line) for line in sample)
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("error", pd.errors.ParserWarning)
-            table = pd.read_csv(
-                io.StringIO(body),
-                sep=separator,
-                decimal="," if comma else ".",
+            return pd.read_csv(
+                io.StringIO("\n".join(layout.lines)),
+                sep=r"\s+" if layout.separator == BLANKS else layout.separator,
+                header=None,
+                names=layout.headings,
                 skip_blank_lines=False,
                 skipinitialspace=True,
                 keep_default_na=False,
-                na_values=NO_VALUE,
                 index_col=False,
-                low_memory=False,
-            )
+                dtype=str,
+            ).fillna("")
     except pd.errors.ParserWarning:
-        raise RecordError(
-            [Problem("", "has rows with more values than the heading has names")], source
-        ) from None
+        message = "has rows with more values than the heading has names"
+        raise RecordError([Problem("", message)], source) from None
     except (pd.errors.ParserError, pd.errors.EmptyDataError) as error:
-        said = str(error).strip().removeprefix("Error tokenizing data. C error: ")
-        said = re.sub(r"line (\d+)", lambda found: f"row {int(found[1]) + first}", said)
-        raise RecordError([Problem("", f"cannot be read as a table: {said}")], source) from None
-    table.columns = [str(name).strip() for name in table.columns]
-    return table.dropna(how="all")
+        raise RecordError(
+            [Problem("", f"cannot be read as a table: {_said(error, layout)}")], source
+        ) from None
 
 
-def _names(headings: list[str], form: RecordFormat, source: str) -> dict[str, str]:
-    """Names of time, speed and direction in the table."""
-    names, problems = {}, []
-    for quantity in ("time", "speed", "direction"):
-        stated = getattr(form, quantity)
-        name = stated or guess(headings, quantity)
-        absent = [part for part in (name or "").split("+") if part not in headings]
-        if absent:
-            what = f"no column '{absent[0]}'" if stated else f"no column for the {quantity}"
-            problems.append(Problem(quantity, f"{what}; the columns are {', '.join(headings)}"))
-        else:
-            names[quantity] = str(name)
-    if problems:
-        raise RecordError(problems, source)
-    return names
+def _said(error: Exception, layout: Layout) -> str:
+    """The words of a reader of tables, with the row's number in the file."""
+    said = str(error).strip().removeprefix("Error tokenizing data. C error: ")
+    return re.sub(r"line (\d+)", lambda found: f"row {layout.numbers[int(found[1]) - 1]}", said)
 
 
-def _unit(heading: str, form: RecordFormat, source: str) -> tuple[str, tuple[str, ...]]:
-    """Unit of the speeds, and the assumptions made."""
-    name, spelling = split(heading)
-    if form.unit:
-        return form.unit, ()
-    if not spelling:
-        unit = UNIT_OF_NAME.get(name)
-        return unit or "m/s", () if unit else (f"column '{heading}' states no unit; taken as m/s",)
-    found = speed_unit(spelling)
-    if found is None:
-        message = f"is in '{spelling}'; allowed: {allowed_units()}"
-        raise RecordError([Problem(f"column '{heading}'", message)], source)
-    return found, ()
+def _values(
+    table: "pd.DataFrame",
+    claim: Claim,
+    unit: Unit,
+    numbers: NDArray[np.int64],
+    form: RecordFormat,
+    source: str,
+) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
+    """A column in its own unit, NaN where a value is missing or marked as wrong, and which rows are calm."""
+    words, stated = table[claim.column], claim.stated
+    if stated is not None and stated.part is not None:
+        words = _part(words, stated.part)
+    elif words.str.fullmatch(r"\s*-?\d+,\d+\s*").any():
+        words = words.str.replace(",", ".")
+    values, calm = numbers_of(words.rename(claim.column), claim, unit, numbers, source)
+    values = without_codes(values, claim, form)
+    if stated is not None and stated.doubt is not None:
+        column, part, wrong = stated.doubt
+        if column in table:
+            marks = table[column] if part is None else _part(table[column], part)
+            values = np.where(marks.str.strip().isin(wrong), np.nan, values)
+    return values, calm
 
 
-def _numbers(
-    column: "pd.Series", rows: NDArray[np.int64], form: RecordFormat, words: list[str], source: str
-) -> NDArray[np.float64]:
-    """A column as numbers, NaN where a value is missing; raises RecordError at a word that is no number."""
-    import pandas as pd
-
-    values = pd.to_numeric(column, errors="coerce").to_numpy(np.float64, copy=True)
-    strange = np.isnan(values) & column.notna().to_numpy()
-    for row in np.flatnonzero(strange):
-        word = str(column.iloc[row]).strip()
-        if word not in words:
-            where = f"row {rows[row]}, column '{column.name}'"
-            raise RecordError([Problem(where, f"is '{word}'; allowed: numbers, or nothing")], source)
-    codes = [*form.missing, *(float(word) for word in words if word.isdigit())]
-    values[np.isin(values, codes) | ~np.isfinite(values)] = np.nan
-    return values
+def _part(words: "pd.Series", part: int) -> "pd.Series":
+    """A part of words that commas part."""
+    return words.str.split(",").str.get(part).fillna("")

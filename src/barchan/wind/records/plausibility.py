@@ -1,0 +1,56 @@
+"""Whether a record looks like wind in the units that it was read in."""
+
+import numpy as np
+
+from barchan.wind.records.record import WindRecord
+
+STRONGEST_MEAN = 20.0
+"""Mean speed (m/s) above which a record is doubted: that of Cape Denison, the windiest place at sea
+level, is 19."""
+
+STRONGEST = 75.0
+"""Speed (m/s) above which a record is doubted: gusts of the strongest cyclones."""
+
+WEAKEST_HIGHEST = 1.0
+"""Highest speed (m/s) below which a record is doubted."""
+
+ENOUGH = 30
+"""Winds from which on directions are judged."""
+
+_WIDTHS = ((45.0, 4), (22.5, 5), (10.0, 3))
+"""Steps in which directions are reported (degrees), and how many different ones show it."""
+
+
+def warnings_of(record: WindRecord) -> tuple[str, ...]:
+    """What makes a record implausible, as a wrong unit does."""
+    mean = float(np.average(record.speed, weights=record.duration))
+    highest = float(record.speed.max())
+    found = []
+    if mean > STRONGEST_MEAN:
+        found.append(
+            f"the mean speed is {mean:.1f} m/s; no place on Earth has more than {STRONGEST_MEAN:g} m/s: "
+            f"is the unit "
+            "right (0.1 m/s, km/h, kn)?"
+        )
+    elif highest > STRONGEST:
+        found.append(
+            f"the highest speed is {highest:.1f} m/s, more than in the strongest cyclones: is the unit right?"
+        )
+    if highest < WEAKEST_HIGHEST and len(record) >= ENOUGH:
+        found.append(f"the highest speed is {highest:.2f} m/s, hardly a wind: is the unit right?")
+    blows = record.direction[record.speed > 0]
+    if len(blows) >= ENOUGH and len(np.unique(blows)) > 3:
+        if blows.max() <= 2 * np.pi + 0.01:
+            found.append(f"all winds come from 0 to {blows.max():.2f}°: are directions in radians?")
+        elif blows.max() <= 36.0 and (blows == np.round(blows)).all():
+            found.append(f"all winds come from 0 to {blows.max():g}°: are directions in tens of degrees?")
+    return tuple(found)
+
+
+def direction_width(record: WindRecord) -> float:
+    """Degrees that each direction stands for: the step in which all are reported; 0 where there is none."""
+    blows = record.direction[record.speed > 0]
+    if len(blows) < ENOUGH:
+        return 0.0
+    different = len(np.unique(blows))
+    return next((width for width, least in _WIDTHS if different >= least and not np.any(blows % width)), 0.0)

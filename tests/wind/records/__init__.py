@@ -1,0 +1,1 @@
+"""Wind records: files as people and providers write them."""

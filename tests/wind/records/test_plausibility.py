@@ -1,0 +1,43 @@
+"""What is read as wind must look like wind: wrong units are doubted aloud."""
+
+import re
+
+import numpy as np
+import pytest
+
+from tests.wind.records.known import read_potential, winds
+
+SPEEDS, DIRECTIONS = winds()
+
+
+def read(folder, speeds, directions, heading="time (h),speed (m/s),direction"):
+    rows = "\n".join(f"{k},{s!r},{d!r}" for k, (s, d) in enumerate(zip(speeds, directions, strict=True)))
+    (folder / "wind.csv").write_text(f"{heading}\n{rows}\n")
+    return read_potential(folder / "wind.csv")[1]
+
+
+@pytest.mark.parametrize(
+    ("speeds", "directions", "said"),
+    [
+        (10 * SPEEDS / 2, DIRECTIONS, "the mean speed is .* no place on Earth has more than 20 m/s"),
+        (SPEEDS / 20, DIRECTIONS, "hardly a wind: is the unit right"),
+        (SPEEDS, DIRECTIONS / 10, "tens of degrees"),
+        (SPEEDS, np.radians(DIRECTIONS), "directions in radians"),
+        (np.append(SPEEDS[1:], 80.0), DIRECTIONS, "more than in the strongest cyclones"),
+    ],
+)
+def test_winds_that_are_hardly_possible_are_doubted(tmp_path, speeds, directions, said):
+    record = read(tmp_path, speeds.tolist(), directions.tolist())
+    assert len(record.warnings) == 1
+    assert re.search(said, record.warnings[0])
+
+
+def test_usual_winds_are_not_doubted(tmp_path):
+    assert read(tmp_path, SPEEDS.tolist(), DIRECTIONS.tolist()).warnings == ()
+
+
+@pytest.mark.parametrize(("step", "width"), [(10.0, 10.0), (22.5, 22.5), (45.0, 45.0), (1.0, 0.0)])
+def test_the_step_in_which_directions_are_reported_is_noticed(tmp_path, step, width):
+    ways = (np.arange(360) * step) % 360.0
+    ways = ways[: int(360 / step)].repeat(9)
+    assert read(tmp_path, [5.0] * len(ways), ways.tolist()).direction_width == width
