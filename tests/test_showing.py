@@ -13,7 +13,7 @@ from tests.tiny import tiny
 def test_a_scenario_shows_model_lattice_and_length():
     text = repr(tiny(title="Small dunes", run__seed=None))
     assert text == str(tiny(title="Small dunes", run__seed=None))
-    assert text.startswith("<Scenario 'Small dunes': werner, 16 × 24 cells of 1 m, slabs of 0.333 m, ")
+    assert text.startswith("<Scenario 'Small dunes': werner, 24 × 16 cells of 1 m, slabs of 0.333 m, ")
     assert "steps" in text
     assert text.endswith("no seed yet>")
     assert len(text) < 160

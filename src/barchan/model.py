@@ -121,6 +121,8 @@ class Model(ABC):
     """What its slabs or parcels are of, in one word; the studio offers models by it."""
     work_unit: ClassVar[str] = "polls"
     """What a unit of its work is, for rates that people read."""
+    work_per_second: ClassVar[float] = 2e7
+    """Units of work that one core of a common computer does in a second, for expected times."""
     Parameters: ClassVar[type[Parameters]]
     layers: tuple[LayerInfo, ...] = (SAND,)
     """Layers on the ground that wind can move, the lowest first; a run starts with the uppermost filled."""
@@ -185,6 +187,10 @@ class Model(ABC):
     def step_seconds(self) -> float | None:
         """Duration of a step (s), of a model whose rules tell it."""
         return None
+
+    def expected_work(self, segment: Segment) -> float:
+        """Work, in the ``work_unit``, that a segment is expected to take; by default its polls."""
+        return float(segment.steps * segment.polls)
 
     def step_volume(self) -> float:
         """Volume of sand (m² per step: per width across the wind) that a step moves on a flat bed.

@@ -24,6 +24,14 @@ def test_what_the_parameters_come_to_is_told(here, barchan):
     assert "note: hop length 13 cells is longer than half the field" in out
 
 
+def test_size_steps_and_expected_time_are_told(here, barchan):
+    """300 × 200 cells, 1000 steps: 60 million polls at 20 million a second."""
+    size = ("--lattice.columns", 300, "--lattice.rows", 200, "--run.steps", 1000)
+    lines = barchan("check", "barchans", *size).out.splitlines()
+    assert lines[1].startswith("field: 300 × 200 cells of 1 m, slabs of ")
+    assert lines[2:4] == ["steps: 1000", "expected time: about 3 seconds"]
+
+
 def test_every_mistake_is_told_with_its_line(here, barchan):
     (here / "bad.json").write_text('{\n"barchan": 2,\n"lattice": {"rows": 0},\n"run": {"step": 3}\n}')
     result = barchan("check", "bad.json", "--model.p-s", "2")

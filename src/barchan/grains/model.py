@@ -16,6 +16,7 @@ from barchan.grains.bed import GrainGround
 from barchan.grains.canopy import PAINTED, PLANT_HEIGHT, PLANT_SHARE, PLANTS, Canopy, planted
 from barchan.grains.closure import Closure, Setting
 from barchan.grains.collapse import repose_limits
+from barchan.grains.cost import work_of_step
 from barchan.grains.creep import Creep
 from barchan.grains.parameters import GrainFlight
 from barchan.grains.pool import Pool
@@ -43,6 +44,7 @@ class GrainModel(Model):
     """
 
     work_unit = "grain updates"
+    work_per_second = 6e7
     closures: ClassVar[tuple[type[Closure], ...]] = ()
     Parameters = GrainFlight
     parameters: GrainFlight
@@ -209,6 +211,10 @@ class GrainModel(Model):
         if wind is None or wind.speed is None:
             return self.parameters.wind_speed
         return wind.speed
+
+    def expected_work(self, segment: Segment) -> float:
+        """The grains expected in the air, times iterations; of complete trajectories those of a first hop."""
+        return segment.steps * work_of_step(self.parameters, self.lattice, self.speed(segment), segment.share)
 
     def moves(self, wind: Segment | None = None) -> bool:
         """Whether the wind is above the threshold."""
