@@ -44,7 +44,7 @@ def test_a_simulation_shows_how_far_it_is_and_its_bed_in_units():
     assert f"{simulation.bed.units} slabs of sand, elevation " in repr(simulation)
     assert repr(simulation).endswith(" m>")
     assert "step 3 of" in simulation._repr_html_()
-    assert "16 × 24 cells" in simulation._repr_html_()
+    assert "24 × 16 cells" in simulation._repr_html_()
 
 
 def test_a_frame_shows_its_fields():

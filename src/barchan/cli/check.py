@@ -6,8 +6,8 @@ from barchan.cli.overrides import Tokens, pairs
 def check(scenario: str, /, *values: Tokens) -> None:
     """Check a scenario without running it: every problem is reported, with where it stands.
 
-    Prints the field's size, the number of steps, the time that the run is expected to take, and the facts that
-    follow from the parameters.
+    Prints the field's size, the number of steps, the time that the run is expected to take, and the facts
+    that follow from the parameters.
 
     Parameters
     ----------
