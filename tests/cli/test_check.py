@@ -1,5 +1,7 @@
 """``barchan check``: is a scenario sound?"""
 
+from pathlib import Path
+
 import pytest
 
 from barchan.scenario import preset_names
@@ -65,7 +67,7 @@ def test_a_file_of_plants_that_is_missing_is_told(barchan):
         "check", "nebkhas", "--model.vegetation.kind", "file", "--model.vegetation.path", "no.npy"
     )
     assert failed.code != 0
-    assert "model.vegetation.path: 'no.npy': no such file (command line)" in failed.err
+    assert f"model.vegetation.path: '{Path.cwd() / 'no.npy'}': no such file (command line)" in failed.err
 
 
 def test_mistakes_in_files_are_told_with_the_line_that_names_them(here, barchan):

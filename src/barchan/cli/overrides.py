@@ -7,8 +7,7 @@ from typing import Annotated, Any
 from cyclopts import Parameter
 
 from barchan.errors import Problem, ScenarioError
-from barchan.scenario import Scenario, nearest
-from barchan.scenario.files import Override, value_of
+from barchan.scenario.overrides import COMMAND_LINE, Override, full_path, hint_for, value_of
 from barchan.simulation import AnyEvent, SetParameter, event_from
 from barchan.wind import Wind
 
@@ -29,7 +28,7 @@ def pairs(tokens: tuple[str, ...], command: Callable[..., Any] | None = None) ->
 
     Raises ScenarioError for anything else, with the option of ``command`` that may have been meant.
     """
-    known = [f"--{name}" for name in [*_options(command), *Scenario.model_fields]]
+    options = _options(command)
     found: list[Override] = []
     problems = []
     rest = list(tokens)
@@ -43,8 +42,8 @@ def pairs(tokens: tuple[str, ...], command: Callable[..., Any] | None = None) ->
         given = bool(equals)
         if not given and rest and not rest[0].startswith("--"):
             given, value = True, rest.pop(0)
-        if "." not in key and option not in known:
-            message = f"is no option and no key{nearest(option, known)}"
+        if full_path(key) is None:
+            message = f"is no option and no key{hint_for(key, COMMAND_LINE, options)}"
             problems.append(Problem(option, message, "command line"))
         elif given:
             found.append((key, value))

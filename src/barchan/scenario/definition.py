@@ -1,6 +1,7 @@
 """The parts of a scenario and their defaults."""
 
 import secrets
+from collections.abc import Iterable
 from typing import TYPE_CHECKING, Annotated, Any, Literal, Self, Union
 
 from pydantic import Field, PrivateAttr, model_validator
@@ -215,8 +216,9 @@ class Scenario(Parameters):
     def remarks(self) -> list[str]:
         """Remarks that a user should know before running this."""
         model = self.new_model()
-        remarks = [model.remarks(part.longest_hop, part.direction) for _, part in self.wind.placed_parts()]
-        remarks.append(starved_edges(self))
+        parts = [part for _, part in self.wind.placed_parts()]
+        remarks: list[Iterable[str]] = [self.source_map.notes, starved_edges(self)]
+        remarks += [model.remarks(part.longest_hop, part.direction) for part in parts]
         return list(dict.fromkeys(remark for found in remarks for remark in found))
 
 

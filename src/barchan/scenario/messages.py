@@ -31,17 +31,28 @@ def problems_of(
             for path, message in item["ctx"]["found"]:
                 found.setdefault(path, Problem(dotted(path), message, place(path)))
             continue
-        path = _path_in(data, item["loc"])
-        if item["type"] == "missing":
-            path += (item["loc"][-1],)
-        if item["type"].startswith("union_tag"):
-            path += (item["ctx"]["discriminator"].strip("'"),)
-        owner, field = _owner(root, data, path)
+        path = _path_of(item, data)
+        owner, field = owner_of(root, data, path)
         message = _message(item, owner, field)
         found.setdefault(path, Problem(dotted(path), message, place(path)))
     return [
         problem for path, problem in found.items() if not any(path[:n] in found for n in range(len(path)))
     ]
+
+
+def wrong_paths(error: ValidationError, data: Any) -> list[Path]:
+    """The keys at which data are not valid by themselves, whatever else they hold."""
+    items = error.errors(include_url=False)
+    return [_path_of(item, data) for item in items if "found" not in item.get("ctx", {})]
+
+
+def _path_of(item: Any, data: Any) -> Path:
+    path = _path_in(data, item["loc"])
+    if item["type"] == "missing":
+        path += (item["loc"][-1],)
+    if item["type"].startswith("union_tag"):
+        path += (item["ctx"]["discriminator"].strip("'"),)
+    return path
 
 
 def _path_in(data: Any, location: tuple[str | int, ...]) -> Path:
@@ -55,7 +66,7 @@ def _path_in(data: Any, location: tuple[str | int, ...]) -> Path:
     return tuple(path)
 
 
-def _owner(root: type[BaseModel], data: Any, path: Path) -> tuple[type[BaseModel] | None, Any]:
+def owner_of(root: type[BaseModel], data: Any, path: Path) -> tuple[type[BaseModel] | None, Any]:
     """The group a path's last key belongs to, and the field's declaration there, if any."""
     owner: type[BaseModel] | None = root
     field = None
