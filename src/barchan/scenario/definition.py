@@ -197,7 +197,7 @@ class Scenario(Parameters):
     def data(self) -> dict[str, Any]:
         """The scenario as plain data, complete, without empty notes."""
         plain: dict[str, Any] = self.model_dump(mode="json")
-        return _without_empty_notes(plain)
+        return without_empty_notes(plain)
 
     def text(self) -> str:
         """The scenario as the text of a configuration file."""
@@ -222,9 +222,10 @@ class Scenario(Parameters):
         return list(dict.fromkeys(remark for found in remarks for remark in found))
 
 
-def _without_empty_notes(data: Any) -> Any:
+def without_empty_notes(data: Any) -> Any:
+    """Plain data without the notes that nobody made."""
     if isinstance(data, dict):
-        return {k: _without_empty_notes(v) for k, v in data.items() if k != "note" or v is not None}
+        return {k: without_empty_notes(v) for k, v in data.items() if k != "note" or v is not None}
     if isinstance(data, list):
-        return [_without_empty_notes(item) for item in data]
+        return [without_empty_notes(item) for item in data]
     return data

@@ -5,13 +5,14 @@ Scenario plus events gives the same bits again.
 
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Annotated, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Any, Literal, get_args
 
 from pydantic import Field, TypeAdapter, ValidationError, field_validator
 
 from barchan.errors import Problem, ScenarioError
 from barchan.parameters import declarations, parameter
 from barchan.scenario import Scenario, nearest, validate
+from barchan.scenario.definition import without_empty_notes
 from barchan.scenario.migrations import current_key, current_value
 from barchan.simulation.change import Change, wrong
 from barchan.simulation.strokes import PlantStroke, RockStroke, Stroke
@@ -88,12 +89,15 @@ class Record:
 
     def data(self) -> dict[str, Any]:
         """The record as plain data."""
-        return {"step": self.step, **self.event.model_dump(mode="json", exclude_none=True)}
+        data = without_empty_notes(self.event.model_dump(mode="json"))
+        return {"step": self.step, **data}
 
     @classmethod
     def from_data(cls, data: dict[str, Any]) -> "Record":
         """The record that ``data`` holds."""
         data = dict(data)
+        if data.get("kind") == "set":
+            data.setdefault("value", None)  # earlier journals left out a null
         if data.get("kind") == "set" and current_key(data["key"]) != data["key"]:
             data["key"] = current_key(data["key"])
             data["value"] = current_value(data["key"], data["value"])
@@ -114,8 +118,15 @@ def event_from(data: Any) -> AnyEvent:
     try:
         event: AnyEvent = _EVENTS.validate_python(data)
     except ValidationError as error:
-        raise wrong(error, Change, data) from None
+        raise wrong(error, _kind_of(data), data) from None
     return event
+
+
+def _kind_of(data: Any) -> type[Change]:
+    """The class of event that plain data mean to be."""
+    kinds = {kind.model_fields["kind"].default: kind for kind in get_args(AnyEvent)}
+    name = data.get("kind") if isinstance(data, dict) else None
+    return kinds.get(name, Change) if isinstance(name, str) else Change
 
 
 def _amended(simulation: "Simulation", change: Change) -> Scenario:
