@@ -29,7 +29,7 @@ def dataset_of(simulation: Simulation, frames: Iterable[Frame]) -> "xr.Dataset":
     import xarray as xr
 
     frames = list(frames)
-    lattice = simulation.lattice
+    lattice, scenario = simulation.lattice, simulation.scenario
     coordinates = {
         "step": ("step", np.array([f.step for f in frames], np.int64), coordinate_attributes("step")),
         "y": ("y", lattice.y, coordinate_attributes("y")),
@@ -41,12 +41,12 @@ def dataset_of(simulation: Simulation, frames: Iterable[Frame]) -> "xr.Dataset":
         for name, info in simulation.bed.declared.items()
         if info.in_frames
     }
-    dataset = xr.Dataset({**fields, **values}, coordinates, run_attributes(simulation.scenario))
+    dataset = xr.Dataset({**fields, **values}, coordinates, run_attributes(scenario, scenario.text()))
     dataset.attrs["events"] = json.dumps([record.data() for record in simulation.events])
     depth = depth_of(simulation.model.layers, dataset, lattice.thickness)
     dataset["elevation"] = dataset[GROUND.name] + depth
     dataset["elevation"].attrs.update(ELEVATION)
-    return with_time(dataset, simulation.scenario)
+    return with_time(dataset, scenario)
 
 
 def with_time(dataset: "xr.Dataset", scenario: Scenario) -> "xr.Dataset":

@@ -1,6 +1,7 @@
 """A scenario whose values were changed says so where it names itself."""
 
 import json
+from pathlib import Path as FilePath
 from typing import Any
 
 from barchan.scenario.definition import Scenario
@@ -32,7 +33,7 @@ def _told(scenario: Scenario, before: Scenario) -> str:
     now, then = scenario.data(), before.data()
     given = sorted(scenario.source_map.given, key=str)
     different = [path for path in given if path[0] not in _OWN_WORDS and _at(now, path) != _at(then, path)]
-    return ", ".join(f"{dotted(path)}{_shown(_at(now, path))}" for path in different)
+    return ", ".join(f"{dotted(path)}{_shown(path, _at(now, path))}" for path in different)
 
 
 def _at(data: Any, path: Path) -> Any:
@@ -41,10 +42,12 @@ def _at(data: Any, path: Path) -> Any:
     return data
 
 
-def _shown(value: Any) -> str:
-    """A value after its key; whole groups are named by their key alone."""
+def _shown(path: Path, value: Any) -> str:
+    """A value after its key; whole groups are named by their key alone, files without their folder."""
     if isinstance(value, dict | list):
         return ""
+    if path[-1] == "path":
+        return f" {FilePath(str(value)).name}"
     if isinstance(value, float):
         return f" {value:g}"
     return f" {value if isinstance(value, str) else json.dumps(value)}"

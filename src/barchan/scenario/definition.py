@@ -201,9 +201,7 @@ class Scenario(Parameters):
 
     def text(self) -> str:
         """The scenario as the text of a configuration file."""
-        import json
-
-        return json.dumps(self.data(), indent=2, ensure_ascii=False) + "\n"
+        return text_of(self.data())
 
     def __repr__(self) -> str:
         return f"<Scenario {in_a_line(self)}>"
@@ -220,6 +218,13 @@ class Scenario(Parameters):
         remarks: list[Iterable[str]] = [self.source_map.notes, starved_edges(self)]
         remarks += [model.remarks(part.longest_hop, part.direction) for part in parts]
         return list(dict.fromkeys(remark for found in remarks for remark in found))
+
+
+def text_of(data: Any) -> str:
+    """Plain data as the text of a configuration file."""
+    import json
+
+    return json.dumps(data, indent=2, ensure_ascii=False) + "\n"
 
 
 def without_empty_notes(data: Any) -> Any:
