@@ -249,6 +249,21 @@ def _hold(file: BinaryIO, folder: Path) -> None:
         raise ArchiveError(f"{folder} is being written by process {owner}") from None
 
 
+def writer_of(path: Path) -> str | None:
+    """The process that is writing the run in a folder, by its number; None where none does."""
+    try:
+        import fcntl
+
+        with (path / LOCK).open("rb") as file:
+            try:
+                fcntl.flock(file, fcntl.LOCK_SH | fcntl.LOCK_NB)
+            except OSError:
+                return file.read().decode().strip() or "another"
+    except (ImportError, OSError):
+        pass
+    return None
+
+
 def _is_at(file: BinaryIO, path: Path) -> bool:
     try:
         return os.path.samestat(os.fstat(file.fileno()), path.stat())

@@ -113,11 +113,11 @@ def _message(item: Any, owner: type[BaseModel] | None, field: Any) -> str:
     if field is not None:
         choices = allowed(field).replace("'", "").split(" | ")
         hint = nearest(value, choices) if isinstance(value, str) and len(choices) > 1 else ""
-        return f"is {_shown(value)}{hint}; allowed: {allowed(field)}"
+        return f"is {value_text(value)}{hint}; allowed: {allowed(field)}"
     return str(item["msg"])
 
 
-def _shown(value: Any) -> str:
+def value_text(value: Any) -> str:
     """A value of plain data as its user wrote it, long ones cut."""
     text = repr(value) if isinstance(value, str) else json.dumps(value, ensure_ascii=False, default=repr)
     return text if len(text) <= LONGEST else f"{text[:LONGEST]}…"

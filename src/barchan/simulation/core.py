@@ -219,6 +219,11 @@ class Simulation:
         model: dict[str, Any] = self.model.parameters.model_dump(mode="json")
         return {**self.scenario.data(), "model": model, "wind": self.wind.model_dump(mode="json")}
 
+    @property
+    def scenario_in_force(self) -> Scenario:
+        """The scenario with the parameters and the wind that events have changed."""
+        return validate(self.current_data(), "run")
+
     def state(self) -> State:
         """Everything it takes to go on from here with the same bits."""
         arrays = {f"bed/{name}": array.copy() for name, array in self.bed.arrays.items()}

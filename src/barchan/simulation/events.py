@@ -3,6 +3,7 @@
 Scenario plus events gives the same bits again.
 """
 
+import json
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Annotated, Any, Literal, get_args
@@ -41,6 +42,10 @@ class SetParameter(Change):
         if model.slope_rules() != rules:
             model.relax(simulation.bed)
 
+    def summary(self) -> str:
+        """Key and value."""
+        return f"{self.key} {json.dumps(self.value, ensure_ascii=False)}"
+
     def amend(self, scenario: dict[str, Any]) -> None:
         """Set the value at its key."""
         *groups, name = self.key.split(".")
@@ -68,6 +73,10 @@ class SetWind(Change):
         replace(simulation.forcing, wind=wanted).wind_of(simulation.steps_done)
         simulation.wind = wanted
 
+    def summary(self) -> str:
+        """The wind in few words."""
+        return f"wind {self.wind.summary()}"
+
     def amend(self, scenario: dict[str, Any]) -> None:
         """Replace the wind."""
         scenario["wind"] = self.wind.model_dump(mode="json")
@@ -86,6 +95,9 @@ class Record:
 
     step: int
     event: AnyEvent
+
+    def __str__(self) -> str:
+        return f"at step {self.step}: {self.event.summary()}"
 
     def data(self) -> dict[str, Any]:
         """The record as plain data."""
