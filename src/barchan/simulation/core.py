@@ -154,6 +154,7 @@ class Simulation:
         self.ledger.entered += tally.entered
         self.ledger.left += tally.left
         self.ledger.airborne = tally.airborne
+        self.bed.check()
         self.ledger.check(self.bed)
 
     @property

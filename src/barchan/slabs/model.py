@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import DTypeLike, NDArray
 
 from barchan.bed import Bed
+from barchan.checked import checked, finite
 from barchan.heights import FRACTION_BITS, above_lowest, check_heights
 from barchan.kernels.bed.state import Stacks, relaxation_orders, unstable_cells
 from barchan.kernels.core.state import SIMD_WIDTH, TRAVEL_UNIT
@@ -105,7 +106,8 @@ class SlabModel(Model):
 
         frame = WindFrame.of(segment.direction)
         mobility = self.mobility(bed, segment.direction)
-        arguments, stacks = self._enter(bed, frame, self.hop_length(segment), mobility)
+        hop = finite(self.hop_length(segment), f"hop length of {self.title}")
+        arguments, stacks = self._enter(bed, frame, hop, mobility)
         rules = arguments.rules
         if rules.speedup:
             stacks = stacks._replace(levels=levels_over(flat=stacks.sand is None))
@@ -235,6 +237,7 @@ class SlabModel(Model):
         arguments = _arguments(self.parameters, self.rules(), self.lattice, frame, hop, flat)
         mobile = None
         if mobility is not None:
+            mobility = checked(mobility, self.lattice.shape, np.float64, f"mobility of {self.title}")
             whole = np.clip(np.rint(mobility * MOBILE), -_MOST_MOBILE, _MOST_MOBILE).astype(np.int32)
             mobile = np.ascontiguousarray(frame.enter(whole)).ravel()
         sand = frame.enter(bed.sand)
