@@ -1,7 +1,7 @@
 """What every model declares and does."""
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Hashable
+from collections.abc import Callable, Hashable, Sequence
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
@@ -117,6 +117,8 @@ class Model(ABC):
     citation: ClassVar[str] = ""
     takes_influx: ClassVar[bool] = False
     """Whether it lets sand enter across open edges, where the forcing brings any."""
+    takes_hops: ClassVar[bool] = True
+    """Whether a wind may state its speed as a hop length in cells."""
     material: ClassVar[str] = "sand"
     """What its slabs or parcels are of, in one word; the studio offers models by it."""
     work_unit: ClassVar[str] = "polls"
@@ -218,6 +220,14 @@ class Model(ABC):
     def remarks(self, hop_length: float | None, direction: float) -> list[str]:
         """What a user should know about this choice of parameters on this lattice."""
         return []
+
+    def moves(self, wind: Segment) -> bool:
+        """Whether a wind can move anything; by default one that has polls."""
+        return wind.polls > 0
+
+    def wind_facts(self, speeds: Sequence[float]) -> dict[str, str]:
+        """What the winds that blow come to, for people to read; ``speeds`` (m/s) are those they state."""
+        return {}
 
     def facts(self) -> dict[str, str]:
         """What the parameters come to on this lattice, for people to read."""

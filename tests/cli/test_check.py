@@ -85,3 +85,9 @@ def test_mistakes_in_files_are_told_with_the_line_that_names_them(here, barchan)
     assert "sand.wavelength: is 900 m" in said
     assert "at least one (lost.json:6)" in said
     assert "lost.json: 2 problems" in said
+
+
+def test_a_wind_under_which_nothing_can_move_is_not_called_sound(barchan):
+    still = barchan("check", "ripples", "--wind.speed", 3, "--wind.unit", "m/s")
+    assert still.out.startswith("ripples: without mistakes, but nothing moves\n")
+    assert "friction velocity: 0.083 m/s, threshold 0.2" in still.out

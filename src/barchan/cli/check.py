@@ -17,6 +17,7 @@ def check(scenario: str, /, *values: Tokens) -> None:
     from barchan.archive import source_at
     from barchan.cli.terminal import console, print_note
     from barchan.scenario.cost import expected_seconds, spoken_estimate
+    from barchan.scenario.effects import can_move
     from barchan.scenario.files import load_scenario
     from barchan.scenario.summary import field_size
 
@@ -25,11 +26,12 @@ def check(scenario: str, /, *values: Tokens) -> None:
     with sound.source_map.locating_errors():
         sound.forcing().wind_of(0)
         model.initialise(sound.first_bed(), sound.seed)
-    console.print(f"{scenario}: sound")
+    still = sound.run.steps > 0 and not can_move(sound)
+    console.print(f"{scenario}: {'without mistakes, but nothing moves' if still else 'sound'}")
     console.print(f"field: {field_size(sound.lattice)}")
     console.print(f"steps: {sound.run.steps}")
     console.print(f"expected time: {spoken_estimate(expected_seconds(sound))}")
-    for name, fact in {**sound.time_facts(), **model.facts()}.items():
+    for name, fact in sound.facts().items():
         console.print(f"{name}: {fact}")
     for remark in sound.remarks():
         print_note(remark)

@@ -28,7 +28,6 @@ def info(run: Path, /) -> None:
     known = run_info(run)
     scenario = known.now
     lattice = scenario.lattice
-    facts = scenario.new_model().facts()
     if known.writer:
         state = f"being written by process {known.writer}"
     else:
@@ -38,8 +37,7 @@ def info(run: Path, /) -> None:
         ("model", scenario.model.name),
         ("field", f"{lattice.columns} × {lattice.rows} cells of {lattice.cell_size:g} m"),
         ("slab height", f"{lattice.thickness:.4g} m"),
-        *scenario.time_facts().items(),
-        *facts.items(),
+        *scenario.facts().items(),
         ("wind", scenario.wind.summary()),
         ("seed", str(scenario.run.seed)),
         *([("branch of", f"{known.parent.run}, from step {known.parent.step} on")] if known.parent else []),

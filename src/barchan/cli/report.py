@@ -31,7 +31,7 @@ def print_facts(simulation: Simulation, random_seed: bool) -> None:
     seed = f"seed {scenario.run.seed}" + (" (random)" if random_seed else "")
     console.print(f"{field_size(scenario.lattice)}, {scenario.run.steps} steps, {seed}")
     console.print(f"expected time: {spoken_estimate(expected_seconds(scenario))}")
-    for name, fact in {**scenario.time_facts(), **simulation.model.facts()}.items():
+    for name, fact in scenario.facts().items():
         console.print(f"{name}: {fact}")
     for remark in scenario.remarks():
         print_note(remark)

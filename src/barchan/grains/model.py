@@ -1,6 +1,6 @@
 """The engine of grains in flight: the grains in the air, their iterations, the bed they meet."""
 
-from collections.abc import Hashable
+from collections.abc import Hashable, Sequence
 from functools import cached_property
 from typing import Any, ClassVar
 
@@ -43,6 +43,7 @@ class GrainModel(Model):
     A subclass names its ``closures`` and composes its parameters of them.
     """
 
+    takes_hops = False
     work_unit = "grain updates"
     work_per_second = 6e7
     closures: ClassVar[tuple[type[Closure], ...]] = ()
@@ -100,12 +101,16 @@ class GrainModel(Model):
         return self.parameters.step_seconds
 
     def facts(self) -> dict[str, str]:
-        """Parcels, wind, settling and time, for people to read."""
+        """Parcels, settling and time, for people to read."""
         return checks.facts(self.parameters, self.lattice)
 
     def remarks(self, hop_length: float | None, direction: float) -> list[str]:
-        """A wind that moves nothing; parcels unlike those of the sources."""
+        """Parcels unlike those of the sources."""
         return checks.remarks(self.parameters, self.lattice)
+
+    def wind_facts(self, speeds: Sequence[float]) -> dict[str, str]:
+        """Friction velocity of the winds, and the threshold."""
+        return checks.wind_facts(self.parameters, speeds or [self.parameters.wind_speed])
 
     def state(self) -> dict[str, NDArray | float | int | str]:
         """The grains in the air, the number of iterations done, and the stress that grains take."""

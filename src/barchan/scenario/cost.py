@@ -3,6 +3,8 @@
 import math
 from typing import TYPE_CHECKING
 
+from barchan.wind.segment import Segment
+
 if TYPE_CHECKING:
     from barchan.scenario.definition import Scenario
 
@@ -20,19 +22,16 @@ def expected_work(scenario: "Scenario") -> float:
     Each of up to 100 steps stands for an equal part of the run; where in its part it lies differs, so that
     winds that come and go periodically are not met at one phase only.
     """
-    scenario = scenario.seeded()
-    model, forcing, steps = scenario.new_model(), scenario.forcing(), scenario.run.steps
-    if steps == 0:
-        return 0.0
-    samples = min(steps, _SAMPLES)
-    chosen = range(steps) if samples == steps else _spread(steps, samples)
-    work = sum(
-        model.expected_work(segment)
-        for step in chosen
-        for segments in forcing.segments(step, 1)
-        for segment in segments
-    )
-    return work * steps / samples
+    model, steps = scenario.new_model(), scenario.run.steps
+    work = sum(map(model.expected_work, sampled_segments(scenario)))
+    return work * max(steps / _SAMPLES, 1.0)
+
+
+def sampled_segments(scenario: "Scenario") -> list[Segment]:
+    """The winds of up to 100 steps, one of each equal part of the run."""
+    forcing, steps = scenario.seeded().forcing(), scenario.run.steps
+    chosen = range(steps) if steps <= _SAMPLES else _spread(steps, _SAMPLES)
+    return [s for step in chosen for segments in forcing.segments(step, 1) for s in segments]
 
 
 def _spread(steps: int, samples: int) -> list[int]:

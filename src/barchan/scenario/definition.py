@@ -17,6 +17,7 @@ from barchan.lattice import Lattice
 from barchan.models import Model, models
 from barchan.parameters import Parameters, parameter
 from barchan.scenario.consistency import inconsistencies, starved_edges
+from barchan.scenario.effects import stated_speeds, unmoved, unused
 from barchan.scenario.source_map import SourceMap
 from barchan.scenario.summary import html_table, in_a_line, summary
 from barchan.wind import Clock, Forcing, Steady, StepClock, Wind
@@ -168,6 +169,11 @@ class Scenario(Parameters):
             )
         return facts
 
+    def facts(self) -> dict[str, str]:
+        """What time, parameters and wind come to on this lattice, for people to read."""
+        model = self.new_model()
+        return {**self.time_facts(), **model.facts(), **model.wind_facts(stated_speeds(self))}
+
     def forcing(self) -> Forcing:
         """The wind over this scenario's lattice, with its clock; the scenario must have a seed."""
         clock, model = self.clock, self.new_model()
@@ -215,7 +221,12 @@ class Scenario(Parameters):
         """Remarks that a user should know before running this."""
         model = self.new_model()
         parts = [part for _, part in self.wind.placed_parts()]
-        remarks: list[Iterable[str]] = [self.source_map.notes, starved_edges(self)]
+        remarks: list[Iterable[str]] = [
+            self.source_map.notes,
+            unmoved(self),
+            unused(self),
+            starved_edges(self),
+        ]
         remarks += [model.remarks(part.longest_hop, part.direction) for part in parts]
         return list(dict.fromkeys(remark for found in remarks for remark in found))
 
