@@ -221,12 +221,8 @@ class Scenario(Parameters):
         """Remarks that a user should know before running this."""
         model = self.new_model()
         parts = [part for _, part in self.wind.placed_parts()]
-        remarks: list[Iterable[str]] = [
-            self.source_map.notes,
-            unmoved(self),
-            unused(self),
-            starved_edges(self),
-        ]
+        remarks: list[Iterable[str]] = [self.source_map.notes]
+        remarks += [unmoved(self), unused(self), starved_edges(self)]
         remarks += [model.remarks(part.longest_hop, part.direction) for part in parts]
         return list(dict.fromkeys(remark for found in remarks for remark in found))
 
