@@ -11,7 +11,6 @@ def presets(name: str | None = None, /) -> None:
     name
         A preset to print, to be saved and changed.
     """
-    from rich.table import Table
     from rich.text import Text
 
     from barchan.cli.terminal import console
@@ -24,25 +23,16 @@ def presets(name: str | None = None, /) -> None:
         return
     scenarios = {preset: load_scenario(preset) for preset in preset_names()}
     width = max(map(len, scenarios))
-    for name, model in models().items():
-        of_model = {preset: s for preset, s in scenarios.items() if s.model.name == name}
+    for known, model in models().items():
+        of_model = {preset: s for preset, s in scenarios.items() if s.model.name == known}
         if not of_model:
             continue
-        console.print(Text.assemble((model.title, "bold"), f", model {name}"))
-        table = Table(box=None, pad_edge=False)
-        table.add_column("  name", no_wrap=True, min_width=width + 2)
-        table.add_column("size", no_wrap=True, min_width=11)
-        table.add_column("steps", justify="right", min_width=5)
-        table.add_column("expected time", no_wrap=True, min_width=16)
-        table.add_column("title, source")
+        console.print(Text.assemble((model.title, "bold"), f", model {known}"))
         for preset, scenario in of_model.items():
-            lattice = scenario.lattice
-            table.add_row(
-                f"  {preset}",
-                f"{lattice.columns} × {lattice.rows}",
-                str(scenario.run.steps),
-                spoken_estimate(expected_seconds(scenario)),
-                f"{scenario.title} ({scenario.citation})" if scenario.citation else scenario.title,
-            )
-        console.print(table)
+            lattice, steps = scenario.lattice, scenario.run.steps
+            time = spoken_estimate(expected_seconds(scenario))
+            facts = f"{lattice.columns} × {lattice.rows} cells, {steps} steps, {time}"
+            source = f"; {scenario.citation}" if scenario.citation else ""
+            console.print(Text.assemble("  ", (f"{preset:{width}}", "cyan"), f"  {scenario.title}"))
+            console.print(Text.assemble(f"      {facts}", (source, "dim")))
         console.print()
