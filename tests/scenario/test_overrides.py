@@ -109,3 +109,16 @@ def test_a_title_that_was_given_stays():
 def test_many_changes_do_not_make_a_title_too_long():
     scenario = barchan.load("barchans", title="x" * 190)
     assert len(barchan.load(scenario.data(), model__hop_length=7).title) == 200
+
+
+@pytest.mark.parametrize(
+    ("data", "said"),
+    [
+        ({"influx": {"share": 0.2}}, "influx.kind: is missing; allowed: saturation, "),
+        ({"model": {"name": "nield_baas", "vegetation": {"path": "x"}}}, "is missing; allowed: uniform, blowouts"),
+    ],
+)
+def test_a_group_that_does_not_say_which_it_is_is_told_what_it_may_be(data, said):
+    with pytest.raises(ScenarioError) as failed:
+        load_scenario({"barchan": 2, **data})
+    assert said in str(failed.value)

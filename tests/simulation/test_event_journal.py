@@ -118,3 +118,8 @@ def test_slopes_next_to_the_vertical_are_no_overflow(name, key):
     simulation = started(name)
     simulation.apply(event_from({"kind": "set", "key": f"model.{key}", "value": 89.99999999999999}))
     assert simulation.advance(2).steps == 2
+
+
+def test_a_key_of_an_earlier_format_is_the_one_of_today():
+    event = event_from({"kind": "set", "key": "model.release_angle", "value": 40.0})
+    assert (event.key, event.value) == ("model.static_repose_angle", 40.0)

@@ -8,7 +8,7 @@ from typing import Any
 from pydantic import BaseModel, ValidationError
 
 from barchan.errors import Problem
-from barchan.parameters import NOTE, allowed
+from barchan.parameters import NOTE, allowed, variants
 from barchan.scenario.source_map import Path, dotted
 
 LONGEST = 60
@@ -34,6 +34,8 @@ def problems_of(
         path = _path_of(item, data)
         owner, field = owner_of(root, data, path)
         message = _message(item, owner, field)
+        if item["type"] == "union_tag_not_found":
+            message += _kinds(owner_of(root, data, path[:-1])[1], str(path[-1]))
         found.setdefault(path, Problem(dotted(path), message, place(path)))
     return [
         problem for path, problem in found.items() if not any(path[:n] in found for n in range(len(path)))
@@ -92,6 +94,13 @@ def _group_of(annotation: Any, data: Any) -> type[BaseModel] | None:
         if key and isinstance(sample, dict) and candidate.model_fields[key].default == sample.get(key):
             return candidate
     return candidates[0] if candidates else None
+
+
+def _kinds(field: Any, tag: str) -> str:
+    """The kinds of a group that does not say which it is."""
+    found = [] if field is None else variants(field.annotation)
+    names = [str(kind.model_fields[tag].default) for kind in found if tag in kind.model_fields]
+    return f"; allowed: {', '.join(names)}" if names else ""
 
 
 def _message(item: Any, owner: type[BaseModel] | None, field: Any) -> str:

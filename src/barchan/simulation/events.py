@@ -8,7 +8,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Annotated, Any, Literal, get_args
 
-from pydantic import Field, TypeAdapter, ValidationError, field_validator
+from pydantic import Field, TypeAdapter, ValidationError, field_validator, model_validator
 
 from barchan.errors import Problem, ScenarioError
 from barchan.parameters import declarations, parameter
@@ -29,6 +29,16 @@ class SetParameter(Change):
     kind: Literal["set"] = parameter("set", unit="-", meaning="A parameter takes a new value.")
     key: str = parameter(unit="-", meaning="The parameter, for instance model.hop_length.")
     value: Any = parameter(unit="-", meaning="Its value from now on.")
+
+    @model_validator(mode="before")
+    @classmethod
+    def _called_as_now(cls, data: Any) -> Any:
+        """A key of an earlier format is the one that it stands for now."""
+        key = data.get("key") if isinstance(data, dict) else None
+        if not isinstance(key, str) or current_key(key) == key:
+            return data
+        now = current_key(key)
+        return {**data, "key": now, "value": current_value(now, data.get("value"))}
 
     def apply(self, simulation: "Simulation") -> None:
         """Give the model its new parameters; where they change which slopes stand, the bed settles."""
@@ -110,9 +120,6 @@ class Record:
         data = dict(data)
         if data.get("kind") == "set":
             data.setdefault("value", None)  # earlier journals left out a null
-        if data.get("kind") == "set" and current_key(data["key"]) != data["key"]:
-            data["key"] = current_key(data["key"])
-            data["value"] = current_value(data["key"], data["value"])
         return cls(data.pop("step"), event_from(data))
 
 
