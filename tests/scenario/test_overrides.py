@@ -115,7 +115,10 @@ def test_many_changes_do_not_make_a_title_too_long():
     ("data", "said"),
     [
         ({"influx": {"share": 0.2}}, "influx.kind: is missing; allowed: saturation, "),
-        ({"model": {"name": "nield_baas", "vegetation": {"path": "x"}}}, "is missing; allowed: uniform, blowouts"),
+        (
+            {"model": {"name": "nield_baas", "vegetation": {"path": "x"}}},
+            "is missing; allowed: uniform, blowouts",
+        ),
     ],
 )
 def test_a_group_that_does_not_say_which_it_is_is_told_what_it_may_be(data, said):
