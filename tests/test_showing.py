@@ -14,7 +14,7 @@ from tests.tiny import tiny
 def test_a_scenario_shows_model_lattice_and_length():
     text = repr(tiny(title="Small dunes", run__seed=None))
     assert text == str(tiny(title="Small dunes", run__seed=None))
-    assert text.startswith("<Scenario 'Small dunes': werner, 16 × 24 cells of 1 m, slabs of 0.333 m, ")
+    assert text.startswith("<Scenario 'Small dunes': werner, 24 × 16 cells of 1 m, slabs of 0.333 m, ")
     assert "steps" in text
     assert text.endswith("no seed yet>")
     assert len(text) < 160
@@ -45,7 +45,7 @@ def test_a_simulation_shows_how_far_it_is_and_its_bed_in_units():
     assert f"{simulation.bed.units} slabs of sand, elevation " in repr(simulation)
     assert repr(simulation).endswith(" m>")
     assert "step 3 of" in simulation._repr_html_()
-    assert "16 × 24 cells" in simulation._repr_html_()
+    assert "24 × 16 cells" in simulation._repr_html_()
 
 
 def test_a_frame_shows_its_fields():

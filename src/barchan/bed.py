@@ -9,6 +9,8 @@ from typing import Self
 import numpy as np
 from numpy.typing import NDArray
 
+from barchan.checked import checked
+from barchan.errors import FieldError
 from barchan.fields import GROUND, SAND, FieldInfo, LayerInfo, depth_of
 from barchan.lattice import Lattice
 
@@ -56,12 +58,24 @@ class Bed:
         return bed
 
     def add(self, field: FieldInfo, values: NDArray) -> None:
-        """Add a declared field; its values are copied into the declared type."""
-        array = np.array(values, dtype=field.dtype, order="C")
-        if array.shape != self.lattice.shape:
-            raise ValueError(f"{field.name} has shape {array.shape}, the lattice {self.lattice.shape}")
+        """Add a declared field; its values are copied into the declared type.
+
+        Raises FieldError for another shape than the lattice's and for values that the type does not hold.
+        """
+        self.arrays[field.name] = checked(values, self.lattice.shape, field.dtype, field.name)
         self.declared[field.name] = field
-        self.arrays[field.name] = array
+
+    def check(self) -> None:
+        """Raise FieldError where an array is not as its field was declared, or a layer is below zero."""
+        for name, field in self.declared.items():
+            array = self.arrays[name]
+            if array.dtype != field.dtype:
+                raise FieldError(f"{name} is of type {array.dtype}, declared {field.dtype}")
+            if array.shape != self.lattice.shape or array.dtype.kind == "f":
+                checked(array, self.lattice.shape, field.dtype, name)
+        for layer in self.layers:
+            if (lowest := self.arrays[layer.name].min()) < 0:
+                raise FieldError(f"{layer.name} is {lowest} {layer.unit}; allowed: none or more")
 
     @property
     def ground(self) -> NDArray[np.float64]:

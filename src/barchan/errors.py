@@ -50,3 +50,7 @@ class ConservationError(BarchanError):
 
 class ArchiveError(BarchanError):
     """A run on disk that cannot be written, read or resumed."""
+
+
+class FieldError(BarchanError, ValueError):
+    """An array that is no field of the lattice: of another shape or type, or not of numbers."""

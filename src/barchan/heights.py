@@ -9,6 +9,9 @@ from barchan.errors import Problem, ScenarioError
 FRACTION_BITS = 20
 """Binary places of a height below one slab, over ground that is not flat."""
 
+LARGEST_STEP = 2**30
+"""Steps (whole units) that no slope reaches; limits of angles near the vertical are at most this."""
+
 MOST_RELIEF = 1 << 29
 """Slabs from the lowest ground to the highest: shadow lines are distinguished over twice as much."""
 

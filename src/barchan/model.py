@@ -1,7 +1,7 @@
 """The contract of models: their declarations and methods."""
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Hashable
+from collections.abc import Callable, Hashable, Sequence
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
@@ -117,10 +117,14 @@ class Model(ABC):
     citation: ClassVar[str] = ""
     takes_influx: ClassVar[bool] = False
     """Whether it lets sand enter across open edges, where the forcing brings any."""
+    takes_hops: ClassVar[bool] = True
+    """Whether a wind may state its speed as a hop length in cells."""
     material: ClassVar[str] = "sand"
     """The material of its slabs or parcels, in one word; the studio groups models by it."""
     work_unit: ClassVar[str] = "polls"
     """Name of the unit of its work, for rates that people read."""
+    work_per_second: ClassVar[float] = 2e7
+    """Units of work that one core of a common computer does in a second, for expected times."""
     Parameters: ClassVar[type[Parameters]]
     layers: tuple[LayerInfo, ...] = (SAND,)
     """Layers on the ground that wind can move, the lowest first; a run starts with the uppermost filled."""
@@ -186,6 +190,10 @@ class Model(ABC):
         """Duration of a step (s), of a model whose rules define it."""
         return None
 
+    def expected_work(self, segment: Segment) -> float:
+        """Work, in the ``work_unit``, that a segment is expected to take; by default its polls."""
+        return float(segment.steps * segment.polls)
+
     def step_volume(self) -> float:
         """Volume of sand (m² per step: per width across the wind) that a step moves on a flat bed.
 
@@ -212,6 +220,14 @@ class Model(ABC):
     def remarks(self, hop_length: float | None, direction: float) -> list[str]:
         """Warnings about this choice of parameters on this lattice."""
         return []
+
+    def moves(self, wind: Segment) -> bool:
+        """Whether a wind can move anything; by default one that has polls."""
+        return wind.polls > 0
+
+    def wind_facts(self, speeds: Sequence[float]) -> dict[str, str]:
+        """What the winds that blow come to, for people to read; ``speeds`` (m/s) are those they state."""
+        return {}
 
     def facts(self) -> dict[str, str]:
         """Quantities that follow from the parameters on this lattice, by name, as text."""

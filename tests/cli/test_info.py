@@ -3,6 +3,7 @@
 import csv
 import io
 import json
+import os
 
 import pytest
 
@@ -10,7 +11,7 @@ from barchan.analysis.declared_measures import in_rows
 from barchan.analysis.time_series import last_values
 from barchan.archive import Archive, open_run
 from barchan.entry import load
-from barchan.simulation import Simulation
+from barchan.simulation import Simulation, Stroke
 from tests.tiny import tiny
 
 
@@ -132,3 +133,48 @@ def test_a_run_without_frames_has_no_measures_in_json_and_csv(here, barchan):
 def test_windward_may_refer_to_the_last_wind(finished, barchan):
     assert barchan("info", finished, "--wind", "last").code == 0
     assert barchan("info", finished, "--wind", "first").code != 0
+
+
+@pytest.fixture
+def changed(finished, barchan):
+    """A branch from step 10 with another wind and another hop length."""
+    values = ("--wind.direction", 200, "--model.hop-length", 2)
+    barchan("resume", finished, "--at", 10, "--out", "branch", "--no-picture", "--quiet", *values)
+    return "branch"
+
+
+def test_a_branch_tells_the_wind_of_now_and_what_was_changed(changed, barchan):
+    out = barchan("info", changed).out
+    assert rows_of(out)["wind"] == "from 200°"
+    told = [line.split(None, 1)[1] for line in out.splitlines() if line.startswith("changed")]
+    assert told == ["at step 10: model.hop_length 2", "at step 10: wind from 200°"]
+
+
+def test_the_wind_of_a_branch_is_that_of_now(changed, barchan):
+    rows = rows_of(barchan("wind", changed).out)
+    assert rows["wind"] == "from 200°"
+    assert rows["changed"] == "at step 10: wind from 200°"
+
+
+@pytest.mark.parametrize(("step", "times"), [(5, 0), (10, 0), (20, 2)])
+def test_a_picture_says_what_had_been_changed_before_its_frame(changed, barchan, step, times):
+    assert barchan("show", changed, "--step", step).out.count("note: changed at step 10") == times
+
+
+def test_a_run_that_is_being_written_says_so(finished, barchan):
+    archive = Archive(finished)
+    during = rows_of(barchan("info", finished).out)["state"]
+    archive.close()
+    assert during == f"being written by process {os.getpid()}"
+    assert rows_of(barchan("info", finished).out)["state"] == "all steps done"
+
+
+def test_paint_is_listed_and_long_lists_are_cut(here, barchan):
+    simulation = Simulation(tiny())
+    for _ in range(25):
+        simulation.apply(Stroke(x=4.0, y=5.0, radius=3.0, amount=5))
+    Archive.create(here / "painted", simulation).close()
+    told = [line for line in barchan("info", "painted").out.splitlines() if line.startswith("changed")]
+    assert told[0].endswith("5 times before")
+    assert told[-1].endswith("at step 0: sand +5 slabs within 3 m of x 4 m, y 5 m")
+    assert len(told) == 21

@@ -25,7 +25,8 @@ def dataset_of(simulation: Simulation, frames: Iterable[Frame]) -> "xr.Dataset":
     import xarray as xr
 
     frames = list(frames)
-    lattice, place = simulation.lattice, simulation.scenario.ground.georeference()
+    lattice, scenario = simulation.lattice, simulation.scenario
+    place = scenario.ground.georeference()
     coordinates: dict[str, Any] = {
         "step": ("step", np.array([f.step for f in frames], np.int64), STEP),
         **{name: (name, *axis) for name, axis in axes(lattice, place).items()},
@@ -42,12 +43,12 @@ def dataset_of(simulation: Simulation, frames: Iterable[Frame]) -> "xr.Dataset":
         for name, info in simulation.bed.declared.items()
         if info.in_frames
     }
-    dataset = xr.Dataset({**fields, **values}, coordinates, run_attributes(simulation.scenario))
+    dataset = xr.Dataset({**fields, **values}, coordinates, run_attributes(scenario, scenario.text()))
     dataset.attrs["events"] = json.dumps([record.data() for record in simulation.events])
     depth = depth_of(simulation.model.layers, dataset, lattice.thickness)
     dataset["elevation"] = dataset[GROUND.name] + depth
     dataset["elevation"].attrs.update({**ELEVATION, **mapped(place)})
-    return with_time(dataset, simulation.scenario)
+    return with_time(dataset, scenario)
 
 
 def with_time(dataset: "xr.Dataset", scenario: Scenario) -> "xr.Dataset":

@@ -75,8 +75,8 @@ def field_attributes(field: FieldInfo) -> dict[str, Any]:
     return {"units": units, "long_name": field.meaning, "unit": field.unit}
 
 
-def run_attributes(scenario: Scenario) -> dict[str, Any]:
-    """What a run's data say of themselves."""
+def run_attributes(scenario: Scenario, text: str) -> dict[str, Any]:
+    """What the data of a run of ``scenario`` say of themselves; ``text`` is the scenario as they hold it."""
     from barchan.version import __version__
 
     return {
@@ -84,7 +84,7 @@ def run_attributes(scenario: Scenario) -> dict[str, Any]:
         "title": scenario.title,
         "source": f"Barchan {__version__}",
         "references": scenario.citation,
-        "scenario": scenario.text(),
+        "scenario": text,
         "cell_size": scenario.lattice.cell_size,
         "slab_height": scenario.lattice.thickness,
         **place_attributes(scenario.ground.georeference()),
@@ -112,9 +112,9 @@ class Frames:
         self._stored = {current_field(name): name for name in self.group.array_keys()}
 
     @classmethod
-    def create(cls, path: Path, scenario: Scenario, fields: dict[str, FieldInfo]) -> "Frames":
-        """Make an empty store for a scenario's frames."""
-        group = zarr.open_group(path, mode="w", zarr_format=3, attributes=run_attributes(scenario))
+    def create(cls, path: Path, scenario: Scenario, text: str, fields: dict[str, FieldInfo]) -> "Frames":
+        """Make an empty store for a scenario's frames, which holds the scenario as ``text``."""
+        group = zarr.open_group(path, mode="w", zarr_format=3, attributes=run_attributes(scenario, text))
         lattice, place = scenario.lattice, scenario.ground.georeference()
         for name, (places, attributes) in axes(lattice, place).items():
             array = _make(group, name, places.shape, places.shape, "float64", (name,))
@@ -163,9 +163,9 @@ class Frames:
             warnings.filterwarnings("ignore", message="Consolidated metadata")
             zarr.consolidate_metadata(self.path)
 
-    def describe(self, scenario: Scenario) -> None:
-        """Let the store say that it holds a run of ``scenario``."""
-        zarr.open_consolidated(self.path, mode="r+").attrs.update(run_attributes(scenario))
+    def describe(self, scenario: Scenario, text: str) -> None:
+        """Let the store say that it holds a run of ``scenario``, whose text is ``text``."""
+        zarr.open_consolidated(self.path, mode="r+").attrs.update(run_attributes(scenario, text))
 
     @property
     def steps(self) -> NDArray[np.int64]:

@@ -1,6 +1,7 @@
 """``barchan info``: the contents of a run."""
 
 import json
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Literal
 
@@ -10,6 +11,10 @@ from barchan.errors import BarchanError
 
 if TYPE_CHECKING:
     from barchan.scenario import Scenario
+    from barchan.simulation import Record
+
+MOST_EVENTS = 20
+"""Events that are listed one by one."""
 
 
 def info(
@@ -22,7 +27,8 @@ def info(
 ) -> None:
     """Print the contents of a run, its progress, and the measures of its last frame.
 
-    A measure marked with ? should not be quoted, for the reason that follows.
+    Wind and parameters are those of now; what was changed on the way is listed. A measure marked with ?
+    should not be quoted, for the reason that follows.
 
     Parameters
     ----------
@@ -67,23 +73,32 @@ def _contents(run: Path) -> tuple[int, "Scenario", list[tuple[str, str]]]:
     from barchan.cli.report import resume_command
 
     known = run_info(run)
-    scenario = known.scenario
+    scenario = known.now
     lattice = scenario.lattice
-    facts = scenario.new_model().facts()
-    state = known.stopped or f"not finished; go on with: {resume_command(run)}"
+    if known.writer:
+        state = f"being written by process {known.writer}"
+    else:
+        state = known.stopped or f"not finished; go on with: {resume_command(run)}"
     rows = [
         ("title", scenario.title or "–"),
         ("model", scenario.model.name),
         ("field", f"{lattice.columns} × {lattice.rows} cells of {lattice.cell_size:g} m"),
         ("slab height", f"{lattice.thickness:.4g} m"),
-        *scenario.time_facts().items(),
-        *facts.items(),
+        *scenario.facts().items(),
         ("wind", scenario.wind.summary()),
         ("seed", str(scenario.run.seed)),
         *([("branch of", f"{known.parent.run}, from step {known.parent.step} on")] if known.parent else []),
+        *_changes(known.events),
         ("frames", f"{known.frames}, the last at step {known.last_step} of {scenario.run.steps}"),
         ("checkpoint", "none" if known.checkpoint is None else f"step {known.checkpoint}"),
         ("state", state),
         ("size", f"{known.bytes / 1e6:.1f} MB"),
     ]
-    return known.frames, scenario, rows
+    return known.frames, known.scenario, rows
+
+
+def _changes(events: Sequence["Record"]) -> list[tuple[str, str]]:
+    """What was changed during a run, the last of it where there is much."""
+    earlier = len(events) - MOST_EVENTS
+    rows = [("changed", str(event)) for event in events[-MOST_EVENTS:]]
+    return [("changed", f"{earlier} times before"), *rows] if earlier > 0 else rows

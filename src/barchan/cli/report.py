@@ -9,6 +9,8 @@ from rich.text import Text
 from barchan.archive import Outcome, open_run
 from barchan.cli.terminal import console, print_note
 from barchan.scenario import Scenario
+from barchan.scenario.cost import expected_seconds, spoken_estimate
+from barchan.scenario.summary import field_size
 from barchan.simulation import Simulation
 
 if TYPE_CHECKING:
@@ -20,20 +22,15 @@ PICTURE = "last.png"
 def print_facts(simulation: Simulation, random_seed: bool) -> None:
     """Print the facts of a run about to start."""
     scenario = simulation.scenario
-    lattice = scenario.lattice
     if scenario.title:
         source = f" ({scenario.citation})" if scenario.citation else ""
         console.print(Text.assemble((scenario.title, "bold"), source))
     if scenario.look_for:
         console.print(f"look for: {scenario.look_for}")
-    field = f"{lattice.columns} × {lattice.rows} cells of {lattice.cell_size:g} m"
     seed = f"seed {scenario.run.seed}" + (" (random)" if random_seed else "")
-    console.print(f"{field}, slabs of {lattice.thickness:.3g} m, {scenario.run.steps} steps, {seed}")
-    for name, fact in {
-        **scenario.ground_facts(),
-        **scenario.time_facts(),
-        **simulation.model.facts(),
-    }.items():
+    console.print(f"{field_size(scenario.lattice)}, {scenario.run.steps} steps, {seed}")
+    console.print(f"expected time: {spoken_estimate(expected_seconds(scenario))}")
+    for name, fact in scenario.facts().items():
         console.print(f"{name}: {fact}")
     for remark in scenario.remarks(simulation.bed.ground):
         print_note(remark)

@@ -30,7 +30,8 @@ def resume(
 
     It goes on from the newest complete checkpoint, with the same result as if it had never stopped. With
     --out it goes on in a folder of its own, which names the run and the step that it came from; there the
-    wind and live parameters of the model may change, as in --at 200 --model.hop-length 7 --wind.direction 90.
+    wind and live parameters of the model may change, as in --at 200 --model.hop-length 7 --wind.direction 90
+    or --wind '{"kind": "steady", "direction": 90}'.
 
     Parameters
     ----------
@@ -90,7 +91,7 @@ def _branch(
     going = branch(run, at, stop=stop)
     if going.remark and not quiet:
         print_note(going.remark)
-    for event in changes(asked, going.simulation.wind):
+    for event in changes(asked, going.simulation.scenario_in_force):
         going.simulation.apply(event)
     if steps is not None:
         going.simulation.extend(steps)

@@ -1,12 +1,16 @@
 """``barchan show``: pictures of a run."""
 
+import json
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
 from barchan.cli.drawing import Drawing, Size
+from barchan.cli.info import MOST_EVENTS
 
 if TYPE_CHECKING:
     import xarray as xr
+
+    from barchan.simulation import Record
 
 View = Literal["map", "contours", "oblique", "profile", "space-time", "series", "paths", "hops"]
 
@@ -39,10 +43,10 @@ def show(
     out
         The picture's file (PNG, PDF or SVG by its ending); in the run's folder without it.
     """
-    from barchan.analysis.fields import field_of
+    from barchan.analysis.fields import field_of, scenario_at
     from barchan.archive import open_run
     from barchan.archive.folder import scenario_of
-    from barchan.cli.terminal import save_picture
+    from barchan.cli.terminal import print_note, save_picture
     from barchan.cli.views import Source, view_of
 
     given = drawing.given()
@@ -53,6 +57,10 @@ def show(
     with open_run(run) as dataset:
         frame = _frame(dataset, step)
         shown = None if field is None else field_of(frame, scenario, field)
+        if chosen.of_frame:
+            scenario = scenario_at(frame, scenario)
+        for record in _events(dataset, int(frame["step"])):
+            print_note(f"changed {record}")
         figure = chosen.draw(Source(scenario, dataset, frame, shown), **given)
     size.apply(figure)
     name = view if field is None else f"{view}-{field}"
@@ -64,3 +72,12 @@ def _frame(dataset: "xr.Dataset", step: int | None) -> "xr.Dataset":
     if step is None:
         return dataset.isel(step=-1).load()
     return dataset.sel(step=step, method="nearest").load()
+
+
+def _events(dataset: "xr.Dataset", step: int) -> list["Record"]:
+    """The changes of wind and parameters before a step, the last of them."""
+    from barchan.simulation import Record, SetParameter, SetWind
+
+    records = [Record.from_data(data) for data in json.loads(dataset.attrs["events"])]
+    told = [r for r in records if isinstance(r.event, SetParameter | SetWind) and r.step < max(step, 1)]
+    return told[-MOST_EVENTS:]

@@ -25,6 +25,7 @@ def inconsistencies(scenario: "Scenario", model: Model) -> list[Found]:
     found = [*_clock_problems(scenario, model), *_influx_problems(scenario, model)]
     if not found:
         found += [(("model", key), text) for key, text in model.problems(scenario.step_seconds)]
+    found += _hops_problems(scenario, model)
     known = scenario.clock is not None or model.step_seconds is not None
     return found if known else [*found, *_timeless(scenario)]
 
@@ -63,6 +64,16 @@ def _influx_problems(scenario: "Scenario", model: Model) -> list[Found]:
         except ValueError as error:
             return [(("influx",), str(error))]
     return []
+
+
+def _hops_problems(scenario: "Scenario", model: Model) -> list[Found]:
+    """Speeds in cells under a model that knows no hop length; a calm is one in any unit."""
+    if model.takes_hops:
+        return []
+    text = f"is a hop length in cells, which {model.title} does not use"
+    hint = 'state the speed in m/s (with "unit": "m/s") or leave it out and set model.wind_speed'
+    parts = scenario.wind.placed_parts()
+    return [(("wind", *path, "speed"), f"{text}; {hint}") for path, part in parts if part.longest_hop]
 
 
 _INTO = 1e-9

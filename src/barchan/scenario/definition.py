@@ -1,6 +1,7 @@
 """The parts of a scenario and their defaults."""
 
 import secrets
+from collections.abc import Iterable
 from typing import TYPE_CHECKING, Annotated, Any, Literal, Self, Union
 
 import numpy as np
@@ -18,6 +19,7 @@ from barchan.lattice import Lattice
 from barchan.models import Model, models
 from barchan.parameters import Parameters, parameter
 from barchan.scenario.consistency import broken_edges, inconsistencies, starved_edges
+from barchan.scenario.effects import stated_speeds, unmoved, unused
 from barchan.scenario.source_map import SourceMap
 from barchan.scenario.summary import html_table, in_a_line, summary
 from barchan.wind import Clock, Forcing, Steady, StepClock, Wind
@@ -169,9 +171,15 @@ class Scenario(Parameters):
             )
         return facts
 
-    def ground_facts(self) -> dict[str, str]:
-        """How the ground was made to fit the lattice, where that is not obvious, for people to read."""
-        return self.ground.facts(self.lattice)
+    def facts(self) -> dict[str, str]:
+        """What ground, time, parameters and wind come to on this lattice, for people to read."""
+        model = self.new_model()
+        return {
+            **self.ground.facts(self.lattice),
+            **self.time_facts(),
+            **model.facts(),
+            **model.wind_facts(stated_speeds(self)),
+        }
 
     def forcing(self) -> Forcing:
         """The wind over this scenario's lattice, with its clock; the scenario must have a seed."""
@@ -205,13 +213,11 @@ class Scenario(Parameters):
     def data(self) -> dict[str, Any]:
         """The scenario as plain data, complete, without empty notes."""
         plain: dict[str, Any] = self.model_dump(mode="json")
-        return _without_empty_notes(plain)
+        return without_empty_notes(plain)
 
     def text(self) -> str:
         """The scenario as the text of a configuration file."""
-        import json
-
-        return json.dumps(self.data(), indent=2, ensure_ascii=False) + "\n"
+        return text_of(self.data())
 
     def __repr__(self) -> str:
         return f"<Scenario {in_a_line(self)}>"
@@ -224,14 +230,25 @@ class Scenario(Parameters):
     def remarks(self, ground: NDArray[np.float64] | None = None) -> list[str]:
         """Remarks that a user should know before running this; ``ground`` (m) as it was made, if it was."""
         model = self.new_model()
-        remarks = [model.remarks(part.longest_hop, part.direction) for _, part in self.wind.placed_parts()]
-        remarks += [starved_edges(self), self.ground.remarks(self.lattice), broken_edges(self, ground)]
+        parts = [part for _, part in self.wind.placed_parts()]
+        remarks: list[Iterable[str]] = [self.source_map.notes]
+        remarks += [unmoved(self), unused(self), starved_edges(self)]
+        remarks += [self.ground.remarks(self.lattice), broken_edges(self, ground)]
+        remarks += [model.remarks(part.longest_hop, part.direction) for part in parts]
         return list(dict.fromkeys(remark for found in remarks for remark in found))
 
 
-def _without_empty_notes(data: Any) -> Any:
+def text_of(data: Any) -> str:
+    """Plain data as the text of a configuration file."""
+    import json
+
+    return json.dumps(data, indent=2, ensure_ascii=False) + "\n"
+
+
+def without_empty_notes(data: Any) -> Any:
+    """Plain data without the notes that nobody made."""
     if isinstance(data, dict):
-        return {k: _without_empty_notes(v) for k, v in data.items() if k != "note" or v is not None}
+        return {k: without_empty_notes(v) for k, v in data.items() if k != "note" or v is not None}
     if isinstance(data, list):
-        return [_without_empty_notes(item) for item in data]
+        return [without_empty_notes(item) for item in data]
     return data

@@ -2,7 +2,7 @@
 
 import json
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from collections.abc import Set as AbstractSet
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
@@ -42,6 +42,14 @@ def parse(text: str, name: str) -> tuple[Any, dict[Path, int], list[Problem]]:
     return data, lines, problems
 
 
+def dotted(path: Path) -> str:
+    """A path as users write it: ``sand.parts[0].mean``."""
+    text = ""
+    for step in path:
+        text += f"[{step}]" if isinstance(step, int) else f".{step}" if text else step
+    return text
+
+
 @dataclass(frozen=True, eq=False)
 class SourceMap:
     """The place of each key of a scenario: a line of a file, or the command line.
@@ -52,7 +60,11 @@ class SourceMap:
     name: str = ""
     lines: Mapping[Path, int] = field(default_factory=dict)
     given: AbstractSet[Path] = frozenset()
-    """Keys of the command line."""
+    """Keys that were given on the command line or as arguments."""
+    place_of_given: Callable[[Path], str] = dotted
+    """The place of a key that was given."""
+    notes: tuple[str, ...] = ()
+    """What was left out on reading."""
 
     def __eq__(self, other: object) -> bool:
         """Whether the other is a source map too."""
@@ -63,7 +75,7 @@ class SourceMap:
     def of(self, path: Path) -> str:
         """``file:line`` or ``command line``; empty if unknown."""
         if any(path[: len(g)] == g or (path and g[: len(path)] == path) for g in self.given):
-            return "command line"
+            return self.place_of_given(path)
         known = (self.lines[path[:n]] for n in range(len(path), 0, -1) if path[:n] in self.lines)
         line = next(known, 0)
         return f"{self.name}:{line}" if line else ""
@@ -81,14 +93,6 @@ class SourceMap:
 def path_of(key: str) -> Path:
     """The path that ``dotted`` wrote: ``sand.parts[0].mean``."""
     return tuple(int(index) if index else word for word, index in _STEP.findall(key))
-
-
-def dotted(path: Path) -> str:
-    """A path as users write it: ``sand.parts[0].mean``."""
-    text = ""
-    for step in path:
-        text += f"[{step}]" if isinstance(step, int) else f".{step}" if text else step
-    return text
 
 
 def _lines(tokens: list[tuple[str, int]]) -> tuple[dict[Path, int], list[tuple[Path, int]]]:

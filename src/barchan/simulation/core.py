@@ -134,6 +134,7 @@ class Simulation:
         self.ledger.entered += tally.entered
         self.ledger.left += tally.left
         self.ledger.airborne = tally.airborne
+        self.bed.check()
         self.ledger.check(self.bed)
 
     @property
@@ -198,6 +199,11 @@ class Simulation:
         """The scenario's data with the parameters and the wind that events have changed."""
         model: dict[str, Any] = self.model.parameters.model_dump(mode="json")
         return {**self.scenario.data(), "model": model, "wind": self.wind.model_dump(mode="json")}
+
+    @property
+    def scenario_in_force(self) -> Scenario:
+        """The scenario with the parameters and the wind that events have changed."""
+        return validate(self.current_data(), "run")
 
     def state(self) -> State:
         """Everything it takes to go on from here with the same bits."""

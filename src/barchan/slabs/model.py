@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from barchan.bed import Bed
+from barchan.checked import checked, finite
 from barchan.heights import check_heights
 from barchan.kernels.bed.state import Stacks, relaxation_orders
 from barchan.kernels.core.state import TRAVEL_UNIT
@@ -98,7 +99,8 @@ class SlabModel(Model):
 
         frame = WindFrame.of(segment.direction)
         mobility = self.mobility(bed, segment.direction)
-        arguments, stacks = self._enter(bed, frame, self.hop_length(segment), mobility)
+        hop = finite(self.hop_length(segment), f"hop length of {self.title}")
+        arguments, stacks = self._enter(bed, frame, hop, mobility)
         rules = arguments.rules
         if rules.speedup:
             stacks = stacks._replace(levels=levels_over(flat=stacks.sand is None))
@@ -224,6 +226,8 @@ class SlabModel(Model):
         self, bed: Bed, frame: WindFrame, hop: float, mobility: NDArray[np.float64] | None
     ) -> tuple[SlabArguments, Stacks]:
         """Arguments and stacks in the wind's frame."""
+        if mobility is not None:
+            mobility = checked(mobility, self.lattice.shape, np.float64, f"mobility of {self.title}")
         arguments = build(self.parameters, self.rules(), self.lattice, frame, hop, is_flat(bed.ground))
         return arguments, stacks_of(bed, frame, mobility)
 

@@ -5,6 +5,7 @@ from typing import Annotated, ClassVar, Literal, Self
 
 from pydantic import Field, model_validator
 
+from barchan.heights import LARGEST_STEP
 from barchan.lattice import Lattice
 from barchan.parameters import Parameters, parameter
 
@@ -208,7 +209,7 @@ class SlabParameters(Parameters):
 
     def _limit(self, slabs: float) -> int:
         earlier = 1 if self.repose_test == "before" else 0
-        return max(1, math.floor(slabs + _ROUNDING)) + earlier
+        return max(1, math.floor(min(slabs + _ROUNDING, LARGEST_STEP))) + earlier
 
     def limits(self, lattice: Lattice, angle: float | None = None) -> tuple[int, int]:
         """Largest steps (slabs) that stand towards faces and corners."""
