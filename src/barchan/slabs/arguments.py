@@ -20,6 +20,7 @@ from barchan.kernels.bed.state import (
     relaxation_orders,
     repose_rule,
 )
+from barchan.kernels.core.interruption import new_interruption
 from barchan.kernels.core.state import SIMD_WIDTH
 from barchan.kernels.slabs.state import (
     CELL,
@@ -81,6 +82,7 @@ def build(
         ray=ray,
         orders=orders,
         relaxation_orders=_relaxation_orders(parameters, orders),
+        interruption=new_interruption(),
     )
     return SlabArguments(found, memory)
 

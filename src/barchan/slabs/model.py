@@ -10,6 +10,7 @@ from numpy.typing import DTypeLike, NDArray
 from barchan.bed import Bed
 from barchan.heights import FRACTION_BITS, above_lowest, check_heights
 from barchan.kernels.bed.state import Stacks, relaxation_orders, unstable_cells
+from barchan.kernels.core.interruption import interruptible, new_interruption
 from barchan.kernels.core.state import SIMD_WIDTH, TRAVEL_UNIT
 from barchan.kernels.slabs.state import (
     CAPPED,
@@ -36,6 +37,9 @@ from barchan.slabs.rules import Rules
 from barchan.streams import Stream, derive
 from barchan.wind.frame import WindFrame
 from barchan.wind.segment import Segment
+
+_SHORT = 500_000
+"""Hops that take so short that no signal need interrupt them: some tens of milliseconds."""
 
 _MOST_MOBILE = 2**30
 """Bound of mobilities in whole numbers, so that chances in proportion to them do not overflow."""
@@ -110,7 +114,8 @@ class SlabModel(Model):
         if rules.speedup:
             stacks = stacks._replace(levels=levels_over(flat=stacks.sand is None))
         obstacles = self._clear_distances.obstacles(bed.ground, rules, frame, stacks)
-        rules = rules._replace(obstacles=obstacles, orders=rules.orders.copy())
+        interruption = new_interruption()
+        rules = rules._replace(obstacles=obstacles, orders=rules.orders.copy(), interruption=interruption)
         schedule = Schedule(
             self.parameters.polling == "non_repeated",
             self.parameters.forced_erosion,
@@ -120,15 +125,31 @@ class SlabModel(Model):
         work = work_space(rules, schedule)
         steps, polls = (segment.step, segment.steps), (segment.first, segment.polls)
         if segment.influx is None:
-            run_steps(stacks, rules, work, schedule, np.uint64(stream.key), *steps, *polls, counts)
+
+            def run() -> None:
+                run_steps(stacks, rules, work, schedule, np.uint64(stream.key), *steps, *polls, counts)
+
         else:
             influx = edge_influx(segment, self.saturated_influx(segment), self.lattice, frame)
-            for step in range(segment.step, segment.step + segment.steps):
-                key = np.uint64(derive(derive(derive(stream.key, step), INFLUX), segment.first))
-                let_enter(stacks, rules, work, influx, key, counts)
-                run_steps(stacks, rules, work, schedule, np.uint64(stream.key), step, 1, *polls, counts)
+
+            def run() -> None:
+                for step in range(segment.step, segment.step + segment.steps):
+                    key = np.uint64(derive(derive(derive(stream.key, step), INFLUX), segment.first))
+                    let_enter(stacks, rules, work, influx, key, counts)
+                    run_steps(stacks, rules, work, schedule, np.uint64(stream.key), step, 1, *polls, counts)
+
+        if self._hops_of(segment) > _SHORT:
+            interruptible(run, interruption)
+        else:
+            run()
         self._leave(bed, frame, stacks)
         return _tally(counts, segment, frame)
+
+    def _hops_of(self, segment: Segment) -> float:
+        """How many hops the slabs of a segment may take: a measure of how long it takes."""
+        settles = min(self.parameters.p_s, self.parameters.p_ns)
+        hops = self.parameters.max_hops if settles == 0.0 else 1.0 / settles
+        return segment.steps * segment.polls * min(hops, self.parameters.max_hops)
 
     def hop_length(self, segment: Segment) -> float:
         """Hop length (cells) under this wind."""

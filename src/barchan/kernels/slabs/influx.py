@@ -81,7 +81,7 @@ def _first_landing(edge, cell, state, rules):
     return along, wrapped(across, grid.rows, False)
 
 
-@njit(cache=True)
+@njit(cache=True, nogil=True)
 def let_enter(stacks, rules, work, influx, key, tally):
     """Let a step's slabs enter, cell by cell along the upwind edges; counts are added to ``tally``.
 
@@ -93,6 +93,8 @@ def let_enter(stacks, rules, work, influx, key, tally):
     for edge in range(2):
         means = influx.along if edge == _ALONG else influx.across
         for cell in range(means.size):
+            if rules.interruption[0] != 0:
+                return
             start = derive(derive(key, edge), cell)
             count = np.int64(means[cell] + draw(start, 1))
             for number in range(count):
