@@ -186,6 +186,10 @@ class Model(ABC):
         """Duration of a step (s), of a model whose rules tell it."""
         return None
 
+    def work_bytes(self) -> int:
+        """Memory (bytes) that its work takes at most beside the bed: an estimate, made before the work is."""
+        return 0
+
     def step_volume(self) -> float:
         """Volume of sand (m² per step: per width across the wind) that a step moves on a flat bed.
 

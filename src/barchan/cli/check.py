@@ -14,13 +14,16 @@ def check(scenario: str, /, *values: Tokens) -> None:
     from barchan.archive import source_at
     from barchan.cli.terminal import console, print_note
     from barchan.scenario.files import load_scenario
+    from barchan.simulation.memory import in_words, memory_needed, refuse_too_large
 
     sound = load_scenario(source_at(scenario), pairs(values, check)).seeded()
+    refuse_too_large(sound)
     model = sound.new_model()
     with sound.source_map.locating_errors():
         sound.forcing().wind_of(0)
         model.initialise(sound.first_bed(), sound.seed)
     console.print(f"{scenario}: sound")
+    console.print(f"memory: about {in_words(memory_needed(sound))}")
     for name, fact in {**sound.time_facts(), **model.facts()}.items():
         console.print(f"{name}: {fact}")
     for remark in sound.remarks():

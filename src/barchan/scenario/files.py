@@ -13,7 +13,7 @@ from barchan.scenario.definition import Scenario
 from barchan.scenario.messages import nearest, problems_of
 from barchan.scenario.migrations import migrate
 from barchan.scenario.source_map import Path as KeyPath
-from barchan.scenario.source_map import SourceMap, parse
+from barchan.scenario.source_map import TOO_DEEP, SourceMap, is_too_deep, parse
 
 Override = tuple[str, str]
 """A dotted key and the text given for it, as on a command line."""
@@ -52,7 +52,7 @@ def validate(
     found = list(problems)
     if not isinstance(data, dict):
         raise ScenarioError([Problem("", "must be a JSON object { … }", name)], name)
-    data = {key: value for key, value in json.loads(json.dumps(data)).items() if key != "$schema"}
+    data = {key: value for key, value in _plain(data, name).items() if key != "$schema"}
     data, trouble = migrate(data)
     found += [Problem("barchan", trouble, name)] if trouble else []
     given: set[KeyPath] = set()
@@ -72,6 +72,17 @@ def validate(
     if found:
         raise ScenarioError(found, name)
     return scenario.with_source_map(source_map)
+
+
+def _plain(data: dict[str, Any], name: str) -> dict[str, Any]:
+    """A deep copy of plain data; raises ScenarioError where it is no plain data."""
+    try:
+        if is_too_deep(data):
+            raise ScenarioError([Problem("", TOO_DEEP, name)], name)
+        plain: dict[str, Any] = json.loads(json.dumps(data))
+    except (TypeError, ValueError) as error:
+        raise ScenarioError([Problem("", f"cannot be written as JSON: {error}", name)], name) from None
+    return plain
 
 
 def _name_variants(data: dict[str, Any]) -> None:
@@ -111,7 +122,7 @@ def value_of(text: str) -> Any:
     """A value that was given as text: as JSON where it is, as the text itself elsewhere."""
     try:
         return json.loads(text, parse_constant=str)
-    except json.JSONDecodeError:
+    except (ValueError, RecursionError):
         return text
 
 

@@ -40,6 +40,10 @@ class SetParameter(Change):
         if model.slope_rules() != rules:
             model.relax(simulation.bed)
 
+    def journaled(self) -> dict[str, Any]:
+        """The change as plain data: with its value, which may be null."""
+        return {**super().journaled(), "value": self.value}
+
     def amend(self, scenario: dict[str, Any]) -> None:
         """Set the value at its key."""
         *groups, name = self.key.split(".")
@@ -88,7 +92,7 @@ class Record:
 
     def data(self) -> dict[str, Any]:
         """The record as plain data."""
-        return {"step": self.step, **self.event.model_dump(mode="json", exclude_none=True)}
+        return {"step": self.step, **self.event.journaled()}
 
     @classmethod
     def from_data(cls, data: dict[str, Any]) -> "Record":

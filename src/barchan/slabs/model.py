@@ -41,6 +41,9 @@ from barchan.wind.segment import Segment
 _SHORT = 500_000
 """Hops that take so short that no signal need interrupt them: some tens of milliseconds."""
 
+_CELL_BYTES = 64
+"""Memory (bytes) that transport takes for each cell at most, over ground that is not flat."""
+
 _MOST_MOBILE = 2**30
 """Bound of mobilities in whole numbers, so that chances in proportion to them do not overflow."""
 
@@ -156,6 +159,10 @@ class SlabModel(Model):
         if segment.hop_length is not None:
             return segment.hop_length
         return self.parameters.hop_length
+
+    def work_bytes(self) -> int:
+        """Surface, sand, mobility, avalanches and distances to walls, some of them twice while they turn."""
+        return _CELL_BYTES * self.lattice.cells
 
     def step_volume(self) -> float:
         """Volume (m² per step) that goes through a line across the wind on a flat bed of sand."""
