@@ -1,0 +1,36 @@
+"""``python -m tests.random_runs FIRST [COUNT] [narrow]``: run scenarios by number and print what happened."""
+
+import faulthandler
+import json
+import sys
+import time
+from collections import Counter
+
+from tests.random_runs.drawing import scenario
+from tests.random_runs.holding import check
+
+SLOW = 10.0
+"""Seconds from which on a scenario is printed as slow."""
+
+
+def main() -> int:
+    """Run the scenarios; the number of failures."""
+    faulthandler.enable()
+    first, count = int(sys.argv[1]), int(sys.argv[2]) if len(sys.argv) > 2 else 1
+    outcomes: Counter[str] = Counter()
+    for number in range(first, first + count):
+        data = scenario(number, narrow="narrow" in sys.argv)
+        print(f"scenario {number}", file=sys.stderr, flush=True)
+        began = time.monotonic()
+        try:
+            outcomes[check(data, number)] += 1
+        except Exception as error:
+            outcomes["failed"] += 1
+            print(f"scenario {number} failed: {type(error).__name__}: {error}\n{json.dumps(data)}", flush=True)
+        if time.monotonic() - began > SLOW:
+            print(f"scenario {number} took {time.monotonic() - began:.0f} s", flush=True)
+    print(json.dumps(outcomes))
+    return min(outcomes["failed"], 1)
+
+
+sys.exit(main())
