@@ -15,9 +15,10 @@ STEEP = {
     "lattice": {"rows": 1, "columns": 9, "cell_size": 0.002, "slab_height": 0.00015},
     "ground": {"kind": "cliff"},
     "sand": {"kind": "cone", "mean": 0.0, "gradient_y": 0.15, "radius": 60.0},
-    "wind": {"kind": "steady", "direction": 10.0, "unit": "m/s", "speed": 7.0},
+    "wind": {"kind": "steady", "direction": 0.0001, "unit": "m/s", "speed": 7.0},
     "model": {
         "name": "wang_hu",
+        "wind_speed": 0.0006,
         "grain_diameter": 0.0013,
         "grain_density": 1270.0,
         "air_density": 7.0,

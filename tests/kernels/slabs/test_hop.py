@@ -19,7 +19,7 @@ wrap = njit(lambda place, size, joined: wrapped(place, size, joined))
         (8.25, 8, 0.25),
         (99_999.5, 8, 7.5),
         (-0.5, 8, 7.5),
-        (-100_001.5, 3, 1.5),
+        (-100_001.5, 3, 0.5),
     ],
 )
 def test_a_position_over_joined_edges_comes_back_after_whole_laps(cells, size, inside):
