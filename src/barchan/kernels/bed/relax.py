@@ -19,8 +19,11 @@ from barchan.kernels.core.internal import internal
 from barchan.kernels.core.progress import report
 from barchan.kernels.core.random import mix
 
+SINGLY = 64
+"""Slides for each cell of the field after which slabs slide together: more than any usual bed takes."""
+
 TOGETHER = 8
-"""Slabs by which a step is too high beyond which several slide at once."""
+"""Slabs by which a step is too high beyond which slabs slide together."""
 
 BATCH = 200_000
 """Slides after which a signal is handled: some tenths of a second at most."""
@@ -80,16 +83,17 @@ def relax_queue(stacks, orders, unstable, progress, most, key, grid, repose, mix
     """Let the cells of the queue slide, and all that they upset, until every slope stands.
 
     Sand at rest slides where a step exceeds the static limit, moving sand comes to rest at the repose limit.
-    Slabs slide one at a time, from steps that are too high by more than ``TOGETHER`` slabs half of these at
-    once, so that the work does not grow with the height of the sand. ``orders`` are the orders in which
-    neighbours are checked, one of which is drawn by ``key`` each time. Sand of several sizes takes its
-    ``mixture`` along (None: uniform). ``progress`` holds where the queue begins, its length, the slides and
-    the slabs that slid so far; returns them after ``most`` more slides, or once the queue is empty.
+    Slabs slide one at a time, ``SINGLY`` times for each cell; then, from steps that are too high by more than
+    ``TOGETHER`` slabs, half of these at once, so that the work does not grow with the height of the sand.
+    ``orders`` are the orders in which neighbours are checked, one of which is drawn by ``key`` each time.
+    Sand of several sizes takes its ``mixture`` along (None: uniform). ``progress`` holds where the queue
+    begins, its length, the slides and the slabs that slid so far; returns them after ``most`` more slides, or
+    once the queue is empty.
     """
     never_inline()
     stacks, orders, unstable, mixture = borrowed((stacks, orders, unstable, mixture))
     at, length, slides, slid = progress
-    end = slides + most
+    end, singly = slides + most, SINGLY * unstable.waiting.size
     last_order = np.uint64(orders.shape[0] - 1)
     while length > 0 and slides < end:
         cell = unstable.queue[at]
@@ -109,7 +113,9 @@ def relax_queue(stacks, orders, unstable, progress, most, key, grid, repose, mix
         r, c = neighbour(row, col, direction, grid)
         lower = r * grid.cols + c
         limit = repose.face_limit if direction < 4 else repose.corner_limit
-        count = _sliding(stacks.surface, stacks.sand, cell, lower, limit, repose.slab)
+        count = np.int64(1)
+        if slides >= singly:
+            count = _sliding(stacks.surface, stacks.sand, cell, lower, limit, repose.slab)
         _move_slabs(stacks.surface, stacks.sand, stacks.levels, cell, lower, repose.slab, count)
         slide(mixture, cell, lower, count)
         slides += 1
