@@ -14,7 +14,7 @@ from barchan.ground.area import Area
 from barchan.models import models
 from barchan.parameters import NOTE, Parameters
 from barchan.scenario import Scenario
-from barchan.wind.influx import CountedInflux
+from barchan.slabs.model import SlabModel
 
 GIVEN = 0.3
 """Share of optional keys that a scenario states."""
@@ -38,8 +38,6 @@ CAPS = {
 }
 """Numbers that would only make a run long are drawn up to these."""
 
-FIXED: dict[str, Any] = {"kind_of_sizes": None}
-
 KEPT = {
     "ripples": ("near_bed", "drag", "collapse", "clock", "sizes", "canopy", "relief_flow", "footprint"),
     "wang_hu": ("drag", "canopy", "footprint"),
@@ -59,12 +57,18 @@ def scenario(number: int, narrow: bool = False) -> dict[str, Any]:
         "model": _model(rng, rng.choice(list(models()))),
         "run": _run(rng),
     }
-    if "clock" not in data["model"] and _in_metres(data["wind"]):
-        data["clock"] = group(rng, Scenario.model_fields["clock"])
-    if rng.random() < 0.2:
-        kind = rng.choice(["saturation", "slabs"])
-        data["influx"] = group(rng, _named("influx", kind)) if kind == "saturation" else _counted(rng)
+    if issubclass(models()[data["model"]["name"]], SlabModel):
+        _add_clock_and_influx(rng, data)
     return data
+
+
+def _add_clock_and_influx(rng: Random, data: dict[str, Any]) -> None:
+    """Give a scenario of slabs the clock that its wind needs, and influx where an edge is open."""
+    if _in_metres(data["wind"]):
+        data["clock"] = group(rng, Scenario.model_fields["clock"], ("threshold", "threshold_speed"))
+        data["model"]["p_s"] = max(data["model"].get("p_s", 0.6), 0.05)
+    if "open" in (data["lattice"]["boundary_x"], data["lattice"]["boundary_y"]) and rng.random() < 0.4:
+        data["influx"] = group(rng, Scenario.model_fields["influx"])
 
 
 def event(rng: Random, data: dict[str, Any], live: list[tuple[str, Any]]) -> dict[str, Any]:
@@ -153,18 +157,9 @@ def _variants(annotation: Any) -> list[type[Parameters]]:
     return variants(annotation)
 
 
-def _named(part: str, kind: str) -> type[Parameters]:
-    kinds = _variants(Scenario.model_fields[part].annotation)
-    return next(one for one in kinds if one.model_fields["kind"].default == kind)
-
-
 def _one_of(rng: Random, part: str) -> dict[str, Any]:
     kinds = [one for one in _variants(Scenario.model_fields[part].annotation) if "File" not in one.__name__]
     return group(rng, rng.choice(kinds))
-
-
-def _counted(rng: Random) -> dict[str, Any]:
-    return group(rng, CountedInflux)
 
 
 def _lattice(rng: Random, narrow: bool) -> dict[str, Any]:
@@ -209,6 +204,11 @@ def _consistent(rng: Random, kind: type[Parameters], data: dict[str, Any]) -> di
         for low, high in (("west", "east"), ("south", "north")):
             edges = sorted((data.get(low, 0.0), data.get(high, 1.0)))
             data |= {low: edges[0], high: edges[1]} if edges[0] < edges[1] else {low: 0.0, high: 1.0}
+    if kind.__name__ == "MixedAxes":
+        data |= {"first": rng.choice([0, 180]), "second": rng.choice([90, 270])}
+    if data.get("static_repose_angle") is not None:
+        data["static_repose_angle"] = max(data["static_repose_angle"], data.get("repose_angle", 34.0))
+    data.pop("columns", None)
     if "gusts" in data and data.get("unit") != "m/s":
         data.pop("gusts")
     if data.get("unit") == "m/s" and data.get("speed") is None:
