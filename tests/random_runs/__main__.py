@@ -1,4 +1,7 @@
-"""``python -m tests.random_runs FIRST [COUNT] [narrow]``: run scenarios by number and print what happened."""
+"""``python -m tests.random_runs FIRST [COUNT] [narrow] [every]``: run scenarios, print what happened.
+
+``every`` asks for every combination of rules, each of which is compiled by itself.
+"""
 
 import faulthandler
 import json
@@ -17,13 +20,14 @@ def main() -> int:
     """Run the scenarios; the number of failures."""
     faulthandler.enable()
     first, count = int(sys.argv[1]), int(sys.argv[2]) if len(sys.argv) > 2 else 1
+    few = "every" not in sys.argv
     outcomes: Counter[str] = Counter()
     for number in range(first, first + count):
-        data = scenario(number, narrow="narrow" in sys.argv)
+        data = scenario(number, "narrow" in sys.argv, few)
         print(f"scenario {number}", file=sys.stderr, flush=True)
         began = time.monotonic()
         try:
-            outcomes[check(data, number)] += 1
+            outcomes[check(data, number, few)] += 1
         except Exception as error:
             outcomes["failed"] += 1
             print(f"scenario {number} failed: {type(error).__name__}: {error}\n{json.dumps(data)}", flush=True)

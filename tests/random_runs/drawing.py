@@ -38,23 +38,51 @@ CAPS = {
 }
 """Numbers that would only make a run long are drawn up to these."""
 
-KEPT = {
-    "ripples": ("near_bed", "drag", "collapse", "clock", "sizes", "canopy", "relief_flow", "footprint"),
-    "wang_hu": ("drag", "canopy", "footprint"),
-}
-"""Keys left to their defaults, for each combination of their values is compiled by itself."""
+COMPILED_APART = (
+    *("path_test", "static_repose_angle", "feedback", "sizes", "canopy", "relief_flow", "footprint"),
+    *("collapse", "clock"),
+)
+"""Keys of models whose values decide what is compiled: left to their defaults where ``few`` are asked for."""
 
 
-def scenario(number: int, narrow: bool = False) -> dict[str, Any]:
-    """The scenario of a number, as plain data; ``narrow`` fields have one to three rows."""
-    rng = Random(number)
+def scenario(number: int, narrow: bool = False, few: bool = True) -> dict[str, Any]:
+    """The scenario of a number, as plain data; ``narrow`` fields have one to three rows.
+
+    Kernels are compiled for each combination of rules by themselves, which takes longer than all runs; with
+    ``few`` there are two for each kind of model: flat ground and winds along the axes, or neither.
+    """
+    data = _drawn(Random(number), narrow, COMPILED_APART if few else ())
+    if few:
+        on_axes = number % 2 == 0
+        data["wind"] = turned(data["wind"], on_axes)
+        if on_axes:
+            data["ground"] = {"kind": "flat"}
+        elif data["ground"]["kind"] == "flat":
+            data["ground"] = {"kind": "cliff"}
+    return data
+
+
+def turned(wind: dict[str, Any], on_axes: bool) -> dict[str, Any]:
+    """A wind whose directions all lie along the axes of the lattice, or none."""
+    if wind["kind"] in ("record", "mixed_axes"):
+        wind = {"kind": "steady"}
+    for part in (wind, *wind.get("regimes", [])):
+        quarter = 90.0 * (part.get("direction", 270.0) // 90.0)
+        if part is wind and "regimes" in wind:
+            continue
+        part["direction"] = quarter if on_axes else min(part.get("direction", 270.0) + 0.37, 359.0)
+        part.pop("spread", None)
+    return wind
+
+
+def _drawn(rng: Random, narrow: bool, without: tuple[str, ...]) -> dict[str, Any]:
     data = {
         "barchan": 2,
         "lattice": _lattice(rng, narrow),
         "ground": _one_of(rng, "ground"),
         "sand": _one_of(rng, "sand"),
         "wind": _one_of(rng, "wind"),
-        "model": _model(rng, rng.choice(list(models()))),
+        "model": _model(rng, rng.choice(list(models())), without),
         "run": _run(rng),
     }
     if issubclass(models()[data["model"]["name"]], SlabModel):
@@ -71,16 +99,24 @@ def _add_clock_and_influx(rng: Random, data: dict[str, Any]) -> None:
         data["influx"] = group(rng, Scenario.model_fields["influx"])
 
 
-def event(rng: Random, data: dict[str, Any], live: list[tuple[str, Any]]) -> dict[str, Any]:
-    """A change during a run, as plain data; ``live`` holds keys and declarations that may change."""
+def event(rng: Random, data: dict[str, Any], live: list[tuple[str, Any]], few: bool) -> dict[str, Any]:
+    """A change during a run, as plain data; ``live`` holds keys and declarations that may change.
+
+    With ``few`` it changes nothing that decides what is compiled.
+    """
     size = data["lattice"]["cell_size"]
     place = {"x": rng.uniform(-1, 12) * size, "y": rng.uniform(-1, 4) * size, "radius": rng.uniform(0.1, 5) * size}
     kind = rng.choice(["set", "set", "wind", "stroke", "rock", "plants"])
+    on_axes = data["ground"]["kind"] == "flat"
+    if few:
+        live = [one for one in live if one[0].split(".")[1] not in COMPILED_APART]
+        kind = "stroke" if kind == "rock" and on_axes else kind
     if kind == "set" and live:
         key, field = rng.choice(live)
         return {"kind": "set", "key": key, "value": value(rng, field.annotation, field.metadata, key)}
     if kind == "wind":
-        return {"kind": "wind", "wind": _one_of(rng, "wind")}
+        wind = _one_of(rng, "wind")
+        return {"kind": "wind", "wind": turned(wind, on_axes) if few else wind}
     if kind == "plants":
         return {"kind": "plants", "field": "grass", "amount": rng.uniform(-2, 2), **place}
     return {"kind": "rock" if kind == "rock" else "stroke", "amount": rng.choice([-30, -3, 1, 40]), **place}
@@ -174,8 +210,8 @@ def _lattice(rng: Random, narrow: bool) -> dict[str, Any]:
     }
 
 
-def _model(rng: Random, name: str) -> dict[str, Any]:
-    data = group(rng, models()[name].Parameters, KEPT.get(name, ()))
+def _model(rng: Random, name: str, without: tuple[str, ...]) -> dict[str, Any]:
+    data = group(rng, models()[name].Parameters, without)
     data["name"] = name
     if rng.random() < 0.7:  # else most scenarios are refused for one of these
         data.pop("time_step", None)
