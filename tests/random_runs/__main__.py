@@ -16,6 +16,12 @@ SLOW = 10.0
 """Seconds from which on a scenario is printed as slow."""
 
 
+def tell(text: str) -> None:
+    """Print a line at once."""
+    sys.stdout.write(f"{text}\n")
+    sys.stdout.flush()
+
+
 def main() -> int:
     """Run the scenarios; the number of failures."""
     faulthandler.enable()
@@ -24,16 +30,18 @@ def main() -> int:
     outcomes: Counter[str] = Counter()
     for number in range(first, first + count):
         data = scenario(number, "narrow" in sys.argv, few)
-        print(f"scenario {number}", file=sys.stderr, flush=True)
+        sys.stderr.write(f"scenario {number}\n")
         began = time.monotonic()
         try:
             outcomes[check(data, number, few)] += 1
         except Exception as error:
             outcomes["failed"] += 1
-            print(f"scenario {number} failed: {type(error).__name__}: {error}\n{json.dumps(data)}", flush=True)
+            print(
+                f"scenario {number} failed: {type(error).__name__}: {error}\n{json.dumps(data)}", flush=True
+            )
         if time.monotonic() - began > SLOW:
-            print(f"scenario {number} took {time.monotonic() - began:.0f} s", flush=True)
-    print(json.dumps(outcomes))
+            tell(f"scenario {number} took {time.monotonic() - began:.0f} s")
+    tell(json.dumps(outcomes))
     return min(outcomes["failed"], 1)
 
 

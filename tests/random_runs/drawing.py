@@ -105,11 +105,15 @@ def event(rng: Random, data: dict[str, Any], live: list[tuple[str, Any]], few: b
     With ``few`` it changes nothing that decides what is compiled.
     """
     size = data["lattice"]["cell_size"]
-    place = {"x": rng.uniform(-1, 12) * size, "y": rng.uniform(-1, 4) * size, "radius": rng.uniform(0.1, 5) * size}
+    place = {
+        "x": rng.uniform(-1, 12) * size,
+        "y": rng.uniform(-1, 4) * size,
+        "radius": rng.uniform(0.1, 5) * size,
+    }
     kind = rng.choice(["set", "set", "wind", "stroke", "rock", "plants"])
     on_axes = data["ground"]["kind"] == "flat"
     if few:
-        live = [one for one in live if one[0].split(".")[1] not in COMPILED_APART]
+        live = [one for one in live if one[0].removeprefix("model.") not in COMPILED_APART]
         kind = "stroke" if kind == "rock" and on_axes else kind
     if kind == "set" and live:
         key, field = rng.choice(live)
@@ -168,9 +172,14 @@ def _plain(rng: Random, kind: Any, metadata: Any, key: str) -> Any:
         return rng.random() < 0.5
     if kind not in (int, float):
         return None if kind is type(None) else "text"
-    bounds = {n: getattr(m, n) for m in metadata for n in ("ge", "gt", "le", "lt") if getattr(m, n, None) is not None}
+    bounds = {
+        n: getattr(m, n)
+        for m in metadata
+        for n in ("ge", "gt", "le", "lt")
+        if getattr(m, n, None) is not None
+    }
     low, high = bounds.get("ge", bounds.get("gt", -1e3)), bounds.get("le", bounds.get("lt", 1e3))
-    high = max(low, min(high, CAPS.get(key.split(".")[-1], high)))
+    high = max(low, min(high, CAPS.get(key.removeprefix("model."), high)))
     if kind is int:
         low, high = math.ceil(low) + ("gt" in bounds), math.floor(high) - ("lt" in bounds)
         return rng.choice([low, high, rng.randint(low, high), rng.randint(low, min(high, low + 10))])

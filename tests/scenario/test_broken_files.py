@@ -77,10 +77,28 @@ def _mutated(rng, text):
         at = rng.randrange(len(text))
         end = min(len(text), at + rng.choice([1, 1, 5, 40]))
         piece = rng.choice(
-            ["", text[at:end] * rng.choice([2, 50]), "[" * rng.choice([1, 2000]), '"', "null", "1e999", "-", "\\ud800"]
+            [
+                "",
+                text[at:end] * rng.choice([2, 50]),
+                "[" * rng.choice([1, 2000]),
+                '"',
+                "null",
+                "1e999",
+                "-",
+                "\\ud800",
+            ]
         )
         text = text[:at] + piece + text[end:]
     return text
+
+
+def _answer(path):
+    """How a file is refused; nothing where it is read."""
+    try:
+        load_scenario(path)
+    except BarchanError as error:
+        return str(error)
+    return ""
 
 
 def test_mutations_of_presets_are_read_or_refused(tmp_path):
@@ -90,7 +108,4 @@ def test_mutations_of_presets_are_read_or_refused(tmp_path):
     for _ in range(400):
         text = _mutated(rng, rng.choice(presets))
         (tmp_path / "broken.json").write_text(text, "utf-8")
-        try:
-            load_scenario(tmp_path / "broken.json")
-        except BarchanError as error:
-            assert len(str(error)) < 25_000
+        assert len(_answer(tmp_path / "broken.json")) < 25_000

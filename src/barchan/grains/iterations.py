@@ -5,7 +5,6 @@ from contextlib import contextmanager
 
 from barchan.kernels.grains.state import MOST_ITERATIONS, Scene
 
-
 _UPDATES = 5_000_000
 """Grain updates of a batch at most, where it has more than one iteration: some tenths of a second."""
 

@@ -12,8 +12,8 @@ from barchan.errors import Problem, ScenarioError
 from barchan.scenario.definition import Scenario
 from barchan.scenario.messages import nearest, problems_of
 from barchan.scenario.migrations import migrate
-from barchan.scenario.source_map import Path as KeyPath
 from barchan.scenario.source_map import TOO_DEEP, SourceMap, is_too_deep, parse
+from barchan.scenario.source_map import Path as KeyPath
 
 Override = tuple[str, str]
 """A dotted key and the text given for it, as on a command line."""

@@ -22,8 +22,8 @@ FASTEST = 100.0
 def too_fast(speed: float) -> str:
     """What is wrong with a speed (m/s) above ``FASTEST``."""
     return (
-        f"is {speed:g} m/s, faster than any wind; allowed: up to {FASTEST:g} m/s. Is it in another unit: cm/s, "
-        'or a hop length ("unit": "cells")?'
+        f"is {speed:g} m/s, faster than any wind; allowed: up to {FASTEST:g} m/s. Is it in another unit: "
+        'cm/s, or a hop length ("unit": "cells")?'
     )
 
 
@@ -73,7 +73,9 @@ class Blowing(WithWeather):
 
     @model_validator(mode="after")
     def _not_faster_than_any_wind(self) -> Self:
-        found = [mistake((key,), too_fast(speed)) for key, speed in self.speeds_in_metres() if speed > FASTEST]
+        found = [
+            mistake((key,), too_fast(speed)) for key, speed in self.speeds_in_metres() if speed > FASTEST
+        ]
         if found:
             raise ValidationError.from_exception_data(type(self).__name__, found)
         return self

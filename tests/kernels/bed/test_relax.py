@@ -135,5 +135,3 @@ def test_a_tower_of_sand_relaxes_in_work_that_does_not_grow_with_its_height(grou
     some = relax._relax_some
     low, high = relaxed(10_000), relaxed(640_000)
     assert high <= 7 * low
-
-

@@ -7,7 +7,11 @@ from barchan.kernels.slabs.hop import wrapped
 
 CELL = 1 << 32
 
-wrap = njit(lambda place, size, joined: wrapped(place, size, joined))
+
+@njit
+def wrap(place, size, joined):
+    """Call the kernel's function from Python."""
+    return wrapped(place, size, joined)
 
 
 @pytest.mark.parametrize(

@@ -128,7 +128,7 @@ def relax_queue(stacks, orders, unstable, progress, most, key, grid, repose, mix
 
 @njit(cache=True, nogil=True)
 def _enqueue_all(unstable, where, grid):
-    """Put the cells ``where`` (bool, flat) something changed and their neighbours on the queue; its length."""
+    """Put the cells ``where`` (bool, flat) something changed and neighbours on the queue; its length."""
     length = 0
     for cell in range(where.size):
         if where[cell]:

@@ -33,7 +33,7 @@ def interruptible(work: Callable[[], None], interruption: NDArray[np.int64]) -> 
     def run() -> None:
         try:
             work()
-        except BaseException as error:  # noqa: BLE001
+        except BaseException as error:
             failed.append(error)
 
     thread = threading.Thread(target=run, daemon=True)

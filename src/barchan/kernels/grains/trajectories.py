@@ -30,7 +30,7 @@ def _fly_one(key, scene):
 
 @njit(cache=True, nogil=True, error_model="numpy")
 def trajectories(first, count, key, scene, lifting, slopes):
-    """``count`` complete trajectories from number ``first`` on, one after the other; the bed relaxes after each.
+    """``count`` complete trajectories, one after the other, from number ``first`` on; then the bed relaxes.
 
     All fly in the first slot; a grain that does not land for ``LONGEST_FLIGHT`` time steps is put down.
     ``lifting`` is the entrainment that starts a trajectory; that of the scene's rules has no chance.
