@@ -36,9 +36,7 @@ def main() -> int:
             outcomes[check(data, number, few)] += 1
         except Exception as error:
             outcomes["failed"] += 1
-            print(
-                f"scenario {number} failed: {type(error).__name__}: {error}\n{json.dumps(data)}", flush=True
-            )
+            tell(f"scenario {number} failed: {type(error).__name__}: {error}\n{json.dumps(data)}")
         if time.monotonic() - began > SLOW:
             tell(f"scenario {number} took {time.monotonic() - began:.0f} s")
     tell(json.dumps(outcomes))

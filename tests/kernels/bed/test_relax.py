@@ -107,7 +107,7 @@ def test_a_tower_of_sand_relaxes_in_work_that_does_not_grow_with_its_height(grou
 
     Slab by slab it would take more than 64 times as many slides. Halving an excess takes log2(64) = 6 slides
     more for each one of the low tower, where the sand spreads over the same cells: the whole field. Before
-    that each tower slides slab by slab, 64 slides for each cell.
+    that each tower slides slab by slab, 256 slides for each cell.
     """
     lattice = Lattice(rows=15, columns=17, boundary_x=boundary, boundary_y=boundary)
     rock = np.zeros(lattice.shape)

@@ -19,7 +19,7 @@ from barchan.kernels.core.internal import internal
 from barchan.kernels.core.progress import report
 from barchan.kernels.core.random import mix
 
-SINGLY = 64
+SINGLY = 256
 """Slides for each cell of the field after which slabs slide together: more than any usual bed takes."""
 
 TOGETHER = 8
