@@ -209,7 +209,7 @@ class SlabModel(Model):
         rules = arguments.rules
         orders = relaxation_orders(self.parameters.neighbourhood == "moore")
         changed = np.ones(bed.sand.size, np.bool_) if where is None else where.ravel().copy()
-        moved = int(relax_field(stacks, changed, orders, rules.grid, rules.repose, None))
+        moved = relax_field(stacks, changed, orders, rules.grid, rules.repose, None)
         self._leave(bed, frame, stacks)
         return moved
 

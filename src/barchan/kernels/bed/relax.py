@@ -7,12 +7,13 @@ orders that alternate without a pattern, so that a heap does not lean.
 
 import numpy as np
 from numba import njit
+from numpy.typing import NDArray
 
 from barchan.kernels.bed.active_layer import slide
 from barchan.kernels.bed.grid import neighbour
 from barchan.kernels.bed.levels import move_level
 from barchan.kernels.bed.slopes import has_sand, steepest
-from barchan.kernels.bed.state import STABLE, unstable_cells
+from barchan.kernels.bed.state import STABLE, ActiveLayer, Grid, Repose, Stacks, unstable_cells
 from barchan.kernels.core.borrow import borrowed
 from barchan.kernels.core.inlining import never_inline
 from barchan.kernels.core.internal import internal
@@ -143,7 +144,14 @@ def _relax_some(stacks, orders, unstable, progress, grid, repose, mixture):
     return relax_queue(stacks, orders, unstable, progress, BATCH, key, grid, repose, mixture)
 
 
-def relax_field(stacks, where, orders, grid, repose, mixture):
+def relax_field(
+    stacks: Stacks,
+    where: NDArray[np.bool_],
+    orders: NDArray[np.int64],
+    grid: Grid,
+    repose: Repose,
+    mixture: ActiveLayer | None,
+) -> int:
     """Let slopes that are too steep slide until all stand; returns the number of slabs that slid.
 
     Starts at the cells ``where`` (bool, flat) something changed and their neighbours and goes on wherever
@@ -155,4 +163,4 @@ def relax_field(stacks, where, orders, grid, repose, mixture):
     while progress[1] > 0:
         progress = _relax_some(stacks, orders, unstable, progress, grid, repose, mixture)
         report(f"slopes relax: {progress[3]:,} slabs have slid, {progress[1]:,} cells still to be checked")
-    return progress[3]
+    return int(progress[3])
