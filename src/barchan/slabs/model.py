@@ -41,7 +41,7 @@ from barchan.wind.segment import Segment
 _SHORT = 500_000
 """Hops that take so short that no signal need interrupt them: some tens of milliseconds."""
 
-_CELL_BYTES = 64
+_CELL_BYTES = 24
 """Memory (bytes) that transport takes for each cell at most, over ground that is not flat."""
 
 _MOST_MOBILE = 2**30
