@@ -7,6 +7,17 @@ class BarchanError(Exception):
     """Base of all errors that a user can cause and mend; the message says how."""
 
 
+MOST_PROBLEMS = 20
+"""Problems of an error that its text lists: a screenful."""
+
+MOST_CHARACTERS, MOST_KEY = 1000, 100
+"""Characters of a problem's message, and of its key, that a text shows."""
+
+
+def _cut(text: str, most: int) -> str:
+    return text if len(text) <= most else f"{text[:most]}…"
+
+
 @dataclass(frozen=True)
 class Problem:
     """One thing that is wrong with a scenario or a file."""
@@ -20,7 +31,8 @@ class Problem:
 
     def __str__(self) -> str:
         where = f" ({self.place})" if self.place else ""
-        return f"{self.key}: {self.message}{where}" if self.key else f"{self.message}{where}"
+        message = _cut(self.message, MOST_CHARACTERS)
+        return f"{_cut(self.key, MOST_KEY)}: {message}{where}" if self.key else f"{message}{where}"
 
 
 class _ListedError(BarchanError):
@@ -33,7 +45,10 @@ class _ListedError(BarchanError):
     def __str__(self) -> str:
         problems, title = self.args
         count = "1 problem" if len(problems) == 1 else f"{len(problems)} problems"
-        return "\n".join([f"{title}: {count}", *(f"  {problem}" for problem in problems)])
+        lines = [f"  {problem}" for problem in problems[:MOST_PROBLEMS]]
+        if len(problems) > MOST_PROBLEMS:
+            lines.append(f"  and {len(problems) - MOST_PROBLEMS:,} more")
+        return "\n".join([f"{title}: {count}", *lines])
 
 
 class ScenarioError(_ListedError):

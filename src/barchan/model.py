@@ -194,6 +194,10 @@ class Model(ABC):
         """Work, in the ``work_unit``, that a segment is expected to take; by default its polls."""
         return float(segment.steps * segment.polls)
 
+    def work_bytes(self) -> int:
+        """Memory (bytes) that its work takes at most beside the bed: an estimate, made before the work is."""
+        return 0
+
     def step_volume(self) -> float:
         """Volume of sand (m² per step: per width across the wind) that a step moves on a flat bed.
 

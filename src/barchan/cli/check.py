@@ -20,8 +20,10 @@ def check(scenario: str, /, *values: Tokens) -> None:
     from barchan.scenario.effects import can_move
     from barchan.scenario.files import load_scenario
     from barchan.scenario.summary import field_size
+    from barchan.simulation.memory import in_words, memory_needed, refuse_too_large
 
     sound = load_scenario(source_at(scenario), pairs(values, check)).seeded()
+    refuse_too_large(sound)
     model = sound.new_model()
     with sound.source_map.locating_errors():
         sound.forcing().wind_of(0)
@@ -32,6 +34,7 @@ def check(scenario: str, /, *values: Tokens) -> None:
     console.print(f"field: {field_size(sound.lattice)}")
     console.print(f"steps: {sound.run.steps}")
     console.print(f"expected time: {spoken_estimate(expected_seconds(sound))}")
+    console.print(f"memory: about {in_words(memory_needed(sound))}")
     for name, fact in sound.facts().items():
         console.print(f"{name}: {fact}")
     for remark in sound.remarks(bed.ground):

@@ -1,12 +1,16 @@
 """The output of a run before it starts and when it ends."""
 
 import shlex
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from rich.text import Text
 
 from barchan.archive import Outcome, open_run
+from barchan.cli import INTERRUPTED
 from barchan.cli.terminal import console, print_note
 from barchan.scenario import Scenario
 from barchan.scenario.cost import expected_seconds, spoken_estimate
@@ -89,3 +93,19 @@ def print_table(rows: list[tuple[str, str, str]], left: bool = False) -> None:
 def resume_command(run: Path) -> str:
     """The command that goes on with a run, to be pasted."""
     return f"barchan resume {shlex.quote(str(run))}"
+
+
+@contextmanager
+def saved_when_broken_off(folder: Path) -> Iterator[None]:
+    """Say what is saved of a run whose work is broken off, and end the command."""
+    from barchan.archive.folder import CHECKPOINT
+
+    try:
+        yield
+    except KeyboardInterrupt:
+        if (folder / CHECKPOINT).is_file():
+            console.print("interrupted within a step; what is saved is the run up to its last checkpoint")
+            console.print(f"go on with: {resume_command(folder)}")
+        else:
+            console.print("interrupted before the first step; nothing is saved")
+        sys.exit(INTERRUPTED)

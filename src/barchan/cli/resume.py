@@ -7,8 +7,8 @@ from cyclopts import Parameter
 
 from barchan.cli import INTERRUPTED
 from barchan.cli.overrides import Tokens, changes, pairs
-from barchan.cli.report import print_outcome, resume_command
-from barchan.cli.terminal import Interrupts, Reporter, compilation_announced, console, print_note
+from barchan.cli.report import print_outcome, resume_command, saved_when_broken_off
+from barchan.cli.terminal import Interrupts, Reporter, console, print_note, work_announced
 from barchan.errors import BarchanError
 
 if TYPE_CHECKING:
@@ -52,7 +52,7 @@ def resume(
     """
     if out is None and (at is not None or overwrite or values):
         raise BarchanError("--at, --overwrite and changed values are for branches; say where to with --out")
-    with compilation_announced(quiet), Interrupts().watched() as stop:
+    with work_announced(quiet), Interrupts().watched() as stop, saved_when_broken_off(out or run):
         if out is None:
             outcome = _go_on(run, steps, quiet, stop)
         else:

@@ -19,7 +19,7 @@ from barchan.grains.collapse import repose_limits
 from barchan.grains.cost import work_of_step
 from barchan.grains.creep import Creep
 from barchan.grains.parameters import GrainFlight
-from barchan.grains.pool import Pool
+from barchan.grains.pool import SLOT_BYTES, Pool
 from barchan.grains.relief_flow import ReliefFlow
 from barchan.grains.rules import entrainment_of
 from barchan.grains.sized_sand import SizedSand
@@ -32,6 +32,9 @@ from barchan.lattice import Lattice
 from barchan.model import Model, Tally
 from barchan.streams import Stream
 from barchan.wind.segment import Segment
+
+_CELL_BYTES = 120
+"""Memory (bytes) that flight over a cell takes at most, with wind that varies in space."""
 
 _ANY = 270.0
 """A wind direction where none matters."""
@@ -137,6 +140,10 @@ class GrainModel(Model):
         closure = self.parameters.part(Feedback)
         if self.feedback is not None and closure is not None:
             self.feedback.change(closure, self.parameters)
+
+    def work_bytes(self) -> int:
+        """The grains, their landings, and the bed as they meet it."""
+        return SLOT_BYTES * self.pool.size + _CELL_BYTES * self.lattice.cells
 
     @property
     def airborne(self) -> int:

@@ -27,8 +27,8 @@ from barchan.scenario.overrides import (
     switches,
 )
 from barchan.scenario.paths import anchored
+from barchan.scenario.source_map import TOO_DEEP, SourceMap, is_too_deep, parse, path_of
 from barchan.scenario.source_map import Path as KeyPath
-from barchan.scenario.source_map import SourceMap, parse, path_of
 
 
 def preset_names() -> list[str]:
@@ -83,7 +83,7 @@ def validate(
     found = list(problems)
     if not isinstance(data, dict):
         raise ScenarioError([Problem("", "must be a JSON object { … }", name)], name)
-    data = {key: value for key, value in json.loads(json.dumps(data)).items() if key != "$schema"}
+    data = {key: value for key, value in _plain(data, name).items() if key != "$schema"}
     data, trouble = migrate(data)
     found += [Problem("barchan", trouble, name)] if trouble else []
     spelt_out(data)
@@ -127,6 +127,17 @@ def _left_behind(
         if keys:
             left.setdefault(switch, []).extend(keys)
     return any(dropped.values())
+
+
+def _plain(data: dict[str, Any], name: str) -> dict[str, Any]:
+    """A deep copy of plain data; raises ScenarioError where it is no plain data."""
+    try:
+        if is_too_deep(data):
+            raise ScenarioError([Problem("", TOO_DEEP, name)], name)
+        plain: dict[str, Any] = json.loads(json.dumps(data))
+    except (TypeError, ValueError) as error:
+        raise ScenarioError([Problem("", f"cannot be written as JSON: {error}", name)], name) from None
+    return plain
 
 
 def _name_variants(data: dict[str, Any]) -> None:

@@ -17,6 +17,8 @@ LONGEST = 60
 
 def nearest(name: str, names: Iterable[str]) -> str:
     """``; did you mean 'x'?`` for the name nearest to a mistyped one, or nothing."""
+    if len(name) > LONGEST:  # the search takes time with the square of the length
+        return ""
     found = difflib.get_close_matches(name, list(names), n=1, cutoff=0.5)
     return f"; did you mean '{found[0]}'?" if found else ""
 

@@ -61,7 +61,7 @@ def value_of(text: str) -> Any:
     """A value that was given as text: as JSON where it is, as the text itself elsewhere."""
     try:
         return json.loads(text, parse_constant=str)
-    except (json.JSONDecodeError, RecursionError):
+    except (ValueError, RecursionError):
         return text
 
 

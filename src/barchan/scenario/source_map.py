@@ -14,6 +14,11 @@ Path = tuple[str | int, ...]
 
 _TOKEN = re.compile(r'"(?:[^"\\]|\\.)*"|[{}\[\]:,]|[^\s{}\[\]:,"]+')
 
+MOST_LEVELS = 50
+"""Levels of groups and lists in one another: more than twice as many as a scenario can have."""
+
+TOO_DEEP = f"has groups or lists more than {MOST_LEVELS} deep in one another; no scenario has"
+
 _STEP = re.compile(r"([^.\[\]]+)|\[(\d+)\]")
 
 _CONSTANTS = ("NaN", "Infinity", "-Infinity")
@@ -30,7 +35,11 @@ def parse(text: str, name: str) -> tuple[Any, dict[Path, int], list[Problem]]:
         return None, {}, [Problem("", f"not valid JSON: {error.msg}", place)]
     except ValueError as error:
         return None, {}, [Problem("", f"not valid JSON: {error}", name)]
-    tokens = [(m.group(), text.count("\n", 0, m.start()) + 1) for m in _TOKEN.finditer(text)]
+    except RecursionError:
+        return None, {}, [Problem("", TOO_DEEP, name)]
+    if is_too_deep(data):
+        return None, {}, [Problem("", TOO_DEEP, name)]
+    tokens = list(_tokens(text))
     for token, line in tokens:
         if token in _CONSTANTS:
             problems.append(Problem("", f"not valid JSON: {token} is not a number here", f"{name}:{line}"))
@@ -48,6 +57,29 @@ def dotted(path: Path) -> str:
     for step in path:
         text += f"[{step}]" if isinstance(step, int) else f".{step}" if text else step
     return text
+
+
+def is_too_deep(data: Any) -> bool:
+    """Whether groups and lists lie more than ``MOST_LEVELS`` deep in one another."""
+    level = [data]
+    for _ in range(MOST_LEVELS + 1):
+        inner = [
+            one
+            for group in level
+            if isinstance(group, dict | list)
+            for one in (group.values() if isinstance(group, dict) else group)
+        ]
+        level = list({id(one): one for one in inner}.values())
+    return bool(level)
+
+
+def _tokens(text: str) -> Iterator[tuple[str, int]]:
+    """The tokens of a JSON text, each with its line."""
+    line, counted = 1, 0
+    for found in _TOKEN.finditer(text):
+        line += text.count("\n", counted, found.start())
+        counted = found.start()
+        yield found.group(), line
 
 
 @dataclass(frozen=True, eq=False)

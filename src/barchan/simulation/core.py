@@ -17,6 +17,7 @@ from barchan.scenario.summary import html_table, summary
 from barchan.simulation.events import AnyEvent, Record
 from barchan.simulation.frame import Frame
 from barchan.simulation.ledger import Ledger
+from barchan.simulation.memory import refuse_too_large
 from barchan.simulation.progress import progress
 from barchan.simulation.state import State
 from barchan.simulation.stop import StopConditions
@@ -39,6 +40,7 @@ class Simulation:
         """Build the bed of a scenario; without a seed one is drawn, see ``simulation.scenario``."""
         self._set_up(scenario.seeded())
         scene = self.scenario
+        refuse_too_large(scene)
         with scene.source_map.locating_errors():
             self.forcing.wind_of(0)
             self.bed = scene.first_bed()
@@ -59,6 +61,7 @@ class Simulation:
         self.events: list[Record] = []
         self.stop_conditions = StopConditions(scenario)
         self._framed = -1
+        self._broken_off = False
 
     def __repr__(self) -> str:
         named = f" of '{self.scenario.title}'" if self.scenario.title else ""
@@ -102,7 +105,26 @@ class Simulation:
         return self.bed.elevation
 
     def advance(self, steps: int = 1) -> Tally:
-        """Do ``steps`` steps, fewer where a condition of ``run.until`` ends the run; returns their tally."""
+        """Do ``steps`` steps, fewer where a condition of ``run.until`` ends the run; returns their tally.
+
+        KeyboardInterrupt may break a step off, also a long one. Its bed is half done then, and the simulation
+        cannot go on: a later call, or ``state``, raises BarchanError.
+        """
+        self._refuse_half_done()
+        try:
+            return self._advance(steps)
+        except KeyboardInterrupt:
+            self._broken_off = True
+            raise
+
+    def _refuse_half_done(self) -> None:
+        if self._broken_off:
+            raise BarchanError(
+                f"a step after step {self.steps_done} was broken off and its bed is half done; go on from an "
+                "earlier state, or from the checkpoint of its archive"
+            )
+
+    def _advance(self, steps: int) -> Tally:
         total = Tally()
         end = self.steps_done + steps
         while self.steps_done < end and self.finished is None:
@@ -207,6 +229,7 @@ class Simulation:
 
     def state(self) -> State:
         """Everything it takes to go on from here with the same bits."""
+        self._refuse_half_done()
         arrays = {f"bed/{name}": array.copy() for name, array in self.bed.arrays.items()}
         arrays |= {f"model/{name}": np.asarray(value) for name, value in self.model.state().items()}
         conditions, seen = self.stop_conditions.state()

@@ -22,6 +22,7 @@ from barchan.kernels.bed.state import (
     repose_rule,
     unstable_cells,
 )
+from barchan.kernels.core.interruption import new_interruption
 from barchan.kernels.core.state import SIMD_WIDTH
 from barchan.kernels.slabs.state import (
     CELL,
@@ -87,6 +88,7 @@ def build(
         ray=ray,
         orders=orders,
         relaxation_orders=_relaxation_orders(parameters, orders),
+        interruption=new_interruption(),
     )
     return SlabArguments(found, memory)
 

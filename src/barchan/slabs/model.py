@@ -10,6 +10,7 @@ from barchan.bed import Bed
 from barchan.checked import checked, finite
 from barchan.heights import check_heights
 from barchan.kernels.bed.state import Stacks, relaxation_orders
+from barchan.kernels.core.interruption import interruptible, new_interruption
 from barchan.kernels.core.state import TRAVEL_UNIT
 from barchan.kernels.slabs.state import (
     CAPPED,
@@ -33,6 +34,12 @@ from barchan.slabs.stacks import is_flat, stacks_of, write_back
 from barchan.streams import Stream, derive
 from barchan.wind.frame import WindFrame
 from barchan.wind.segment import Segment
+
+_SHORT = 500_000
+"""Hops that take so short that no signal need interrupt them: some tens of milliseconds."""
+
+_CELL_BYTES = 24
+"""Memory (bytes) that transport takes for each cell at most, over ground that is not flat."""
 
 
 class SlabModel(Model):
@@ -105,7 +112,8 @@ class SlabModel(Model):
         if rules.speedup:
             stacks = stacks._replace(levels=levels_over(flat=stacks.sand is None))
         obstacles = self._clear_distances.obstacles(bed.ground, rules, frame, stacks)
-        rules = rules._replace(obstacles=obstacles, orders=rules.orders.copy())
+        interruption = new_interruption()
+        rules = rules._replace(obstacles=obstacles, orders=rules.orders.copy(), interruption=interruption)
         schedule = Schedule(
             self.parameters.polling == "non_repeated",
             self.parameters.forced_erosion,
@@ -115,21 +123,41 @@ class SlabModel(Model):
         work = work_space(rules, schedule)
         steps, polls = (segment.step, segment.steps), (segment.first, segment.polls)
         if segment.influx is None:
-            run_steps(stacks, rules, work, schedule, np.uint64(stream.key), *steps, *polls, counts)
+
+            def run() -> None:
+                run_steps(stacks, rules, work, schedule, np.uint64(stream.key), *steps, *polls, counts)
+
         else:
             influx = edge_influx(segment, self.saturated_influx(segment), self.lattice, frame)
-            for step in range(segment.step, segment.step + segment.steps):
-                key = np.uint64(derive(derive(derive(stream.key, step), INFLUX), segment.first))
-                let_enter(stacks, rules, work, influx, key, counts)
-                run_steps(stacks, rules, work, schedule, np.uint64(stream.key), step, 1, *polls, counts)
+
+            def run() -> None:
+                for step in range(segment.step, segment.step + segment.steps):
+                    key = np.uint64(derive(derive(derive(stream.key, step), INFLUX), segment.first))
+                    let_enter(stacks, rules, work, influx, key, counts)
+                    run_steps(stacks, rules, work, schedule, np.uint64(stream.key), step, 1, *polls, counts)
+
+        if self._hops_of(segment) > _SHORT:
+            interruptible(run, interruption)
+        else:
+            run()
         write_back(bed, frame, stacks)
         return _tally(counts, segment, frame)
+
+    def _hops_of(self, segment: Segment) -> float:
+        """How many hops the slabs of a segment may take: a measure of how long it takes."""
+        settles = min(self.parameters.p_s, self.parameters.p_ns)
+        hops = self.parameters.max_hops if settles == 0.0 else 1.0 / settles
+        return segment.steps * segment.polls * min(hops, self.parameters.max_hops)
 
     def hop_length(self, segment: Segment) -> float:
         """Hop length (cells) under this wind."""
         if segment.hop_length is not None:
             return segment.hop_length
         return self.parameters.hop_length
+
+    def work_bytes(self) -> int:
+        """Surface, sand, mobility, avalanches and distances to walls, some of them twice while they turn."""
+        return _CELL_BYTES * self.lattice.cells
 
     def step_volume(self) -> float:
         """Volume (m² per step) that goes through a line across the wind on a flat bed of sand."""
@@ -176,7 +204,7 @@ class SlabModel(Model):
         rules = arguments.rules
         orders = relaxation_orders(self.parameters.neighbourhood == "moore")
         changed = np.ones(bed.sand.size, np.bool_) if where is None else where.ravel().copy()
-        moved = int(relax_field(stacks, changed, orders, rules.grid, rules.repose, None))
+        moved = relax_field(stacks, changed, orders, rules.grid, rules.repose, None)
         write_back(bed, frame, stacks)
         return moved
 

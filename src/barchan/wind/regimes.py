@@ -69,6 +69,16 @@ class Regime(Blowing):
             raise ValueError(f"final_speed {self.final_speed} is given without speed; give both")
         return self
 
+    def speeds_in_metres(self) -> list[tuple[str, float]]:
+        """The first and the last speed, and the highest on the way, where they are stated in m/s."""
+        found = super().speeds_in_metres()
+        if not found or self.final_speed is None or self.speed is None:
+            return found
+        rise = self.final_speed - self.speed
+        highest = max(self.speed + rise * share for share in self.speed_ramp.extremes())
+        ends = [*found, ("final_speed", self.final_speed)]
+        return ends if highest <= max(self.speed, self.final_speed) else [*ends, ("speed_ramp", highest)]
+
     @property
     def longest_hop(self) -> float | None:
         """Longest hop (cells) that the regime states, if any."""
