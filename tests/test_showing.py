@@ -3,7 +3,8 @@
 import numpy as np
 
 import barchan
-from barchan.analysis.time_series import MEASURES, measured_frames
+from barchan.analysis.declared_measures import MEASURES
+from barchan.analysis.time_series import measured_frames
 from barchan.measures.migration import Migration
 from barchan.measures.orientation import Orientation
 from barchan.measures.slopes import Slopes
@@ -13,7 +14,7 @@ from tests.tiny import tiny
 def test_a_scenario_shows_model_lattice_and_length():
     text = repr(tiny(title="Small dunes", run__seed=None))
     assert text == str(tiny(title="Small dunes", run__seed=None))
-    assert text.startswith("<Scenario 'Small dunes': werner, 16 × 24 cells of 1 m, slabs of 0.333 m, ")
+    assert text.startswith("<Scenario 'Small dunes': werner, 24 × 16 cells of 1 m, slabs of 0.333 m, ")
     assert "steps" in text
     assert text.endswith("no seed yet>")
     assert len(text) < 160
@@ -44,7 +45,7 @@ def test_a_simulation_shows_how_far_it_is_and_its_bed_in_units():
     assert f"{simulation.bed.units} slabs of sand, elevation " in repr(simulation)
     assert repr(simulation).endswith(" m>")
     assert "step 3 of" in simulation._repr_html_()
-    assert "16 × 24 cells" in simulation._repr_html_()
+    assert "24 × 16 cells" in simulation._repr_html_()
 
 
 def test_a_frame_shows_its_fields():
@@ -59,7 +60,7 @@ def test_an_outcome_shows_where_the_run_lies_and_why_it_ended(tmp_path):
 
 def test_measures_show_their_units():
     assert repr(MEASURES[3]) == "<Measure spacing: dominant spacing (m)>"
-    assert repr(MEASURES[2]) == "<Measure bare_fraction: bare ground>"
+    assert repr(MEASURES[2]) == "<Measure bare_fraction: bare ground (fraction)>"
     assert repr(Orientation(12.34, 0.5)) == "<Orientation 12.3° from north, coherence 0.50>"
     assert repr(Slopes(9.96, np.nan)) == "<Slopes windward 10.0°, lee nan°>"
     assert repr(Migration(0.1, -0.02, 0.9)) == (

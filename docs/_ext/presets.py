@@ -49,10 +49,8 @@ def _card(name: str, title: str) -> str:
 
 def _preset(name: str, scenario: Any) -> str:
     """One preset."""
-    from barchan.models import models
-
     lattice, run = scenario.lattice, scenario.run
-    facts = models()[scenario.model.name](scenario.model, lattice).facts()
+    facts = scenario.facts()
     field = f"{lattice.columns} × {lattice.rows} cells of {lattice.cell_size:g} m, {run.steps} steps"
     lines = [f"Source\n: {scenario.citation or '–'}", f"Look for\n: {scenario.look_for or '–'}"]
     lines += [f"Model\n: [`{scenario.model.name}`](models/{scenario.model.name}.md)", f"Size\n: {field}"]

@@ -9,12 +9,14 @@ from typing import Self
 import numpy as np
 from numpy.typing import NDArray
 
+from barchan.checked import checked
+from barchan.errors import FieldError
 from barchan.fields import GROUND, SAND, FieldInfo, LayerInfo, depth_of
 from barchan.lattice import Lattice
 
 
 class Bed:
-    """The fields of a simulation, by name: the ground, the layers on it, and what else models declare.
+    """The fields of a simulation, by name: the ground, the layers on it, and the models' own fields.
 
     Layers lie on the ground in the order of ``layers``, the lowest first. All count the same quantum, so that
     a unit that passes from one layer to another stays whole. Elevation is computed from ground and layers,
@@ -47,7 +49,7 @@ class Bed:
         declared: Iterable[FieldInfo] = (),
         layers: Sequence[LayerInfo] = (SAND,),
     ) -> Self:
-        """The bed that a frame shows: ground, layers and what else it carries of the ``declared`` fields."""
+        """The bed that a frame shows: ground, layers and those of the ``declared`` fields that it carries."""
         counts = [fields[layer.name] for layer in layers]
         bed = cls(lattice, fields[GROUND.name], *counts, layers=layers)
         for field in declared:
@@ -56,12 +58,24 @@ class Bed:
         return bed
 
     def add(self, field: FieldInfo, values: NDArray) -> None:
-        """Add a declared field; its values are copied into the declared type."""
-        array = np.array(values, dtype=field.dtype, order="C")
-        if array.shape != self.lattice.shape:
-            raise ValueError(f"{field.name} has shape {array.shape}, the lattice {self.lattice.shape}")
+        """Add a declared field; its values are copied into the declared type.
+
+        Raises FieldError for another shape than the lattice's and for values that the type does not hold.
+        """
+        self.arrays[field.name] = checked(values, self.lattice.shape, field.dtype, field.name)
         self.declared[field.name] = field
-        self.arrays[field.name] = array
+
+    def check(self) -> None:
+        """Raise FieldError where an array is not as its field was declared, or a layer is below zero."""
+        for name, field in self.declared.items():
+            array = self.arrays[name]
+            if array.dtype != field.dtype:
+                raise FieldError(f"{name} is of type {array.dtype}, declared {field.dtype}")
+            if array.shape != self.lattice.shape or array.dtype.kind == "f":
+                checked(array, self.lattice.shape, field.dtype, name)
+        for layer in self.layers:
+            if (lowest := self.arrays[layer.name].min()) < 0:
+                raise FieldError(f"{layer.name} is {lowest} {layer.unit}; allowed: none or more")
 
     @property
     def ground(self) -> NDArray[np.float64]:
@@ -110,7 +124,7 @@ class Bed:
         return self.units * self.lattice.thickness * area
 
     def classes_of(self, layer: str) -> list[LayerInfo]:
-        """The classes that a layer is divided into, in order of declaration; none: it is all alike."""
+        """The classes that a layer is divided into, in order of declaration; none: the layer is uniform."""
         return [f for f in self.declared.values() if isinstance(f, LayerInfo) and f.part_of == layer]
 
     def undivided(self) -> list[str]:

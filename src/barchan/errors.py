@@ -1,10 +1,21 @@
-"""What Barchan says when something is wrong: one error that names everything at fault."""
+"""The error that Barchan raises: one for all that is wrong, each problem with its key."""
 
 from dataclasses import dataclass
 
 
 class BarchanError(Exception):
     """Base of all errors that a user can cause and mend; the message says how."""
+
+
+MOST_PROBLEMS = 20
+"""Problems of an error that its text lists: a screenful."""
+
+MOST_CHARACTERS, MOST_KEY = 1000, 100
+"""Characters of a problem's message, and of its key, that a text shows."""
+
+
+def _cut(text: str, most: int) -> str:
+    return text if len(text) <= most else f"{text[:most]}…"
 
 
 @dataclass(frozen=True)
@@ -14,17 +25,18 @@ class Problem:
     key: str
     """Dotted path of the key, for instance ``model.hop_length``."""
     message: str
-    """What is wrong, with the value, and what is allowed."""
+    """The fault, with the value found and the values allowed."""
     place: str = ""
     """Where it stands: ``file:line`` or ``command line``."""
 
     def __str__(self) -> str:
         where = f" ({self.place})" if self.place else ""
-        return f"{self.key}: {self.message}{where}" if self.key else f"{self.message}{where}"
+        message = _cut(self.message, MOST_CHARACTERS)
+        return f"{_cut(self.key, MOST_KEY)}: {message}{where}" if self.key else f"{message}{where}"
 
 
 class _ListedError(BarchanError):
-    """Several problems, told at once."""
+    """Several problems, reported at once."""
 
     def __init__(self, problems: list[Problem], title: str = "scenario") -> None:
         self.problems = problems
@@ -33,7 +45,10 @@ class _ListedError(BarchanError):
     def __str__(self) -> str:
         problems, title = self.args
         count = "1 problem" if len(problems) == 1 else f"{len(problems)} problems"
-        return "\n".join([f"{title}: {count}", *(f"  {problem}" for problem in problems)])
+        lines = [f"  {problem}" for problem in problems[:MOST_PROBLEMS]]
+        if len(problems) > MOST_PROBLEMS:
+            lines.append(f"  and {len(problems) - MOST_PROBLEMS:,} more")
+        return "\n".join([f"{title}: {count}", *lines])
 
 
 class ScenarioError(_ListedError):
@@ -50,3 +65,7 @@ class ConservationError(BarchanError):
 
 class ArchiveError(BarchanError):
     """A run on disk that cannot be written, read or resumed."""
+
+
+class FieldError(BarchanError, ValueError):
+    """An array that is no field of the lattice: of another shape or type, or not of numbers."""

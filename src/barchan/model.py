@@ -1,7 +1,7 @@
-"""What every model declares and does."""
+"""The contract of models: their declarations and methods."""
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Hashable
+from collections.abc import Callable, Hashable, Sequence
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
@@ -19,7 +19,7 @@ from barchan.wind.segment import Segment
 
 @dataclass
 class Tally:
-    """What happened on the bed during some steps; slabs are the bed's whole units."""
+    """Counts of the events on the bed during some steps; slabs are the bed's whole units."""
 
     steps: int = 0
     polls: int = 0
@@ -27,7 +27,7 @@ class Tally:
     moved: int = 0
     """Slabs that the wind took."""
     crept: int = 0
-    """Slabs that moved without being carried, in a model that tells them apart."""
+    """Slabs that moved without being carried, in a model that counts them separately."""
     left: int = 0
     """Slabs that left through open edges."""
     entered: int = 0
@@ -49,7 +49,7 @@ class Tally:
         return not (self.moved or self.crept or self.entered or self.airborne)
 
     def add(self, other: "Tally") -> None:
-        """Take in what happened next."""
+        """Add the counts of the steps that followed."""
         for name in ("steps", "polls", "moved", "crept", "left", "entered", "capped", "exhausted"):
             setattr(self, name, getattr(self, name) + getattr(other, name))
         self.travel_x += other.travel_x
@@ -118,14 +118,16 @@ class Model(ABC):
     citation: ClassVar[str] = ""
     takes_influx: ClassVar[bool] = False
     """Whether it lets sand enter across open edges, where the forcing brings any."""
-    takes_speed: ClassVar[bool] = False
-    """Whether its own rules follow from a speed in m/s; others need a clock for its number of polls."""
+    takes_hops: ClassVar[bool] = True
+    """Whether a wind may state its speed as a hop length in cells."""
     temperatures: ClassVar[tuple[float, float] | None] = None
     """The air temperatures (°C) that its rules hold for, where they use them."""
     material: ClassVar[str] = "sand"
-    """What its slabs or parcels are of, in one word; the studio offers models by it."""
+    """The material of its slabs or parcels, in one word; the studio groups models by it."""
     work_unit: ClassVar[str] = "polls"
-    """What a unit of its work is, for rates that people read."""
+    """Name of the unit of its work, for rates that people read."""
+    work_per_second: ClassVar[float] = 2e7
+    """Units of work that one core of a common computer does in a second, for expected times."""
     Parameters: ClassVar[type[Parameters]]
     layers: tuple[LayerInfo, ...] = (SAND,)
     """Layers on the ground that wind can move, the lowest first; a run starts with the uppermost filled."""
@@ -188,13 +190,21 @@ class Model(ABC):
 
     @property
     def step_seconds(self) -> float | None:
-        """Duration of a step (s), of a model whose rules tell it."""
+        """Duration of a step (s), of a model whose rules define it."""
         return None
+
+    def expected_work(self, segment: Segment) -> float:
+        """Work, in the ``work_unit``, that a segment is expected to take; by default its polls."""
+        return float(segment.steps * segment.polls)
+
+    def work_bytes(self) -> int:
+        """Memory (bytes) that its work takes at most beside the bed: an estimate, made before the work is."""
+        return 0
 
     def step_volume(self) -> float:
         """Volume of sand (m² per step: per width across the wind) that a step moves on a flat bed.
 
-        Raises ValueError where the model cannot tell.
+        Raises ValueError where the model cannot know it.
         """
         raise ValueError(f"is given, but how much sand a step of {self.title} moves is not known")
 
@@ -203,7 +213,7 @@ class Model(ABC):
         return []
 
     def state(self) -> dict[str, NDArray | float | int | str]:
-        """What the model remembers between steps beside the bed."""
+        """The values that the model keeps between steps beside the bed."""
         return {}
 
     def restore(self, state: dict[str, Any]) -> None:
@@ -215,11 +225,19 @@ class Model(ABC):
         return []
 
     def remarks(self, hop_length: float | None, direction: float) -> list[str]:
-        """What a user should know about this choice of parameters on this lattice."""
+        """Warnings about this choice of parameters on this lattice."""
         return []
 
+    def moves(self, wind: Segment) -> bool:
+        """Whether a wind can move anything; by default one that has polls."""
+        return wind.polls > 0
+
+    def wind_facts(self, speeds: Sequence[float]) -> dict[str, str]:
+        """What the winds that blow come to, for people to read; ``speeds`` (m/s) are those they state."""
+        return {}
+
     def facts(self) -> dict[str, str]:
-        """What the parameters come to on this lattice, for people to read."""
+        """Quantities that follow from the parameters on this lattice, by name, as text."""
         return {}
 
     def forecast(self, forcing: Forcing) -> dict[str, str]:

@@ -14,7 +14,7 @@ from tests.tiny import tiny
 def store(tmp_path):
     """An empty store and the frames of a run."""
     simulation = Simulation(tiny())
-    frames = Frames.create(tmp_path / "frames.zarr", simulation.scenario, simulation.bed.declared)
+    frames = Frames.create(tmp_path / "frames.zarr", simulation.scenario, "{}", simulation.bed.declared)
     return frames, list(simulation)
 
 
@@ -71,7 +71,7 @@ def test_each_frame_is_one_chunk(store):
 
 def test_a_frame_without_any_sand_is_a_frame(tmp_path):
     simulation = Simulation(tiny(sand={"kind": "flat", "mean": 0}))
-    frames = Frames.create(tmp_path / "frames.zarr", simulation.scenario, simulation.bed.declared)
+    frames = Frames.create(tmp_path / "frames.zarr", simulation.scenario, "{}", simulation.bed.declared)
     frames.append(simulation.frame())
     assert frames.count == 1
     assert not np.asarray(zarr.open_group(tmp_path / "frames.zarr", mode="r")["sand"]).any()
@@ -80,7 +80,7 @@ def test_a_frame_without_any_sand_is_a_frame(tmp_path):
 def test_a_store_holds_the_fields_that_are_declared_for_frames(tmp_path):
     scratch = FieldInfo("scratch", "int8", "-", "work space", in_frames=False)
     declared = {field.name: field for field in (GROUND, SAND, scratch)}
-    frames = Frames.create(tmp_path / "frames.zarr", tiny(), declared)
+    frames = Frames.create(tmp_path / "frames.zarr", tiny(), "{}", declared)
     assert "scratch" not in frames.fields
 
 

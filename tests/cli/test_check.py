@@ -1,5 +1,7 @@
 """``barchan check``: is a scenario sound?"""
 
+from pathlib import Path
+
 import pytest
 
 from barchan.scenario import preset_names
@@ -22,6 +24,14 @@ def test_what_the_parameters_come_to_is_told(here, barchan):
     out = barchan("check", "tiny.json", "--model.neighbourhood", "moore", "--model.hop-length", 13).out
     assert "effective repose angle: 33.7° towards faces (2 slabs), 25.2° towards corners (2 slabs)" in out
     assert "note: hop length 13 cells is longer than half the field" in out
+
+
+def test_size_steps_and_expected_time_are_told(here, barchan):
+    """300 × 200 cells, 1000 steps: 60 million polls at 20 million a second."""
+    size = ("--lattice.columns", 300, "--lattice.rows", 200, "--run.steps", 1000)
+    lines = barchan("check", "barchans", *size).out.splitlines()
+    assert lines[1].startswith("field: 300 × 200 cells of 1 m, slabs of ")
+    assert lines[2:4] == ["steps: 1000", "expected time: about 3 seconds"]
 
 
 def test_every_mistake_is_told_with_its_line(here, barchan):
@@ -57,7 +67,7 @@ def test_a_file_of_plants_that_is_missing_is_told(barchan):
         "check", "nebkhas", "--model.vegetation.kind", "file", "--model.vegetation.path", "no.npy"
     )
     assert failed.code != 0
-    assert "model.vegetation.path: 'no.npy': no such file (command line)" in failed.err
+    assert f"model.vegetation.path: '{Path.cwd() / 'no.npy'}': no such file (command line)" in failed.err
 
 
 def test_mistakes_in_files_are_told_with_the_line_that_names_them(here, barchan):
@@ -75,3 +85,9 @@ def test_mistakes_in_files_are_told_with_the_line_that_names_them(here, barchan)
     assert "sand.wavelength: is 900 m" in said
     assert "at least one (lost.json:6)" in said
     assert "lost.json: 2 problems" in said
+
+
+def test_a_wind_under_which_nothing_can_move_is_not_called_sound(barchan):
+    still = barchan("check", "ripples", "--wind.speed", 3, "--wind.unit", "m/s")
+    assert still.out.startswith("ripples: without mistakes, but nothing moves\n")
+    assert "friction velocity: 0.083 m/s, threshold 0.2" in still.out

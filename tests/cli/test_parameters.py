@@ -29,3 +29,18 @@ def test_a_key_is_listed_with_unit_default_bounds_source_and_whether_it_may_chan
 def test_what_may_be_left_out_is_not_called_required(barchan):
     assert "run.seed  default null; whole number" in barchan("parameters", "run.seed").out
     assert "sand.parts[].mean  required; number" in barchan("parameters", "sand.parts").out
+
+
+def test_a_word_is_searched_in_names_and_meanings(barchan):
+    """The shadow zone by its keys' names; the repose angle by a word of its meaning only."""
+    shadow = {line.split()[0] for line in barchan("parameters", "shadow").out.splitlines() if line[2:3] > " "}
+    assert {"model.shadow_angle", "model.shadow_from", "model.lee_erosion"} <= shadow
+    seeds = barchan("parameters", "random numbers").out
+    assert "run.seed" in seeds
+    assert "model.hop_length" not in seeds
+
+
+def test_a_word_that_is_nowhere_is_told(barchan):
+    failed = barchan("parameters", "xyzzy")
+    assert failed.code == 1
+    assert "no key begins with 'xyzzy', and no name or meaning has it" in failed.err

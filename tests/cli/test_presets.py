@@ -4,18 +4,27 @@ import json
 
 import pytest
 
-from barchan.cli.terminal import console
 from barchan.scenario import load_scenario, preset_names
 
 
-def test_every_preset_is_listed_with_its_title(barchan, monkeypatch):
-    monkeypatch.setattr(console, "width", 400)
-    out = barchan("presets").out
+def test_every_preset_is_listed_by_its_model_with_title_size_time_and_source(barchan):
+    lines = barchan("presets").out.splitlines()
     for name in preset_names():
         scenario = load_scenario(name)
-        (line,) = (line for line in out.splitlines() if line.split()[0] == name)
-        assert scenario.title in line
-        assert scenario.citation in line
+        (at,) = (at for at, line in enumerate(lines) if line.startswith(f"  {name} "))
+        assert scenario.title in lines[at]
+        size = f"{scenario.lattice.columns} × {scenario.lattice.rows} cells, {scenario.run.steps} steps, "
+        assert lines[at + 1].strip().startswith(size)
+        assert lines[at + 1].endswith(scenario.citation)
+        heading = next(line for line in reversed(lines[:at]) if line and not line.startswith(" "))
+        assert heading.endswith(f", model {scenario.model.name}")
+
+
+def test_the_expected_time_of_a_preset_stands_beside_it(barchan):
+    """1000 steps of 65,536 polls at 20 million a second: 3.3 s."""
+    lines = barchan("presets").out.splitlines()
+    (at,) = (at for at, line in enumerate(lines) if line.startswith("  barchans "))
+    assert "256 × 256 cells, 1000 steps, about 3 seconds; " in lines[at + 1]
 
 
 @pytest.mark.parametrize("name", preset_names())

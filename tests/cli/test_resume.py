@@ -139,6 +139,22 @@ def test_a_branch_goes_on_elsewhere_with_another_wind_and_other_parameters(finis
     assert run_info(finished).frames == 5
 
 
+def test_whole_groups_of_wind_and_model_act_in_a_branch(finished, barchan):
+    wind = '{"kind": "regimes", "regimes": [{"direction": 90, "steps": 5}, {"direction": 180, "steps": 5}]}'
+    model = '{"name": "werner", "hop_length": 2, "static_repose_angle": null}'
+    words = ("--at", 10, "--out", "branch", "--no-picture", "--wind", wind, "--model", model)
+    assert barchan("resume", finished, *words).code == 0
+    now = run_info("branch").now
+    assert [regime.direction for regime in now.wind.regimes] == [90.0, 180.0]
+    assert (now.model.hop_length, now.model.static_repose_angle) == (2.0, None)
+
+
+def test_another_kind_of_wind_takes_nothing_of_the_old_one(finished, barchan):
+    words = ("--wind.kind", "regimes", "--wind.regimes", '[{"direction": 90, "steps": 5}]')
+    assert barchan("resume", finished, "--at", 10, "--out", "branch", "--no-picture", *words).code == 0
+    assert run_info("branch").now.wind.kind == "regimes"
+
+
 @pytest.mark.parametrize(
     ("words", "said"),
     [
@@ -148,6 +164,13 @@ def test_a_branch_goes_on_elsewhere_with_another_wind_and_other_parameters(finis
         (["--out", "branch", "--model.hop-lenth", "2"], "did you mean 'model.hop_length'?"),
         (["--out", "branch", "--wind.direction", "400"], "wind.direction: is 400"),
         (["--out", "branch", "--at", "30"], "has done 20 steps"),
+        (["--at", "10", "--wind", '{"direction": 90}'], "say where to with --out"),
+        (["--out", "branch", "--wind", "3"], "wind: is 3; allowed: a group"),
+        (["--out", "branch", "--model", "momiji"], "model.name: cannot change during a run"),
+        (["--out", "branch", "--model", '{"name": "momiji"}'], "model.name: cannot change during a run"),
+        (["--out", "branch", "--model", '{"band_rows": 5}'], "model.band_rows: cannot change during a run"),
+        (["--out", "branch", "--wind", '{"kind": "regimes"}'], "regimes: is missing"),
+        (["--out", "branch", "--lattice", '{"rows": 5}'], "lattice: cannot change during a run"),
         (["--out", "branch", "--step", "30"], "did you mean '--steps'?"),
         (["--out", "tiny"], "is not empty"),
     ],

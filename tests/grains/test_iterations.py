@@ -20,10 +20,10 @@ SMALL = {
 
 
 def test_batches_end_where_an_interval_begins():
-    assert list(batches(0, 12, 5, 4)) == [(0, 4), (4, 1), (5, 3), (8, 2), (10, 2)]
-    assert list(batches(7, 12, 5)) == [(7, 3), (10, 2)]
-    assert list(batches(3, 3, 5)) == []
-    assert sum(count for _, count in batches(0, 5000, 10**6)) == 5000
+    assert list(batches(0, 12, 1, 5, 4)) == [(0, 4), (4, 1), (5, 3), (8, 2), (10, 2)]
+    assert list(batches(7, 12, 1, 5)) == [(7, 3), (10, 2)]
+    assert list(batches(3, 3, 1, 5)) == []
+    assert sum(count for _, count in batches(0, 5000, 1, 10**6)) == 5000
 
 
 def test_simulations_at_once_in_several_threads_give_the_bits_of_each_alone(monkeypatch):

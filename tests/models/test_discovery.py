@@ -1,27 +1,59 @@
 """Models are found, never listed."""
 
 import pkgutil
+from typing import Literal
 
 import pytest
 
 import barchan.models
 from barchan.errors import BarchanError
 from barchan.models import Model, model, model_names, models
-from barchan.models.werner import Werner
+from barchan.models.werner import Werner, WernerParameters
+from barchan.parameters import parameter
+
+
+class ElsewhereParameters(WernerParameters):
+    """Parameters of a model that another package brings."""
+
+    name: Literal["elsewhere"] = parameter("elsewhere", unit="-", meaning="A model of another package.")
 
 
 class Elsewhere(Werner):
     """A model that another package brings."""
 
     name = "elsewhere"
+    Parameters = ElsewhereParameters
 
 
 class Point:
     """An entry point of another package."""
 
+    name, value = "elsewhere", "package:Elsewhere"
+
     @staticmethod
     def load():
         return Elsewhere
+
+
+class Nameless(Werner):
+    """A model without a name."""
+
+    name = ""
+
+
+class Misnamed(Werner):
+    """A model whose parameters are called otherwise."""
+
+    name = "misnamed"
+
+
+def entry_point(load):
+    """An entry point of another package that loads in some way."""
+    return type("Broken", (), {"name": "broken", "value": "package:Broken", "load": staticmethod(load)})
+
+
+def _fails():
+    raise ImportError("No module named 'nowhere'")
 
 
 def test_werners_model_is_found_under_its_name():
@@ -45,9 +77,27 @@ def test_models_of_other_packages_are_found_by_their_entry_points(monkeypatch):
     assert models.__wrapped__()["elsewhere"] is Elsewhere
 
 
+@pytest.mark.parametrize(
+    ("load", "reason"),
+    [
+        (_fails, "ImportError: No module named 'nowhere'"),
+        (lambda: 3, "it is not a class derived from barchan.models.Model"),
+        (lambda: Nameless, "it has no name"),
+        (lambda: Misnamed, "its Parameters lack the key name with the only value 'misnamed'"),
+    ],
+)
+def test_a_model_of_another_package_that_cannot_be_used_is_named_and_left_out(monkeypatch, load, reason):
+    monkeypatch.setattr(barchan.models, "entry_points", lambda group: [entry_point(load), Point])
+    with pytest.warns(UserWarning, match=r"broken \(package:Broken\) is left out") as caught:
+        found = models.__wrapped__()
+    assert reason in str(caught[0].message)
+    assert "elsewhere" in found
+    assert "werner" in found
+
+
 def test_two_models_of_one_name_are_an_error(monkeypatch):
     class Twice:
-        value = "package:Werner"
+        name, value = "twice", "package:Werner"
         load = staticmethod(lambda: Werner)
 
     monkeypatch.setattr(barchan.models, "entry_points", lambda group: [Twice])

@@ -44,7 +44,7 @@ WEATHERS = {
                 "first": -18.0,
                 "last": -2.0,
                 "steps": 60,
-                "course": {"kind": "bezier", "time_1": 0.4, "value_1": 0.0, "time_2": 0.6, "value_2": 1.0},
+                "ramp": {"kind": "bezier", "time_1": 0.4, "value_1": 0.0, "time_2": 0.6, "value_2": 1.0},
             }
         }
     },

@@ -7,6 +7,7 @@ from hypothesis import strategies as st
 from barchan.grains.parameters import GrainFlight
 from barchan.ground.area import Area
 from barchan.lattice import LARGEST_ASPECT, LEAST_ASPECT, Lattice
+from barchan.models import models
 from barchan.parameters import NOTE, Parameters
 from barchan.plants.species import Species
 from barchan.scenario import Scenario
@@ -179,6 +180,8 @@ def _timeless(data: dict[str, Any]) -> dict[str, Any]:
     """A scenario without clock and influx, which would ask more of its parts than can be drawn one by one."""
     wind = data.get("wind")
     if wind is not None and wind.get("kind") in {"record", "storms"}:
+        data = {**data, "wind": {"kind": "steady"}}
+    if "wind" in data and not models()[data.get("model", {}).get("name", "werner")].takes_hops:
         data = {**data, "wind": {"kind": "steady"}}
     data = {**data, "clock": None, "influx": None}
     return _cold(data) if data.get("model", {}).get("name") == "snow_werner" else data

@@ -96,3 +96,14 @@ def test_slabs_whose_first_hop_passes_over_the_whole_field_enter_and_leave(direc
     influx = {"kind": "slabs", "slabs_per_step": 2.0}
     simulation = run(2, influx=influx, wind__direction=direction, lattice__boundary_y="open", **far)
     assert simulation.ledger.left > 0.9 * simulation.ledger.entered > 0
+
+
+@pytest.mark.parametrize("model", ["bishop", "momiji"])
+def test_slabs_whose_hops_depend_on_height_enter_alike_however_the_run_is_cut(model):
+    changes = {**OPEN, "sand": {"kind": "ripples", "mean": 3, "amplitude": 2}, "model": {"name": model}}
+    whole = run(9, influx={"kind": "saturation"}, **changes)
+    parts = run(2, influx={"kind": "saturation"}, **changes)
+    for steps in (1, 1, 5):
+        parts.advance(steps)
+    np.testing.assert_array_equal(whole.bed.sand, parts.bed.sand)
+    assert whole.tally.entered == parts.tally.entered

@@ -36,7 +36,7 @@ def test_a_temperature_follows_a_bezier_curve():
     """The symmetric curve is half done at half the time, and flat at both ends: 3u² - 2u³ of its own time."""
     course = Bezier(**S_SHAPED)
     found = temperatures(
-        over_run(0, 100, temperature=TemperatureCourse(first=-20.0, last=0.0, steps=100, course=course))
+        over_run(0, 100, temperature=TemperatureCourse(first=-20.0, last=0.0, steps=100, ramp=course))
     )
     assert (found[49] + found[50]) / 2 == pytest.approx(-10.0)
     assert found[0] - -20.0 < 0.01

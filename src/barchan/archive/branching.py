@@ -8,6 +8,7 @@ import numpy as np
 
 from barchan.archive.checkpoint import read_checkpoint
 from barchan.archive.folder import CHECKPOINT, events_of, last_version, scenario_of
+from barchan.archive.named_files import check_files
 from barchan.archive.parent import Parent
 from barchan.archive.reading import open_run, run_info
 from barchan.archive.running import Outcome, Progress, remark_on, run
@@ -49,6 +50,7 @@ def branch(path: str | Path, at: int | None = None, *, stop: Callable[[], bool] 
     """
     path = Path(path)
     known = run_info(path)
+    check_files(path)
     done = known.last_step if known.checkpoint is None else known.checkpoint
     at = done if at is None else at
     if not 0 <= at <= done:

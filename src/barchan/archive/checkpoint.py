@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from barchan.errors import ArchiveError
+from barchan.scenario.paths import anchored
 from barchan.simulation import State
 
 _DATA = "data"
@@ -31,7 +32,10 @@ def write_checkpoint(path: Path, state: State) -> None:
 
 
 def read_checkpoint(path: Path) -> State:
-    """Read a state; raises ArchiveError where there is none or it is damaged."""
+    """Read a state; raises ArchiveError where there is none or it is damaged.
+
+    Files that it names start at its folder.
+    """
     try:
         whole = path.read_bytes()
     except FileNotFoundError:
@@ -44,4 +48,4 @@ def read_checkpoint(path: Path) -> State:
     with np.load(BytesIO(content), allow_pickle=False) as file:
         arrays = {name: file[name] for name in file.files}
     data = json.loads(arrays.pop(_DATA).tobytes())
-    return State(data, arrays)
+    return State(anchored(data, path.parent.absolute()), arrays)

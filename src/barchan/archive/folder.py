@@ -11,14 +11,17 @@ from typing import Any, BinaryIO
 
 from barchan.archive.checkpoint import read_checkpoint, write_checkpoint
 from barchan.archive.frames import Frames, published
+from barchan.archive.named_files import FILES, INDEX, NamedFiles
 from barchan.archive.parent import PARENT, Parent
 from barchan.errors import ArchiveError
 from barchan.scenario import Scenario
+from barchan.scenario.definition import text_of
+from barchan.scenario.paths import anchored
 from barchan.simulation import Frame, Simulation, State
 
 SCENARIO, FRAMES, CHECKPOINT = "scenario.json", "frames.zarr", "checkpoint.npz"
 EVENTS, LOG, LOCK = "events.jsonl", "log.jsonl", "writer.lock"
-OWN = (SCENARIO, FRAMES, CHECKPOINT, "checkpoint.partial", EVENTS, LOG, LOCK, PARENT)
+OWN = (SCENARIO, FRAMES, CHECKPOINT, "checkpoint.partial", EVENTS, LOG, LOCK, PARENT, FILES, INDEX)
 """All that an archive writes into its folder."""
 FIRST = {LOCK, f"{SCENARIO}.partial"}
 """What a run that was killed before it had a scenario may leave."""
@@ -42,6 +45,7 @@ class Archive:
         self.path = path
         self._lock = _lock(path / LOCK)
         self._events = 0
+        self._files = NamedFiles(path)
         self.frames: Frames | None = None
         with self.closed_on_failure(), writing(path):
             _end_last_line(path / LOG)
@@ -73,14 +77,20 @@ class Archive:
     def write_scenario(self, simulation: Simulation) -> None:
         """Write the scenario as it is now."""
         with writing(self.path):
-            _write(self.path / SCENARIO, simulation.scenario.text())
+            text = self._text(simulation)
+            _write(self.path / SCENARIO, text)
             if self.frames is not None:
-                self.frames.describe(simulation.scenario)
+                self.frames.describe(simulation.scenario, text)
+
+    def _text(self, simulation: Simulation) -> str:
+        """The scenario's text, in which files are named by their places in the folder."""
+        return text_of(self._files.kept(simulation.scenario.data()))
 
     def start(self, simulation: Simulation) -> None:
         """Make an empty store of frames and the first checkpoint."""
         with writing(self.path):
-            self.frames = Frames.create(self.path / FRAMES, simulation.scenario, simulation.bed.declared)
+            text, declared = self._text(simulation), simulation.bed.declared
+            self.frames = Frames.create(self.path / FRAMES, simulation.scenario, text, declared)
             self.checkpoint(simulation)
 
     def save(self, frame: Frame) -> None:
@@ -94,6 +104,7 @@ class Archive:
         """Replace the checkpoint by the simulation's state, and write new events."""
         with writing(self.path):
             state = simulation.state()
+            state = State(self._files.kept(state.data), state.arrays)
             write_checkpoint(self.path / CHECKPOINT, state)
             self._write_events(state)
 
@@ -158,7 +169,8 @@ def log_of(path: Path) -> list[dict[str, Any]]:
 
 def events_of(path: Path) -> list[dict[str, Any]]:
     """What was changed during the run in a folder, as plain data."""
-    return _entries(path / EVENTS)
+    entries: list[dict[str, Any]] = anchored(_entries(path / EVENTS), path.absolute())
+    return entries
 
 
 def _entries(path: Path) -> list[dict[str, Any]]:
@@ -235,6 +247,21 @@ def _hold(file: BinaryIO, folder: Path) -> None:
         file.seek(0)
         owner = file.read().decode().strip() or "another"
         raise ArchiveError(f"{folder} is being written by process {owner}") from None
+
+
+def writer_of(path: Path) -> str | None:
+    """The process that is writing the run in a folder, by its number; None where none does."""
+    try:
+        import fcntl
+
+        with (path / LOCK).open("rb") as file:
+            try:
+                fcntl.flock(file, fcntl.LOCK_SH | fcntl.LOCK_NB)
+            except OSError:
+                return file.read().decode().strip() or "another"
+    except (ImportError, OSError):
+        pass
+    return None
 
 
 def _is_at(file: BinaryIO, path: Path) -> bool:

@@ -12,6 +12,7 @@ import zarr
 from numpy.typing import NDArray
 from zarr.core.sync import sync
 
+from barchan.archive.coordinates import GRID_MAPPING, STEP, axes, mapped, mapping_attributes, place_attributes
 from barchan.fields import FieldInfo
 from barchan.scenario import Scenario
 from barchan.scenario.migrations import current_field
@@ -74,16 +75,8 @@ def field_attributes(field: FieldInfo) -> dict[str, Any]:
     return {"units": units, "long_name": field.meaning, "unit": field.unit}
 
 
-def coordinate_attributes(name: str) -> dict[str, Any]:
-    """Unit and meaning of a coordinate."""
-    if name == "step":
-        return {"units": "1", "long_name": "steps done"}
-    edge = {"x": "west", "y": "south"}[name]
-    return {"units": "m", "axis": name.upper(), "long_name": f"distance from the {edge} edge"}
-
-
-def run_attributes(scenario: Scenario) -> dict[str, Any]:
-    """What a run's data say of themselves."""
+def run_attributes(scenario: Scenario, text: str) -> dict[str, Any]:
+    """What the data of a run of ``scenario`` say of themselves; ``text`` is the scenario as they hold it."""
     from barchan.version import __version__
 
     return {
@@ -91,10 +84,10 @@ def run_attributes(scenario: Scenario) -> dict[str, Any]:
         "title": scenario.title,
         "source": f"Barchan {__version__}",
         "references": scenario.citation,
-        "scenario": scenario.text(),
+        "scenario": text,
         "cell_size": scenario.lattice.cell_size,
         "slab_height": scenario.lattice.thickness,
-        **scenario.ground.georeference(),
+        **place_attributes(scenario.ground.georeference()),
     }
 
 
@@ -119,15 +112,18 @@ class Frames:
         self._stored = {current_field(name): name for name in self.group.array_keys()}
 
     @classmethod
-    def create(cls, path: Path, scenario: Scenario, fields: dict[str, FieldInfo]) -> "Frames":
-        """Make an empty store for a scenario's frames."""
-        group = zarr.open_group(path, mode="w", zarr_format=3, attributes=run_attributes(scenario))
-        lattice = scenario.lattice
-        for name, places in (("x", lattice.x), ("y", lattice.y)):
+    def create(cls, path: Path, scenario: Scenario, text: str, fields: dict[str, FieldInfo]) -> "Frames":
+        """Make an empty store for a scenario's frames, which holds the scenario as ``text``."""
+        group = zarr.open_group(path, mode="w", zarr_format=3, attributes=run_attributes(scenario, text))
+        lattice, place = scenario.lattice, scenario.ground.georeference()
+        for name, (places, attributes) in axes(lattice, place).items():
             array = _make(group, name, places.shape, places.shape, "float64", (name,))
-            array.attrs.update(coordinate_attributes(name))
+            array.attrs.update(attributes)
             array[...] = places
-        _make(group, "step", (0,), (_CHUNK,), "int64", ("step",)).attrs.update(coordinate_attributes("step"))
+        if mapping := mapping_attributes(place):
+            _make(group, GRID_MAPPING, (), (), "int64", ()).attrs.update(mapping)
+            group.attrs["coordinates"] = GRID_MAPPING
+        _make(group, "step", (0,), (_CHUNK,), "int64", ("step",)).attrs.update(STEP)
         for counter in COUNTERS:
             array = _make(group, counter.name, (0,), (_CHUNK,), counter.dtype, ("step",))
             array.attrs.update(counter.attributes)
@@ -135,7 +131,7 @@ class Frames:
             if field.in_frames:
                 shape, chunk = (0, *lattice.shape), (1, *lattice.shape)
                 array = _make(group, field.name, shape, chunk, field.dtype, ("step", "y", "x"))
-                array.attrs.update(field_attributes(field))
+                array.attrs.update({**field_attributes(field), **mapped(place)})
         store = cls(path)
         store.commit()
         return store
@@ -167,9 +163,9 @@ class Frames:
             warnings.filterwarnings("ignore", message="Consolidated metadata")
             zarr.consolidate_metadata(self.path)
 
-    def describe(self, scenario: Scenario) -> None:
-        """Let the store say that it holds a run of ``scenario``."""
-        zarr.open_consolidated(self.path, mode="r+").attrs.update(run_attributes(scenario))
+    def describe(self, scenario: Scenario, text: str) -> None:
+        """Let the store say that it holds a run of ``scenario``, whose text is ``text``."""
+        zarr.open_consolidated(self.path, mode="r+").attrs.update(run_attributes(scenario, text))
 
     @property
     def steps(self) -> NDArray[np.int64]:

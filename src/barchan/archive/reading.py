@@ -1,6 +1,7 @@
 """Reading runs, also while they are being written."""
 
 import json
+import sys
 from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
@@ -8,13 +9,15 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from barchan.archive.coordinates import GRID_MAPPING
 from barchan.archive.dataset import ELEVATION, with_time
-from barchan.archive.folder import CHECKPOINT, FRAMES, SCENARIO, events_of, log_of, scenario_of
+from barchan.archive.folder import CHECKPOINT, FRAMES, SCENARIO, events_of, log_of, scenario_of, writer_of
 from barchan.archive.frames import published
 from barchan.archive.parent import Parent, parent_of
 from barchan.errors import ArchiveError
 from barchan.scenario import Scenario, preset_names
 from barchan.scenario.migrations import current_field
+from barchan.simulation import Record, in_force
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -43,7 +46,9 @@ def open_run(path: str | Path) -> "xr.Dataset":
     lazy = LazyElevation(dataset, scenario.layers, scenario.lattice.thickness)
     dataset.attrs["events"] = json.dumps(events_of(path))
     dataset.attrs["stopped"] = _stopped(path) or "not finished"
-    dataset["elevation"] = (("step", "y", "x"), LazilyIndexedArray(lazy), ELEVATION)
+    located = {"grid_mapping": GRID_MAPPING} if GRID_MAPPING in dataset.variables else {}
+    attributes = {**ELEVATION, **located}
+    dataset["elevation"] = (("step", "y", "x"), LazilyIndexedArray(lazy), attributes)
     return with_time(dataset, scenario)
 
 
@@ -68,6 +73,15 @@ class RunInfo:
     bytes: int
     parent: Parent | None
     """Where it branched off, if it is a branch."""
+    events: tuple[Record, ...]
+    """What was changed during the run, in order."""
+    writer: str | None
+    """The process that is writing it now, by its number."""
+
+    @property
+    def now(self) -> Scenario:
+        """The scenario with the parameters and the wind that blow after the last event."""
+        return in_force(self.scenario, self.events, sys.maxsize)
 
 
 def run_info(path: str | Path) -> RunInfo:
@@ -86,7 +100,18 @@ def run_info(path: str | Path) -> RunInfo:
         checkpoint = read_checkpoint(path / CHECKPOINT).step
     size = sum(f.stat().st_size for f in path.rglob("*") if f.is_file())
     last = int(steps[-1]) if len(steps) else 0
-    return RunInfo(path, scenario, len(steps), last, checkpoint, _stopped(path), size, parent_of(path))
+    return RunInfo(
+        path,
+        scenario,
+        len(steps),
+        last,
+        checkpoint,
+        _stopped(path),
+        size,
+        parent_of(path),
+        tuple(map(Record.from_data, events_of(path))),
+        writer_of(path),
+    )
 
 
 def source_at(name: str | Path) -> str | Path:

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from barchan.archive.folder import CHECKPOINT, Archive, last_version, scenario_of
+from barchan.archive.named_files import check_files
 from barchan.archive.parent import Parent
 from barchan.simulation import Simulation, StepPacer
 
@@ -86,6 +87,7 @@ def reopen(path: str | Path, steps: int | None = None) -> Reopened:
     """
     path = Path(path)
     scenario = scenario_of(path)
+    check_files(path)
     archive = Archive(path)
     with archive.closed_on_failure():
         if (path / CHECKPOINT).is_file() and archive.frames is not None:

@@ -51,4 +51,6 @@ def main() -> None:
         code = FAILED
     except BrokenPipeError:
         code = FAILED
+    except KeyboardInterrupt:
+        code = INTERRUPTED
     sys.exit(code if isinstance(code, int) else 0)

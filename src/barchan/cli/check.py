@@ -6,6 +6,9 @@ from barchan.cli.overrides import Tokens, pairs
 def check(scenario: str, /, *values: Tokens) -> None:
     """Check a scenario without running it: every problem is reported, with where it stands.
 
+    Prints the field's size, the number of steps, the time that the run is expected to take, and the facts
+    that follow from the parameters.
+
     Parameters
     ----------
     scenario
@@ -13,15 +16,26 @@ def check(scenario: str, /, *values: Tokens) -> None:
     """
     from barchan.archive import source_at
     from barchan.cli.terminal import console, print_note
+    from barchan.scenario.cost import expected_seconds, spoken_estimate
+    from barchan.scenario.effects import can_move
     from barchan.scenario.files import load_scenario
+    from barchan.scenario.summary import field_size
+    from barchan.simulation.memory import in_words, memory_needed, refuse_too_large
 
     sound = load_scenario(source_at(scenario), pairs(values, check)).seeded()
+    refuse_too_large(sound)
     model = sound.new_model()
     with sound.source_map.locating_errors():
         sound.forcing().wind_of(0)
-        model.initialise(sound.first_bed(), sound.seed)
-    console.print(f"{scenario}: sound")
+        bed = sound.first_bed()
+        model.initialise(bed, sound.seed)
+    still = sound.run.steps > 0 and not can_move(sound)
+    console.print(f"{scenario}: {'without mistakes, but nothing moves' if still else 'sound'}")
+    console.print(f"field: {field_size(sound.lattice)}")
+    console.print(f"steps: {sound.run.steps}")
+    console.print(f"expected time: {spoken_estimate(expected_seconds(sound))}")
+    console.print(f"memory: about {in_words(memory_needed(sound))}")
     for name, fact in sound.facts().items():
         console.print(f"{name}: {fact}")
-    for remark in sound.remarks():
+    for remark in sound.remarks(bed.ground):
         print_note(remark)

@@ -7,10 +7,23 @@ from typing import Annotated, Any
 from cyclopts import Parameter
 
 from barchan.errors import Problem, ScenarioError
-from barchan.scenario import Scenario, nearest
-from barchan.scenario.files import Override, value_of
+from barchan.parameters import NOTE
+from barchan.scenario import Scenario
+from barchan.scenario.definition import without_empty_notes
+from barchan.scenario.messages import value_text
+from barchan.scenario.overrides import (
+    COMMAND_LINE,
+    Given,
+    Override,
+    full_path,
+    given_values,
+    hint_for,
+    set_value,
+    switches,
+)
+from barchan.scenario.source_map import Path as KeyPath
+from barchan.scenario.source_map import dotted
 from barchan.simulation import AnyEvent, SetParameter, event_from
-from barchan.wind import Wind
 
 Tokens = Annotated[
     str,
@@ -29,7 +42,7 @@ def pairs(tokens: tuple[str, ...], command: Callable[..., Any] | None = None) ->
 
     Raises ScenarioError for anything else, with the option of ``command`` that may have been meant.
     """
-    known = [f"--{name}" for name in [*_options(command), *Scenario.model_fields]]
+    options = _options(command)
     found: list[Override] = []
     problems = []
     rest = list(tokens)
@@ -43,8 +56,8 @@ def pairs(tokens: tuple[str, ...], command: Callable[..., Any] | None = None) ->
         given = bool(equals)
         if not given and rest and not rest[0].startswith("--"):
             given, value = True, rest.pop(0)
-        if "." not in key and option not in known:
-            message = f"is no option and no key{nearest(option, known)}"
+        if full_path(key) is None:
+            message = f"is no option and no key{hint_for(key, COMMAND_LINE, options)}"
             problems.append(Problem(option, message, "command line"))
         elif given:
             found.append((key, value))
@@ -55,22 +68,53 @@ def pairs(tokens: tuple[str, ...], command: Callable[..., Any] | None = None) ->
     return found
 
 
-def changes(found: list[Override], wind: Wind) -> Iterator[AnyEvent]:
-    """The events that values given for keys of the model, and of the ``wind`` as it blows, come to.
+def changes(found: list[Override], now: Scenario) -> Iterator[AnyEvent]:
+    """The events that values given for keys of the model and of the wind come to, over a scenario in force.
 
-    Raises ScenarioError for keys that cannot change during a run.
+    A whole group, ``--wind '{…}'`` or ``--model '{…}'``, stands for its keys. Raises ScenarioError for keys
+    that cannot change during a run.
     """
-    keys = [(key.replace("-", "_"), value_of(text)) for key, text in found]
-    wrong = [key for key, _ in keys if key.partition(".")[0] not in ("model", "wind")]
-    if wrong:
-        message = "cannot change during a run; these can: keys of the wind, and live ones of the model"
-        raise ScenarioError([Problem(key, message, "command line") for key in wrong], "command line")
-    yield from (SetParameter(key=key, value=value) for key, value in keys if key.startswith("model."))
-    blows = {key.removeprefix("wind."): value for key, value in keys if key.startswith("wind.")}
-    if blows:
-        now = wind.model_dump(mode="json", exclude_none=True)
-        same_kind = blows.get("kind", now["kind"]) == now["kind"]
-        yield event_from({"kind": "wind", "wind": {**now, **blows} if same_kind else blows})
+    given, problems = given_values(found, COMMAND_LINE)
+    wrong = [one.path for one in given if one.path[0] not in ("model", "wind")]
+    message = "cannot change during a run; these can: keys of the wind, and live ones of the model"
+    problems += [Problem(dotted(path), message, COMMAND_LINE.word) for path in wrong]
+    whole = [one for one in given if len(one.path) == 1 and not isinstance(one.value, dict)]
+    problems += [
+        Problem(dotted(one.path), f"is {value_text(one.value)}; allowed: a group {{ … }}", COMMAND_LINE.word)
+        for one in whole
+        if one.path not in wrong
+    ]
+    if problems:
+        raise ScenarioError(problems, COMMAND_LINE.word)
+    name = ("model", "name")
+    for path, value in (leaf for one in given if one.path[0] == "model" for leaf in _leaves(one)):
+        if path != name or value != now.model.name:
+            yield SetParameter(key=dotted(path), value=value)
+    winds = [one for one in given if one.path[0] == "wind"]
+    if winds:
+        yield event_from({"kind": "wind", "wind": _changed_wind(winds, now)})
+
+
+def _leaves(given: Given) -> Iterator[tuple[KeyPath, Any]]:
+    """The single values of what is given for a key or a group."""
+    if not isinstance(given.value, dict):
+        yield given.path, given.value
+        return
+    for key, value in given.value.items():
+        if key != NOTE:
+            yield from _leaves(Given((*given.path, key), value))
+
+
+def _changed_wind(given: list[Given], now: Scenario) -> Any:
+    """The wind with values set; of another kind it holds no more than what is given."""
+    data = {"wind": without_empty_notes(now.wind.model_dump(mode="json"))}
+    if list(switches({"wind": dict(data["wind"])}, given)):
+        data = {"wind": {}}
+    for one in given:
+        problems = set_value(data, one, COMMAND_LINE)
+        if problems:
+            raise ScenarioError(problems, COMMAND_LINE.word)
+    return data["wind"]
 
 
 def _options(command: Callable[..., Any] | None) -> list[str]:

@@ -1,24 +1,30 @@
 """``barchan parameters``: every key of a scenario."""
 
+from typing import TYPE_CHECKING
+
 from barchan.errors import BarchanError
 
+if TYPE_CHECKING:
+    from barchan.scenario.listing import Key
 
-def parameters(key: str = "", /) -> None:
+
+def parameters(word: str = "", /) -> None:
     """List every key of a scenario, with unit, default, bounds, meaning and source.
 
     Parameters
     ----------
-    key
-        Only keys that begin like this, for instance model or run.until.
+    word
+        Only keys that begin like this, for instance model or run.until; where none does, keys whose name or
+        meaning has this word in it, for instance shadow or seed.
     """
     from rich.text import Text
 
     from barchan.cli.terminal import console
     from barchan.scenario.listing import all_keys
 
-    listed = [d for d in all_keys() if d.key.startswith(key.replace("-", "_"))]
+    listed = _found(list(all_keys()), word)
     if not listed:
-        raise BarchanError(f"no key begins with '{key}'")
+        raise BarchanError(f"no key begins with '{word}', and no name or meaning has it")
     group = None
     for declaration in listed:
         if declaration.heading != group:
@@ -33,3 +39,12 @@ def parameters(key: str = "", /) -> None:
         console.print(Text.assemble("  ", (declaration.key, "cyan"), facts))
         source = f" ({declaration.source})" if declaration.source else ""
         console.print(Text.assemble(f"      {declaration.meaning}", (source, "dim")))
+
+
+def _found(keys: "list[Key]", word: str) -> "list[Key]":
+    """The keys that begin with a word, or else those with the word in name, heading or meaning."""
+    name, plain = word.replace("-", "_"), word.casefold()
+    begin = [key for key in keys if key.key.startswith(name)]
+    return begin or [
+        key for key in keys if name.casefold() in key.key.casefold() or plain in key.meaning.casefold()
+    ]

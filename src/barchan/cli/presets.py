@@ -2,26 +2,37 @@
 
 
 def presets(name: str | None = None, /) -> None:
-    """List the scenarios that ship with Barchan, or print one as a scenario file.
+    """List the scenarios that ship with Barchan by their models, or print one as a scenario file.
+
+    Sizes are columns × rows of cells; the time is what a run is expected to take on one core.
 
     Parameters
     ----------
     name
         A preset to print, to be saved and changed.
     """
-    from rich.table import Table
+    from rich.text import Text
 
     from barchan.cli.terminal import console
+    from barchan.models import models
     from barchan.scenario import load_scenario, preset_names
+    from barchan.scenario.cost import expected_seconds, spoken_estimate
 
     if name is not None:
         console.out(load_scenario(name).text(), end="", highlight=False)
         return
-    table = Table(box=None, pad_edge=False)
-    table.add_column("name", no_wrap=True, min_width=max(map(len, preset_names())))
-    for column in ("title", "source"):
-        table.add_column(column)
-    for preset in preset_names():
-        scenario = load_scenario(preset)
-        table.add_row(preset, scenario.title, scenario.citation)
-    console.print(table)
+    scenarios = {preset: load_scenario(preset) for preset in preset_names()}
+    width = max(map(len, scenarios))
+    for known, model in models().items():
+        of_model = {preset: s for preset, s in scenarios.items() if s.model.name == known}
+        if not of_model:
+            continue
+        console.print(Text.assemble((model.title, "bold"), f", model {known}"))
+        for preset, scenario in of_model.items():
+            lattice, steps = scenario.lattice, scenario.run.steps
+            time = spoken_estimate(expected_seconds(scenario))
+            facts = f"{lattice.columns} × {lattice.rows} cells, {steps} steps, {time}"
+            source = f"; {scenario.citation}" if scenario.citation else ""
+            console.print(Text.assemble("  ", (f"{preset:{width}}", "cyan"), f"  {scenario.title}"))
+            console.print(Text.assemble(f"      {facts}", (source, "dim")))
+        console.print()

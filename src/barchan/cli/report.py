@@ -1,15 +1,20 @@
 """The output of a run before it starts and when it ends."""
 
-import math
 import shlex
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from rich.text import Text
 
 from barchan.archive import Outcome, open_run
+from barchan.cli import INTERRUPTED
 from barchan.cli.terminal import console, print_note
 from barchan.scenario import Scenario
+from barchan.scenario.cost import expected_seconds, spoken_estimate
+from barchan.scenario.summary import field_size
 from barchan.simulation import Simulation
 
 if TYPE_CHECKING:
@@ -21,18 +26,17 @@ PICTURE = "last.png"
 def print_facts(simulation: Simulation, random_seed: bool) -> None:
     """Print the facts of a run about to start."""
     scenario = simulation.scenario
-    lattice = scenario.lattice
     if scenario.title:
         source = f" ({scenario.citation})" if scenario.citation else ""
         console.print(Text.assemble((scenario.title, "bold"), source))
     if scenario.look_for:
         console.print(f"look for: {scenario.look_for}")
-    field = f"{lattice.columns} × {lattice.rows} cells of {lattice.cell_size:g} m"
     seed = f"seed {scenario.run.seed}" + (" (random)" if random_seed else "")
-    console.print(f"{field}, slabs of {lattice.thickness:.3g} m, {scenario.run.steps} steps, {seed}")
+    console.print(f"{field_size(scenario.lattice)}, {scenario.run.steps} steps, {seed}")
+    console.print(f"expected time: {spoken_estimate(expected_seconds(scenario))}")
     for name, fact in scenario.facts().items():
         console.print(f"{name}: {fact}")
-    for remark in scenario.remarks():
+    for remark in scenario.remarks(simulation.bed.ground):
         print_note(remark)
 
 
@@ -72,10 +76,10 @@ def _draw(outcome: Outcome, quiet: bool) -> str | None:
 
 def print_measures(dataset: "xr.Dataset", scenario: Scenario) -> None:
     """The table of the last frame's measures."""
-    from barchan.analysis.time_series import last_measures, measures_of
+    from barchan.analysis.time_series import last_values
+    from barchan.cli.measure_table import print_values
 
-    values = last_measures(dataset, scenario)
-    print_table([(m.title, _number(values[m.name]), m.unit) for m in measures_of(scenario)])
+    print_values(last_values(dataset, scenario))
 
 
 def print_table(rows: list[tuple[str, str, str]], left: bool = False) -> None:
@@ -91,5 +95,17 @@ def resume_command(run: Path) -> str:
     return f"barchan resume {shlex.quote(str(run))}"
 
 
-def _number(value: float) -> str:
-    return "–" if math.isnan(value) else f"{value:.4g}" if abs(value) < 1e4 else f"{value:.0f}"
+@contextmanager
+def saved_when_broken_off(folder: Path) -> Iterator[None]:
+    """Say what is saved of a run whose work is broken off, and end the command."""
+    from barchan.archive.folder import CHECKPOINT
+
+    try:
+        yield
+    except KeyboardInterrupt:
+        if (folder / CHECKPOINT).is_file():
+            console.print("interrupted within a step; what is saved is the run up to its last checkpoint")
+            console.print(f"go on with: {resume_command(folder)}")
+        else:
+            console.print("interrupted before the first step; nothing is saved")
+        sys.exit(INTERRUPTED)

@@ -7,8 +7,8 @@ from cyclopts import Parameter
 
 from barchan.cli import INTERRUPTED
 from barchan.cli.overrides import Tokens, changes, pairs
-from barchan.cli.report import print_outcome, resume_command
-from barchan.cli.terminal import Interrupts, Reporter, compilation_announced, console, print_note
+from barchan.cli.report import print_outcome, resume_command, saved_when_broken_off
+from barchan.cli.terminal import Interrupts, Reporter, console, print_note, work_announced
 from barchan.errors import BarchanError
 
 if TYPE_CHECKING:
@@ -30,7 +30,8 @@ def resume(
 
     It goes on from the newest complete checkpoint, with the same result as if it had never stopped. With
     --out it goes on in a folder of its own, which names the run and the step that it came from; there the
-    wind and live parameters of the model may change, as in --at 200 --model.hop-length 7 --wind.direction 90.
+    wind and live parameters of the model may change, as in --at 200 --model.hop-length 7 --wind.direction 90
+    or --wind '{"kind": "steady", "direction": 90}'.
 
     Parameters
     ----------
@@ -51,7 +52,7 @@ def resume(
     """
     if out is None and (at is not None or overwrite or values):
         raise BarchanError("--at, --overwrite and changed values are for branches; say where to with --out")
-    with compilation_announced(quiet), Interrupts().watched() as stop:
+    with work_announced(quiet), Interrupts().watched() as stop, saved_when_broken_off(out or run):
         if out is None:
             outcome = _go_on(run, steps, quiet, stop)
         else:
@@ -90,7 +91,7 @@ def _branch(
     going = branch(run, at, stop=stop)
     if going.remark and not quiet:
         print_note(going.remark)
-    for event in changes(asked, going.simulation.wind):
+    for event in changes(asked, going.simulation.scenario_in_force):
         going.simulation.apply(event)
     if steps is not None:
         going.simulation.extend(steps)

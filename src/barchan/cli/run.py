@@ -7,8 +7,8 @@ from cyclopts import Parameter
 
 from barchan.cli import INTERRUPTED
 from barchan.cli.overrides import Tokens, pairs
-from barchan.cli.report import print_facts, print_outcome, resume_command
-from barchan.cli.terminal import Interrupts, Reporter, compilation_announced, console
+from barchan.cli.report import print_facts, print_outcome, resume_command, saved_when_broken_off
+from barchan.cli.terminal import Interrupts, Reporter, console, work_announced
 
 
 def run(
@@ -46,7 +46,7 @@ def run(
     folder = out or _new_folder(scenario)
     check_room(folder, overwrite)
     random_seed = chosen.run.seed is None
-    with compilation_announced(quiet), Interrupts().watched() as stop:
+    with work_announced(quiet), Interrupts().watched() as stop, saved_when_broken_off(folder):
         simulation = Simulation(chosen)
         if not quiet:
             print_facts(simulation, random_seed)

@@ -12,6 +12,7 @@ from rich.console import Console
 from rich.text import Text
 
 from barchan.errors import BarchanError
+from barchan.kernels.core.progress import told_of_progress
 from barchan.simulation import Simulation
 
 if TYPE_CHECKING:
@@ -19,6 +20,9 @@ if TYPE_CHECKING:
     from rich.progress import Progress, TaskID
 
 console = Console(highlight=False, markup=False, soft_wrap=True)
+
+_UNANNOUNCED = 2.0
+"""Seconds of work that need no word."""
 
 LOG_EVERY = 10.0
 """Seconds from one line to the next where the output is not a terminal."""
@@ -34,33 +38,48 @@ def print_warning(text: str) -> None:
     console.print(Text.assemble(("warning:", "bold red"), " ", text))
 
 
-def save_picture(figure: "Figure", path: Path) -> None:
-    """Write a picture and print its name; raises BarchanError where it cannot be written."""
+def save_picture(figure: "Figure", path: Path, dpi: float | None = None) -> None:
+    """Write a picture, at the figure's dots per inch or ``dpi``, and print its name.
+
+    Raises BarchanError where it cannot be written.
+    """
     try:
-        figure.savefig(path)
+        figure.savefig(path, dpi=figure.dpi if dpi is None else dpi)
     except (OSError, ValueError) as error:
         raise BarchanError(f"cannot write {path}: {error}") from None
     console.print(str(path))
 
 
+PATIENCE = 0.7
+"""Seconds from a wish to stop until work that does not notice it is broken off."""
+
+
 class Interrupts:
-    """Turns Ctrl-C and a polite kill into a wish to stop, so that a run can be saved first."""
+    """Turns Ctrl-C and a polite kill into a wish to stop, so that a run can be saved first.
+
+    Work that takes longer to notice, such as one long step, is broken off by a KeyboardInterrupt.
+    """
 
     def __init__(self) -> None:
         """No wish yet."""
         self.wanted = False
 
     def __call__(self) -> bool:
-        """Whether someone wants to stop."""
+        """Whether someone wants to stop; whoever asks has the time that it takes to save the run."""
+        if self.wanted:
+            _alarm(0.0)
         return self.wanted
 
     @contextmanager
     def watched(self) -> Iterator["Interrupts"]:
-        """Listen for signals; a second one ends the program at once."""
+        """Listen for signals; a second one breaks the work off at once."""
         before = {s: signal.signal(s, self._note) for s in (signal.SIGINT, signal.SIGTERM)}
+        if hasattr(signal, "SIGALRM"):
+            before[signal.SIGALRM] = signal.signal(signal.SIGALRM, self._note)
         try:
             yield self
         finally:
+            _alarm(0.0)
             for number, handler in before.items():
                 signal.signal(number, handler)
 
@@ -68,6 +87,13 @@ class Interrupts:
         if self.wanted:
             raise KeyboardInterrupt
         self.wanted = True
+        _alarm(PATIENCE)
+
+
+def _alarm(seconds: float) -> None:
+    """Let an alarm go off in some seconds, or none (0), where the system has alarms."""
+    if hasattr(signal, "setitimer"):
+        signal.setitimer(signal.ITIMER_REAL, seconds)
 
 
 class Reporter:
@@ -129,6 +155,21 @@ class Reporter:
                 f"step {simulation.steps_done} of {self.total}, {pace}"
                 f"highest stack {simulation.bed.stack.max()} slabs"
             )
+
+
+@contextmanager
+def work_announced(quiet: bool) -> Iterator[None]:
+    """Say when a kernel is compiled, and now and then how far long work is that is no step of a run."""
+    last = time.monotonic() - LOG_EVERY + _UNANNOUNCED
+
+    def tell(text: str) -> None:
+        nonlocal last
+        if not quiet and time.monotonic() - last >= LOG_EVERY:
+            last = time.monotonic()
+            console.print(text)
+
+    with compilation_announced(quiet), told_of_progress(tell):
+        yield
 
 
 @contextmanager

@@ -131,18 +131,27 @@ def _of_record(record: "WindRecord", sand: Saltation, supply: float | None) -> _
 
 def _of_scenario(source: str, supply: float | None) -> _Subject:
     """The wind of a scenario over its sand: its record, or its winds weighted by the sand they move."""
-    from barchan.archive import source_at
+    from barchan.archive import run_info, source_at
+    from barchan.archive.folder import SCENARIO
     from barchan.scenario.files import load_scenario
+    from barchan.simulation import Record, SetWind
     from barchan.theory.assessment import assess, scenario_drift, scenario_supply
     from barchan.wind import SeriesWind
 
-    scenario = load_scenario(source_at(source)).seeded()
+    found_at = source_at(source)
+    scenario = load_scenario(found_at)
+    events: tuple[Record, ...] = ()
+    if isinstance(found_at, Path) and found_at.name == SCENARIO:
+        known = run_info(found_at.parent)
+        scenario, events = known.now, known.events
+    scenario = scenario.seeded()
     sand = scenario.clock or Saltation()
     supply = scenario_supply(scenario) if supply is None else supply
     title = scenario.title or source
     rows: Rows = [
         ("scenario", title, ""),
         ("wind", scenario.wind.summary(), ""),
+        *[("changed", str(record), "") for record in events if isinstance(record.event, SetWind)],
         ("sand supply", f"{supply:.3g} m", ""),
     ]
     if isinstance(scenario.wind, SeriesWind):

@@ -1,6 +1,7 @@
 """Checks of grains in flight: problems, facts and remarks."""
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -69,13 +70,11 @@ def grains_in_flight(rules: GrainFlight, lattice: Lattice) -> float:
 
 
 def facts(rules: GrainFlight, lattice: Lattice) -> dict[str, str]:
-    """Parcels, wind, settling and time, for people to read."""
-    friction, least = rules.friction_velocity(rules.wind_speed), rules.threshold()
+    """Parcels, settling and time, for people to read."""
     found = {
         "a grain in the air": f"stands for {grains_in_flight(rules, lattice):.4g} grains: "
         f"{lattice.thickness * rules.carried * 1e3:.3g} mm of sand with {rules.porosity:.0%} pores over "
         "a cell",
-        "friction velocity": f"{friction:.3f} m/s, threshold {least:.3f} m/s",
         "settling speed": ", ".join(f"{rules.settling_speed(one):.2f}" for one in rules.diameters) + " m/s",
     }
     canopy = rules.part(Canopy)
@@ -88,15 +87,16 @@ def facts(rules: GrainFlight, lattice: Lattice) -> dict[str, str]:
     return found
 
 
+def wind_facts(rules: GrainFlight, speeds: Sequence[float]) -> dict[str, str]:
+    """The friction velocities of winds (m/s at 10 m) and the threshold, for people to read."""
+    least, most = (f"{rules.friction_velocity(speed):.3f}" for speed in (min(speeds), max(speeds)))
+    friction = most if least == most else f"{least} to {most}"
+    return {"friction velocity": f"{friction} m/s, threshold {rules.threshold():.3f} m/s"}
+
+
 def remarks(rules: GrainFlight, lattice: Lattice) -> list[str]:
     """Remarks on these parameters on this lattice."""
     found = []
-    if rules.friction_velocity(rules.wind_speed) <= rules.threshold():
-        found.append(
-            f"nothing moves: a wind of {rules.wind_speed:g} m/s has a friction velocity of "
-            f"{rules.friction_velocity(rules.wind_speed):.3f} m/s, and grains lift above "
-            f"{rules.threshold():.3f} m/s"
-        )
     heights = rules.carried * lattice.thickness / rules.diameter
     if not (_THIN if rules.carried == 1 else 0.0) <= heights <= _THICK:
         parcels = f"{rules.carried} parcels are" if rules.carried > 1 else "a parcel is"

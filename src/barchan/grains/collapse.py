@@ -3,6 +3,7 @@
 import math
 
 from barchan.grains.parameters import GrainFlight
+from barchan.heights import LARGEST_STEP
 from barchan.kernels.bed.state import relaxation_orders, repose_rule, unstable_cells
 from barchan.kernels.grains.rules import Filter
 from barchan.kernels.grains.state import Slopes
@@ -12,7 +13,8 @@ from barchan.lattice import Lattice
 def repose_limits(angle: float, lattice: Lattice) -> tuple[int, int]:
     """Largest steps (parcels) that stand towards faces and corners; at least one."""
     slope = math.tan(math.radians(angle)) / lattice.aspect
-    return max(1, math.floor(slope + 1e-9)), max(1, math.floor(math.sqrt(2.0) * slope + 1e-9))
+    face, corner = (math.floor(min(s + 1e-9, LARGEST_STEP)) for s in (slope, math.sqrt(2.0) * slope))
+    return max(1, face), max(1, corner)
 
 
 def slopes_of(rules: GrainFlight, lattice: Lattice, parcel: int) -> Slopes:

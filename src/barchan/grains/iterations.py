@@ -5,11 +5,18 @@ from contextlib import contextmanager
 
 from barchan.kernels.grains.state import MOST_ITERATIONS, Scene
 
+_UPDATES = 5_000_000
+"""Grain updates of a batch at most, where it has more than one iteration: some tenths of a second."""
 
-def batches(first: int, end: int, *intervals: int) -> Iterator[tuple[int, int]]:
-    """Cut iterations where one of the intervals begins: first iteration and length of each batch."""
+
+def batches(first: int, end: int, slots: int, *intervals: int) -> Iterator[tuple[int, int]]:
+    """Cut iterations where one of the intervals begins: first iteration and length of each batch.
+
+    With many ``slots`` in use batches are short: a signal is handled between two of them.
+    """
+    most = max(1, min(MOST_ITERATIONS, _UPDATES // max(slots, 1)))
     while first < end:
-        ends = [end, first + MOST_ITERATIONS]
+        ends = [end, first + most]
         ends += [first - first % interval + interval for interval in intervals]
         yield first, min(ends) - first
         first = min(ends)

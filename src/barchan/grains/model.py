@@ -1,6 +1,6 @@
 """The engine of grains in flight: the grains in the air, their iterations, the bed they meet."""
 
-from collections.abc import Hashable
+from collections.abc import Hashable, Sequence
 from functools import cached_property
 from typing import Any, ClassVar
 
@@ -16,9 +16,10 @@ from barchan.grains.bed import GrainGround
 from barchan.grains.canopy import PAINTED, PLANT_HEIGHT, PLANT_SHARE, PLANTS, Canopy, planted
 from barchan.grains.closure import Closure, Setting
 from barchan.grains.collapse import repose_limits
+from barchan.grains.cost import work_of_step
 from barchan.grains.creep import Creep
 from barchan.grains.parameters import GrainFlight
-from barchan.grains.pool import Pool
+from barchan.grains.pool import SLOT_BYTES, Pool
 from barchan.grains.relief_flow import ReliefFlow
 from barchan.grains.rules import entrainment_of
 from barchan.grains.sized_sand import SizedSand
@@ -32,6 +33,9 @@ from barchan.model import Model, Tally
 from barchan.streams import Stream
 from barchan.wind.segment import Segment
 
+_CELL_BYTES = 120
+"""Memory (bytes) that flight over a cell takes at most, with wind that varies in space."""
+
 _ANY = 270.0
 """A wind direction where none matters."""
 
@@ -42,8 +46,9 @@ class GrainModel(Model):
     A subclass names its ``closures`` and composes its parameters of them.
     """
 
-    takes_speed = True
+    takes_hops = False
     work_unit = "grain updates"
+    work_per_second = 6e7
     closures: ClassVar[tuple[type[Closure], ...]] = ()
     Parameters = GrainFlight
     parameters: GrainFlight
@@ -99,12 +104,16 @@ class GrainModel(Model):
         return self.parameters.step_seconds
 
     def facts(self) -> dict[str, str]:
-        """Parcels, wind, settling and time, for people to read."""
+        """Parcels, settling and time, for people to read."""
         return checks.facts(self.parameters, self.lattice)
 
     def remarks(self, hop_length: float | None, direction: float) -> list[str]:
-        """A wind that moves nothing; parcels unlike those of the sources."""
+        """Parcels unlike those of the sources."""
         return checks.remarks(self.parameters, self.lattice)
+
+    def wind_facts(self, speeds: Sequence[float]) -> dict[str, str]:
+        """Friction velocity of the winds, and the threshold."""
+        return checks.wind_facts(self.parameters, speeds or [self.parameters.wind_speed])
 
     def state(self) -> dict[str, NDArray | float | int | str]:
         """The grains in the air, the number of iterations done, and the stress that grains take."""
@@ -131,6 +140,10 @@ class GrainModel(Model):
         closure = self.parameters.part(Feedback)
         if self.feedback is not None and closure is not None:
             self.feedback.change(closure, self.parameters)
+
+    def work_bytes(self) -> int:
+        """The grains, their landings, and the bed as they meet it."""
+        return SLOT_BYTES * self.pool.size + _CELL_BYTES * self.lattice.cells
 
     @property
     def airborne(self) -> int:
@@ -210,6 +223,10 @@ class GrainModel(Model):
         if wind is None or wind.speed is None:
             return self.parameters.wind_speed
         return wind.speed
+
+    def expected_work(self, segment: Segment) -> float:
+        """The grains expected in the air, times iterations; of complete trajectories those of a first hop."""
+        return segment.steps * work_of_step(self.parameters, self.lattice, self.speed(segment), segment.share)
 
     def moves(self, wind: Segment | None = None) -> bool:
         """Whether the wind is above the threshold."""

@@ -11,6 +11,9 @@ from barchan.kernels.grains.state import SUNK, Ejecta, Grains, Landings
 MOTION, COUNTERS = 8, 4
 """Quantities of a grain, as numbers and as whole numbers; see ``kernels.grains.state.Grains``."""
 
+SLOT_BYTES = 300
+"""Memory (bytes) of a grain, of its landing and ejecta, and of a state that holds it."""
+
 _PAGE, _STAGGER = 1024, 80
 """Numbers in a page of memory, and by how many rows start apart within it."""
 

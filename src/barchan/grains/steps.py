@@ -16,6 +16,9 @@ from barchan.wind.segment import Segment
 if TYPE_CHECKING:
     from barchan.grains.model import GrainModel
 
+_TOGETHER = 256
+"""Trajectories of one call: a signal is handled between two calls."""
+
 
 def iterate(model: "GrainModel", wind: Segment, stream: Stream, ground: GrainGround) -> None:
     """Let all grains fly for the iterations of a step, in a wind recomputed now and then."""
@@ -48,7 +51,7 @@ def _fly(
     collapse, shelter = model.parameters.collapse_every, model.parameters.part(Shelter)
     intervals = [collapse] if shelter is None else [collapse, shelter.update_every]
     with shared_scene(scene, stream.key, model.pool.in_use, model.iteration) as fly_until:
-        for number, some in batches(first, first + count, *intervals):
+        for number, some in batches(first, first + count, model.pool.in_use, *intervals):
             if shelter is not None and number % shelter.update_every == 0:
                 ground.raise_shelter()
             if number and number % collapse == 0:
@@ -66,5 +69,8 @@ def follow_trajectories(model: "GrainModel", wind: Segment, stream: Stream, grou
     air = model.blow(ground, wind)
     ground.reseed(derive(key, cells))
     scene = model.scene(ground, air, rules_of(setting, lifts=False))
-    trajectories(cells, np.uint64(key), scene, entrainment_of(setting), ground.slopes)
+    lifting = entrainment_of(setting)
+    for first in range(0, cells, _TOGETHER):
+        count = min(_TOGETHER, cells - first)
+        trajectories(first, count, np.uint64(key), scene, lifting, ground.slopes)
     model.iteration += 1

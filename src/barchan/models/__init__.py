@@ -6,8 +6,9 @@ scenarios, files or screens.
 
 import importlib
 import pkgutil
+import warnings
 from functools import cache
-from importlib.metadata import entry_points
+from importlib.metadata import EntryPoint, entry_points
 from typing import Any
 
 from barchan.errors import BarchanError
@@ -60,11 +61,40 @@ def models() -> dict[str, type[Model]]:
             if isinstance(candidate, type) and issubclass(candidate, Model) and candidate.name:
                 found[candidate.name] = candidate
     for point in entry_points(group="barchan.models"):
-        candidate = point.load()
+        candidate = _loaded(point)
+        if candidate is None:
+            continue
         if candidate.name in found:
             raise BarchanError(f"two models are called '{candidate.name}'; the second is {point.value}")
         found[candidate.name] = candidate
     return dict(sorted(found.items()))
+
+
+def _loaded(point: EntryPoint) -> type[Model] | None:
+    """The model that a package brings; None, with a warning that names it, where it cannot be used."""
+    try:
+        candidate = point.load()
+        reason = _unfit(candidate)
+    except Exception as error:
+        reason = f"{type(error).__name__}: {error}"
+    if not reason:
+        return candidate
+    warnings.warn(f"the model {point.name} ({point.value}) is left out: {reason}", stacklevel=3)
+    return None
+
+
+def _unfit(candidate: Any) -> str:
+    """Why something that a package registers is no model; empty where it is one."""
+    if not (isinstance(candidate, type) and issubclass(candidate, Model)):
+        return "it is not a class derived from barchan.models.Model"
+    if not candidate.name:
+        return "it has no name"
+    if getattr(candidate, "__abstractmethods__", None):
+        return f"it lacks {', '.join(sorted(candidate.__abstractmethods__))}"
+    declared = candidate.Parameters.model_fields.get("name")
+    if declared is None or declared.default != candidate.name:
+        return f"its Parameters lack the key name with the only value '{candidate.name}'"
+    return ""
 
 
 def model_names() -> list[str]:

@@ -89,8 +89,13 @@ class NishimoriOuchi(Model):
         "Physical Review Letters 71(1), 197-200."
     )
     work_unit = "cell updates"
+    work_per_second = 1.5e7
     Parameters = NishimoriOuchiParameters
     parameters: NishimoriOuchiParameters
+
+    def expected_work(self, segment: Segment) -> float:
+        """All cells in each step, however strong the wind is."""
+        return float(segment.steps * self.lattice.cells) if segment.polls else 0.0
 
     def advance(self, bed: Bed, segment: Segment, stream: Stream) -> Tally:
         """Hop and creep, step by step."""

@@ -90,8 +90,9 @@ class Pelletier(SlabModel):
     ``p_ns``. Cells in shadow give none and keep every slab.
 
     Known deviations: the paper's rule of probabilities, its slab size and its fitted function of slope are
-    not published in what we could read; the two probabilities above are ours. What the model does with z0 is
-    a test, not a promise: see the page on validation. Over open edges the surface is continued to its mean.
+    not in the parts that we could read; the two probabilities above are ours. The effect of z0 in this
+    model is a test, not a promise: see the page on validation. Over open edges the surface is continued
+    to its mean.
     """
 
     name = "pelletier"
@@ -131,7 +132,7 @@ class Pelletier(SlabModel):
         return Rules(erosion=ErosionChance(factor=self.parameters.erosion_chance))
 
     def steps_until_update(self, segment: Segment) -> int:
-        """The stress is sought anew before each step."""
+        """The stress is computed again before each step."""
         return 1
 
     def mobility(self, bed: Bed, direction: float) -> NDArray[np.float64]:
@@ -160,7 +161,7 @@ class Pelletier(SlabModel):
 def _response(
     shape: tuple[int, int], cell_size: float, direction: float, parameters: PelletierParameters
 ) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
-    """What turns a surface's spectrum (m) into those of the stress's change and of the streamwise slope."""
+    """Factors from a surface's spectrum (m) to those of the stress's change and of the streamwise slope."""
     ky = 2 * np.pi * np.fft.fftfreq(shape[0], cell_size)[:, None]
     kx = 2 * np.pi * np.fft.rfftfreq(shape[1], cell_size)[None, :]
     x, y = downwind(direction)

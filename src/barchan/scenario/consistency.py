@@ -3,9 +3,15 @@
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+import numpy as np
+from numpy.typing import NDArray
+
 from barchan.directions import downwind
+from barchan.errors import ScenarioError
+from barchan.ground.edges import unmatched_edges
 from barchan.models import Model
 from barchan.scenario.source_map import Path
+from barchan.streams import Stream
 from barchan.wind import Recorded, SeriesWind
 from barchan.wind.weather_course import Course
 
@@ -21,6 +27,7 @@ def inconsistencies(scenario: "Scenario", model: Model) -> list[Found]:
     found = [*_clock_problems(scenario, model), *_influx_problems(scenario, model)]
     if not found:
         found += [(("model", key), text) for key, text in model.problems(scenario.step_seconds)]
+    found += _hops_problems(scenario, model)
     return [*found, *_unclocked(scenario, model), *_weather_problems(scenario, model)]
 
 
@@ -60,6 +67,16 @@ def _influx_problems(scenario: "Scenario", model: Model) -> list[Found]:
     return []
 
 
+def _hops_problems(scenario: "Scenario", model: Model) -> list[Found]:
+    """Speeds in cells under a model that knows no hop length; a calm is one in any unit."""
+    if model.takes_hops:
+        return []
+    text = f"is a hop length in cells, which {model.title} does not use"
+    hint = 'state the speed in m/s (with "unit": "m/s") or leave it out and set model.wind_speed'
+    parts = scenario.wind.placed_parts()
+    return [(("wind", *path, "speed"), f"{text}; {hint}") for path, part in parts if part.longest_hop]
+
+
 _INTO = 1e-9
 """Components of the wind's direction below this do not cross an edge."""
 
@@ -91,12 +108,22 @@ def starved_edges(scenario: "Scenario") -> list[str]:
     return [f'{text}; state what enters with "influx", for instance {{"kind": "saturation", "share": 0.2}}']
 
 
+def broken_edges(scenario: "Scenario", ground: NDArray[np.float64] | None) -> list[str]:
+    """A remark where edges are joined and the ground does not go on over them; made here if not given."""
+    if ground is None:
+        try:
+            ground = scenario.ground.elevation(scenario.lattice, Stream(scenario.run.seed or 0, "ground"))
+        except ScenarioError:  # said where the bed is made
+            return []
+    return unmatched_edges(ground, scenario.lattice)
+
+
 def _unclocked(scenario: "Scenario", model: Model) -> list[Found]:
     """Speeds and durations that ask for a clock where there is none."""
     if scenario.clock is not None:
         return []
     own_steps = model.step_seconds is not None
-    found = [] if model.takes_speed else list(_unclocked_speeds(scenario, model, own_steps))
+    found = list(_unclocked_speeds(scenario, model, own_steps)) if model.takes_hops else []
     if own_steps:
         return found
     for path, seconds in _durations(scenario):

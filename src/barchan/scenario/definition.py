@@ -1,8 +1,11 @@
 """The parts of a scenario and their defaults."""
 
 import secrets
+from collections.abc import Iterable
 from typing import TYPE_CHECKING, Annotated, Any, Literal, Self, Union
 
+import numpy as np
+from numpy.typing import NDArray
 from pydantic import Field, PrivateAttr, model_validator
 from pydantic_core import PydanticCustomError
 
@@ -15,7 +18,8 @@ from barchan.ground.surface import Ground
 from barchan.lattice import Lattice
 from barchan.models import Model, models
 from barchan.parameters import Parameters, parameter
-from barchan.scenario.consistency import inconsistencies, starved_edges
+from barchan.scenario.consistency import broken_edges, inconsistencies, starved_edges
+from barchan.scenario.effects import stated_speeds, unmoved, unused
 from barchan.scenario.source_map import SourceMap
 from barchan.scenario.summary import html_table, in_a_line, summary
 from barchan.wind import Clock, Forcing, Steady, StepClock, WeatherCourse, Wind
@@ -173,9 +177,15 @@ class Scenario(Parameters):
         return facts
 
     def facts(self) -> dict[str, str]:
-        """What the scenario comes to, as far as it is known before it runs, for people to read."""
-        model, seeded = self.new_model(), self.seeded()
-        return {**self.time_facts(), **model.facts(), **model.forecast(seeded.forcing())}
+        """What ground, time, parameters and wind come to on this lattice, for people to read."""
+        model, forcing = self.new_model(), self.seeded().forcing()
+        return {
+            **self.ground.facts(self.lattice),
+            **self.time_facts(),
+            **model.facts(),
+            **model.wind_facts(stated_speeds(self)),
+            **model.forecast(forcing),
+        }
 
     def forcing(self) -> Forcing:
         """The wind over this scenario's lattice, with its clock; the scenario must have a seed."""
@@ -210,13 +220,11 @@ class Scenario(Parameters):
     def data(self) -> dict[str, Any]:
         """The scenario as plain data, complete, without empty notes."""
         plain: dict[str, Any] = self.model_dump(mode="json")
-        return _without_empty_notes(plain)
+        return without_empty_notes(plain)
 
     def text(self) -> str:
         """The scenario as the text of a configuration file."""
-        import json
-
-        return json.dumps(self.data(), indent=2, ensure_ascii=False) + "\n"
+        return text_of(self.data())
 
     def __repr__(self) -> str:
         return f"<Scenario {in_a_line(self)}>"
@@ -226,17 +234,28 @@ class Scenario(Parameters):
     def _repr_html_(self) -> str:
         return html_table(self.title or "Scenario", summary(self))
 
-    def remarks(self) -> list[str]:
-        """Remarks that a user should know before running this."""
+    def remarks(self, ground: NDArray[np.float64] | None = None) -> list[str]:
+        """Remarks that a user should know before running this; ``ground`` (m) as it was made, if it was."""
         model = self.new_model()
-        remarks = [model.remarks(part.longest_hop, part.direction) for _, part in self.wind.placed_parts()]
-        remarks.append(starved_edges(self))
+        parts = [part for _, part in self.wind.placed_parts()]
+        remarks: list[Iterable[str]] = [self.source_map.notes]
+        remarks += [unmoved(self), unused(self), starved_edges(self)]
+        remarks += [self.ground.remarks(self.lattice), broken_edges(self, ground)]
+        remarks += [model.remarks(part.longest_hop, part.direction) for part in parts]
         return list(dict.fromkeys(remark for found in remarks for remark in found))
 
 
-def _without_empty_notes(data: Any) -> Any:
+def text_of(data: Any) -> str:
+    """Plain data as the text of a configuration file."""
+    import json
+
+    return json.dumps(data, indent=2, ensure_ascii=False) + "\n"
+
+
+def without_empty_notes(data: Any) -> Any:
+    """Plain data without the notes that nobody made."""
     if isinstance(data, dict):
-        return {k: _without_empty_notes(v) for k, v in data.items() if k != "note" or v is not None}
+        return {k: without_empty_notes(v) for k, v in data.items() if k != "note" or v is not None}
     if isinstance(data, list):
-        return [_without_empty_notes(item) for item in data]
+        return [without_empty_notes(item) for item in data]
     return data

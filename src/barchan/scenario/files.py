@@ -2,6 +2,8 @@
 
 import json
 from collections.abc import Mapping, Sequence
+from collections.abc import Set as AbstractSet
+from dataclasses import replace
 from importlib.resources import files
 from pathlib import Path
 from typing import Any
@@ -9,14 +11,24 @@ from typing import Any
 from pydantic import ValidationError
 
 from barchan.errors import Problem, ScenarioError
+from barchan.scenario.changes import with_changes_told
 from barchan.scenario.definition import Scenario
-from barchan.scenario.messages import nearest, problems_of
+from barchan.scenario.from_ground import measure, spelt_out
+from barchan.scenario.messages import nearest, problems_of, wrong_paths
 from barchan.scenario.migrations import migrate
+from barchan.scenario.overrides import (
+    COMMAND_LINE,
+    Origin,
+    Override,
+    Switch,
+    given_values,
+    leave_behind,
+    set_value,
+    switches,
+)
+from barchan.scenario.paths import anchored
+from barchan.scenario.source_map import TOO_DEEP, SourceMap, is_too_deep, parse, path_of
 from barchan.scenario.source_map import Path as KeyPath
-from barchan.scenario.source_map import SourceMap, parse
-
-Override = tuple[str, str]
-"""A dotted key and the text given for it, as on a command line."""
 
 
 def preset_names() -> list[str]:
@@ -25,20 +37,35 @@ def preset_names() -> list[str]:
     return sorted(f.name.removesuffix(".json") for f in folder.iterdir() if f.name.endswith(".json"))
 
 
-def load_scenario(source: str | Path | Mapping[str, Any], overrides: Sequence[Override] = ()) -> Scenario:
+def load_scenario(
+    source: str | Path | Mapping[str, Any],
+    overrides: Sequence[Override] = (),
+    origin: Origin = COMMAND_LINE,
+) -> Scenario:
     """A scenario from a preset's name, a JSON file or plain data, with single values overridden.
 
-    A ``path`` within a file starts where the file lies, elsewhere in the working folder.
-    Raises ScenarioError with every problem found: unknown keys, wrong types, values out of range.
+    A ``path`` within a file starts where the file lies, elsewhere in the working folder. Title and citation
+    of a scenario whose values are overridden say so. Raises ScenarioError with every problem found: unknown
+    keys, wrong types, values out of range.
     """
+    lines: Mapping[KeyPath, int] = {}
+    problems: list[Problem] = []
     if isinstance(source, Mapping):
-        return validate(dict(source), overrides=overrides)
-    name, text = _find(str(source))
-    data, lines, problems = parse(text, name)
-    if data is None and problems:
-        raise ScenarioError(problems, name)
-    _anchor(data, Path(source).absolute().parent)
-    return validate(data, name, lines, overrides, problems)
+        name, data = "scenario", anchored(dict(source), Path.cwd())
+    else:
+        name, text = _find(str(source))
+        data, lines, problems = parse(text, name)
+        if data is None and problems:
+            raise ScenarioError(problems, name)
+        data = anchored(data, Path(source).absolute().parent)
+    if not overrides:
+        return validate(data, name, lines, problems=problems)
+    scenario = validate(data, name, lines, overrides, problems, origin)
+    try:
+        before = validate(data, name)
+    except ScenarioError:
+        return scenario
+    return with_changes_told(scenario, before)
 
 
 def validate(
@@ -47,31 +74,70 @@ def validate(
     lines: Mapping[KeyPath, int] | None = None,
     overrides: Sequence[Override] = (),
     problems: Sequence[Problem] = (),
+    origin: Origin = COMMAND_LINE,
 ) -> Scenario:
-    """A scenario from plain data; ``lines`` holds the line of each key in the file ``name``."""
+    """A scenario from plain data; ``lines`` holds the line of each key in the file ``name``.
+
+    An override that chooses another variant of a group drops those keys of the data that it does not have.
+    """
     found = list(problems)
     if not isinstance(data, dict):
         raise ScenarioError([Problem("", "must be a JSON object { … }", name)], name)
-    data = {key: value for key, value in json.loads(json.dumps(data)).items() if key != "$schema"}
+    data = {key: value for key, value in _plain(data, name).items() if key != "$schema"}
     data, trouble = migrate(data)
     found += [Problem("barchan", trouble, name)] if trouble else []
-    given: set[KeyPath] = set()
-    for key, text in overrides:
-        path = tuple(key.replace("-", "_").split("."))
-        given.add(path)
-        found += _override(data, path, text)
+    spelt_out(data)
+    given, unknown = given_values(overrides, origin)
+    found += unknown
+    switched = list(switches(data, given))
+    for one in given:
+        found += set_value(data, one, origin)
+        spelt_out(data)
 
     _name_variants(data)
 
-    source_map = SourceMap(name, lines or {}, given)
-    try:
-        scenario = Scenario.model_validate_json(json.dumps(data))
-    except ValidationError as error:
-        found += problems_of(error, Scenario, data, source_map.of)
-        raise ScenarioError(found, name) from None
+    paths = frozenset(one.path for one in given)
+    source_map = SourceMap(name, lines or {}, paths, origin.place)
+    found += [replace(p, place=source_map.of(path_of(p.key))) for p in measure(data, paths)]
+    left: dict[Switch, list[str]] = {}
+    while True:
+        try:
+            scenario = Scenario.model_validate_json(json.dumps(data))
+            break
+        except ValidationError as error:
+            if not _left_behind(data, switched, wrong_paths(error, data), paths, left):
+                found += problems_of(error, Scenario, data, source_map.of)
+                raise ScenarioError(found, name) from None
     if found:
         raise ScenarioError(found, name)
-    return scenario.with_source_map(source_map)
+    notes = tuple(switch.note(keys) for switch, keys in left.items())
+    return scenario.with_source_map(replace(source_map, notes=notes))
+
+
+def _left_behind(
+    data: dict[str, Any],
+    switched: Sequence[Switch],
+    wrong: Sequence[KeyPath],
+    given: AbstractSet[KeyPath],
+    left: dict[Switch, list[str]],
+) -> bool:
+    """Whether keys that a switched variant does not have were dropped from the data; noted in ``left``."""
+    dropped = {switch: leave_behind(data, switch, wrong, given) for switch in switched}
+    for switch, keys in dropped.items():
+        if keys:
+            left.setdefault(switch, []).extend(keys)
+    return any(dropped.values())
+
+
+def _plain(data: dict[str, Any], name: str) -> dict[str, Any]:
+    """A deep copy of plain data; raises ScenarioError where it is no plain data."""
+    try:
+        if is_too_deep(data):
+            raise ScenarioError([Problem("", TOO_DEEP, name)], name)
+        plain: dict[str, Any] = json.loads(json.dumps(data))
+    except (TypeError, ValueError) as error:
+        raise ScenarioError([Problem("", f"cannot be written as JSON: {error}", name)], name) from None
+    return plain
 
 
 def _name_variants(data: dict[str, Any]) -> None:
@@ -96,38 +162,3 @@ def _find(source: str) -> tuple[str, str]:
     known = ", ".join(preset_names())
     message = f"no preset and no file of this name{nearest(source, preset_names())}; presets: {known}"
     raise ScenarioError([Problem("", message)], f"'{source}'")
-
-
-def _anchor(data: Any, folder: Path) -> None:
-    """Let every ``path`` in a file's data start where the file lies."""
-    inner = data if isinstance(data, list) else data.values() if isinstance(data, dict) else ()
-    for item in inner:
-        _anchor(item, folder)
-    if isinstance(data, dict) and isinstance(data.get("path"), str):
-        data["path"] = str(folder / data["path"])
-
-
-def value_of(text: str) -> Any:
-    """A value that was given as text: as JSON where it is, as the text itself elsewhere."""
-    try:
-        return json.loads(text, parse_constant=str)
-    except json.JSONDecodeError:
-        return text
-
-
-def _override(data: dict[str, Any], path: KeyPath, text: str) -> list[Problem]:
-    """Set one value in plain data."""
-    group: Any = data
-    for at, step in enumerate(path[:-1]):
-        inner = group.setdefault(step, {}) if isinstance(group, dict) else None
-        if inner is None and isinstance(group, dict):
-            inner = group[step] = {}
-        if not isinstance(inner, dict):
-            return [Problem(".".join(map(str, path[: at + 1])), "is not a group of keys", "command line")]
-        group = inner
-    value = value_of(text)
-    field = Scenario.model_fields.get(str(path[0])) if len(path) == 1 else None
-    if field is not None and field.annotation is str and not isinstance(value, str):
-        value = text
-    group[path[-1]] = value
-    return []

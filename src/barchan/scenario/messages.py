@@ -8,7 +8,7 @@ from typing import Any
 from pydantic import BaseModel, ValidationError
 
 from barchan.errors import Problem
-from barchan.parameters import NOTE, allowed
+from barchan.parameters import NOTE, allowed, variants
 from barchan.scenario.source_map import Path, dotted
 
 LONGEST = 60
@@ -17,6 +17,8 @@ LONGEST = 60
 
 def nearest(name: str, names: Iterable[str]) -> str:
     """``; did you mean 'x'?`` for the name nearest to a mistyped one, or nothing."""
+    if len(name) > LONGEST:  # the search takes time with the square of the length
+        return ""
     found = difflib.get_close_matches(name, list(names), n=1, cutoff=0.5)
     return f"; did you mean '{found[0]}'?" if found else ""
 
@@ -31,17 +33,30 @@ def problems_of(
             for path, message in item["ctx"]["found"]:
                 found.setdefault(path, Problem(dotted(path), message, place(path)))
             continue
-        path = _path_in(data, item["loc"])
-        if item["type"] == "missing":
-            path += (item["loc"][-1],)
-        if item["type"].startswith("union_tag"):
-            path += (item["ctx"]["discriminator"].strip("'"),)
-        owner, field = _owner(root, data, path)
+        path = _path_of(item, data)
+        owner, field = owner_of(root, data, path)
         message = _message(item, owner, field)
+        if item["type"] == "union_tag_not_found":
+            message += _kinds(owner_of(root, data, path[:-1])[1], str(path[-1]))
         found.setdefault(path, Problem(dotted(path), message, place(path)))
     return [
         problem for path, problem in found.items() if not any(path[:n] in found for n in range(len(path)))
     ]
+
+
+def wrong_paths(error: ValidationError, data: Any) -> list[Path]:
+    """The keys at which data are not valid by themselves, whatever else they hold."""
+    items = error.errors(include_url=False)
+    return [_path_of(item, data) for item in items if "found" not in item.get("ctx", {})]
+
+
+def _path_of(item: Any, data: Any) -> Path:
+    path = _path_in(data, item["loc"])
+    if item["type"] == "missing":
+        path += (item["loc"][-1],)
+    if item["type"].startswith("union_tag"):
+        path += (item["ctx"]["discriminator"].strip("'"),)
+    return path
 
 
 def _path_in(data: Any, location: tuple[str | int, ...]) -> Path:
@@ -55,7 +70,7 @@ def _path_in(data: Any, location: tuple[str | int, ...]) -> Path:
     return tuple(path)
 
 
-def _owner(root: type[BaseModel], data: Any, path: Path) -> tuple[type[BaseModel] | None, Any]:
+def owner_of(root: type[BaseModel], data: Any, path: Path) -> tuple[type[BaseModel] | None, Any]:
     """The group a path's last key belongs to, and the field's declaration there, if any."""
     owner: type[BaseModel] | None = root
     field = None
@@ -83,6 +98,13 @@ def _group_of(annotation: Any, data: Any) -> type[BaseModel] | None:
     return candidates[0] if candidates else None
 
 
+def _kinds(field: Any, tag: str) -> str:
+    """The kinds of a group that does not say which it is."""
+    found = [] if field is None else variants(field.annotation)
+    names = [str(kind.model_fields[tag].default) for kind in found if tag in kind.model_fields]
+    return f"; allowed: {', '.join(names)}" if names else ""
+
+
 def _message(item: Any, owner: type[BaseModel] | None, field: Any) -> str:
     kind, value, context = item["type"], item["input"], item.get("ctx", {})
     if kind == "extra_forbidden":
@@ -102,11 +124,11 @@ def _message(item: Any, owner: type[BaseModel] | None, field: Any) -> str:
     if field is not None:
         choices = allowed(field).replace("'", "").split(" | ")
         hint = nearest(value, choices) if isinstance(value, str) and len(choices) > 1 else ""
-        return f"is {_shown(value)}{hint}; allowed: {allowed(field)}"
+        return f"is {value_text(value)}{hint}; allowed: {allowed(field)}"
     return str(item["msg"])
 
 
-def _shown(value: Any) -> str:
+def value_text(value: Any) -> str:
     """A value of plain data as its user wrote it, long ones cut."""
     text = repr(value) if isinstance(value, str) else json.dumps(value, ensure_ascii=False, default=repr)
     return text if len(text) <= LONGEST else f"{text[:LONGEST]}…"

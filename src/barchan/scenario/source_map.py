@@ -2,7 +2,7 @@
 
 import json
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from collections.abc import Set as AbstractSet
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
@@ -13,6 +13,11 @@ from barchan.errors import Problem, ScenarioError
 Path = tuple[str | int, ...]
 
 _TOKEN = re.compile(r'"(?:[^"\\]|\\.)*"|[{}\[\]:,]|[^\s{}\[\]:,"]+')
+
+MOST_LEVELS = 50
+"""Levels of groups and lists in one another: more than twice as many as a scenario can have."""
+
+TOO_DEEP = f"has groups or lists more than {MOST_LEVELS} deep in one another; no scenario has"
 
 _STEP = re.compile(r"([^.\[\]]+)|\[(\d+)\]")
 
@@ -30,7 +35,11 @@ def parse(text: str, name: str) -> tuple[Any, dict[Path, int], list[Problem]]:
         return None, {}, [Problem("", f"not valid JSON: {error.msg}", place)]
     except ValueError as error:
         return None, {}, [Problem("", f"not valid JSON: {error}", name)]
-    tokens = [(m.group(), text.count("\n", 0, m.start()) + 1) for m in _TOKEN.finditer(text)]
+    except RecursionError:
+        return None, {}, [Problem("", TOO_DEEP, name)]
+    if is_too_deep(data):
+        return None, {}, [Problem("", TOO_DEEP, name)]
+    tokens = list(_tokens(text))
     for token, line in tokens:
         if token in _CONSTANTS:
             problems.append(Problem("", f"not valid JSON: {token} is not a number here", f"{name}:{line}"))
@@ -40,6 +49,37 @@ def parse(text: str, name: str) -> tuple[Any, dict[Path, int], list[Problem]]:
     for path, line in repeated:
         problems.append(Problem(dotted(path), "given twice", f"{name}:{line}"))
     return data, lines, problems
+
+
+def dotted(path: Path) -> str:
+    """A path as users write it: ``sand.parts[0].mean``."""
+    text = ""
+    for step in path:
+        text += f"[{step}]" if isinstance(step, int) else f".{step}" if text else step
+    return text
+
+
+def is_too_deep(data: Any) -> bool:
+    """Whether groups and lists lie more than ``MOST_LEVELS`` deep in one another."""
+    level = [data]
+    for _ in range(MOST_LEVELS + 1):
+        inner = [
+            one
+            for group in level
+            if isinstance(group, dict | list)
+            for one in (group.values() if isinstance(group, dict) else group)
+        ]
+        level = list({id(one): one for one in inner}.values())
+    return bool(level)
+
+
+def _tokens(text: str) -> Iterator[tuple[str, int]]:
+    """The tokens of a JSON text, each with its line."""
+    line, counted = 1, 0
+    for found in _TOKEN.finditer(text):
+        line += text.count("\n", counted, found.start())
+        counted = found.start()
+        yield found.group(), line
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,7 +92,11 @@ class SourceMap:
     name: str = ""
     lines: Mapping[Path, int] = field(default_factory=dict)
     given: AbstractSet[Path] = frozenset()
-    """Keys of the command line."""
+    """Keys that were given on the command line or as arguments."""
+    place_of_given: Callable[[Path], str] = dotted
+    """The place of a key that was given."""
+    notes: tuple[str, ...] = ()
+    """What was left out on reading."""
 
     def __eq__(self, other: object) -> bool:
         """Whether the other is a source map too."""
@@ -63,7 +107,7 @@ class SourceMap:
     def of(self, path: Path) -> str:
         """``file:line`` or ``command line``; empty if unknown."""
         if any(path[: len(g)] == g or (path and g[: len(path)] == path) for g in self.given):
-            return "command line"
+            return self.place_of_given(path)
         known = (self.lines[path[:n]] for n in range(len(path), 0, -1) if path[:n] in self.lines)
         line = next(known, 0)
         return f"{self.name}:{line}" if line else ""
@@ -81,14 +125,6 @@ class SourceMap:
 def path_of(key: str) -> Path:
     """The path that ``dotted`` wrote: ``sand.parts[0].mean``."""
     return tuple(int(index) if index else word for word, index in _STEP.findall(key))
-
-
-def dotted(path: Path) -> str:
-    """A path as users write it: ``sand.parts[0].mean``."""
-    text = ""
-    for step in path:
-        text += f"[{step}]" if isinstance(step, int) else f".{step}" if text else step
-    return text
 
 
 def _lines(tokens: list[tuple[str, int]]) -> tuple[dict[Path, int], list[tuple[Path, int]]]:

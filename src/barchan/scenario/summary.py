@@ -4,6 +4,7 @@ from html import escape
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from barchan.lattice import Lattice
     from barchan.scenario.definition import Scenario
 
 
@@ -14,6 +15,12 @@ def in_a_line(scenario: "Scenario") -> str:
     return f"{title}{rows['model']}, {rows['lattice']}, {rows['run']}"
 
 
+def field_size(lattice: "Lattice") -> str:
+    """Columns and rows of the field, cell size and slab height."""
+    cells = f"{lattice.columns} × {lattice.rows} cells of {lattice.cell_size:g} m"
+    return f"{cells}, slabs of {lattice.thickness:.3g} m"
+
+
 def summary(scenario: "Scenario") -> dict[str, str]:
     """The parts of a scenario, a few words each."""
     lattice, wind, seed = scenario.lattice, scenario.wind, scenario.run.seed
@@ -22,8 +29,7 @@ def summary(scenario: "Scenario") -> dict[str, str]:
     length = f"{scenario.run.steps} steps" + (f" of {seconds:.3g} s" if seconds is not None else "")
     return {
         "model": scenario.model.name,
-        "lattice": f"{lattice.rows} × {lattice.columns} cells of {lattice.cell_size:g} m, "
-        f"slabs of {lattice.thickness:.3g} m",
+        "lattice": field_size(lattice),
         "ground": scenario.ground.kind,
         "sand": scenario.sand.kind,
         "wind": f"{wind.kind} from {direction:g}°" if isinstance(direction, float) else wind.kind,

@@ -27,6 +27,10 @@ class Change(Parameters):
         """Make the change; raises BarchanError, and leaves the simulation as it was, where that cannot be."""
         raise NotImplementedError
 
+    def summary(self) -> str:
+        """The change in few words."""
+        raise NotImplementedError
+
     def amend(self, scenario: dict[str, Any]) -> None:
         """Write the change into a scenario's data, in place; changes of the bed leave the scenario alone."""
 

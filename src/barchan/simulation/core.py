@@ -17,8 +17,10 @@ from barchan.scenario.summary import html_table, summary
 from barchan.simulation.events import AnyEvent, Record
 from barchan.simulation.frame import Frame
 from barchan.simulation.ledger import Ledger
+from barchan.simulation.memory import refuse_too_large
+from barchan.simulation.progress import progress
 from barchan.simulation.state import State
-from barchan.simulation.stop import stop_conditions
+from barchan.simulation.stop import StopConditions
 from barchan.streams import Stream
 from barchan.wind import Segment, Wind
 
@@ -38,6 +40,7 @@ class Simulation:
         """Build the bed of a scenario; without a seed one is drawn, see ``simulation.scenario``."""
         self._set_up(scenario.seeded())
         scene = self.scenario
+        refuse_too_large(scene)
         with scene.source_map.locating_errors():
             self.forcing.wind_of(0)
             self.bed = scene.first_bed()
@@ -56,30 +59,17 @@ class Simulation:
         self.finished: str | None = None
         self.tally = Tally()
         self.events: list[Record] = []
-        self.stop_conditions = stop_conditions(scenario)
+        self.stop_conditions = StopConditions(scenario)
         self._framed = -1
+        self._broken_off = False
 
     def __repr__(self) -> str:
         named = f" of '{self.scenario.title}'" if self.scenario.title else ""
-        return f"<Simulation{named}: {', '.join(self._progress().values())}>"
+        return f"<Simulation{named}: {', '.join(progress(self).values())}>"
 
     def _repr_html_(self) -> str:
-        rows = {**summary(self.scenario), **self._progress()}
+        rows = {**summary(self.scenario), **progress(self)}
         return html_table(self.scenario.title or "Simulation", rows)
-
-    def _progress(self) -> dict[str, str]:
-        """The model, how far the run is, and the bed, in few words."""
-        bed = self.bed
-        amounts = ", ".join(
-            f"{bed.arrays[layer.name].sum()} {layer.unit} of {layer.name}" for layer in bed.layers
-        )
-        relief = f"elevation {self.elevation.min():.3g} to {self.elevation.max():.3g} m"
-        ended = "" if self.finished is None else f" ({self.finished})"
-        return {
-            "model": self.model.name,
-            "step": f"step {self.steps_done} of {self.scenario.run.steps}{ended}",
-            "bed": f"{amounts}, {relief}",
-        }
 
     @property
     def lattice(self) -> Lattice:
@@ -115,19 +105,38 @@ class Simulation:
         return self.bed.elevation
 
     def advance(self, steps: int = 1) -> Tally:
-        """Do ``steps`` steps, fewer where a condition of ``run.until`` ends the run; returns their tally."""
+        """Do ``steps`` steps, fewer where a condition of ``run.until`` ends the run; returns their tally.
+
+        KeyboardInterrupt may break a step off, also a long one. Its bed is half done then, and the simulation
+        cannot go on: a later call, or ``state``, raises BarchanError.
+        """
+        self._refuse_half_done()
+        try:
+            return self._advance(steps)
+        except KeyboardInterrupt:
+            self._broken_off = True
+            raise
+
+    def _refuse_half_done(self) -> None:
+        if self._broken_off:
+            raise BarchanError(
+                f"a step after step {self.steps_done} was broken off and its bed is half done; go on from an "
+                "earlier state, or from the checkpoint of its archive"
+            )
+
+    def _advance(self, steps: int) -> Tally:
         total = Tally()
         end = self.steps_done + steps
         while self.steps_done < end and self.finished is None:
-            looks = [c.every - self.steps_done % c.every for c in self.stop_conditions.values()]
+            count = self.stop_conditions.steps_to_next(self.steps_done, end - self.steps_done)
             since = Tally()
-            for segments in self.forcing.segments(self.steps_done, min([end - self.steps_done, *looks])):
+            for segments in self.forcing.segments(self.steps_done, count):
                 since.add(self._blow(segments))
                 if since.finished is not None:
                     break
             self.steps_done += since.steps
             total.add(since)
-            self._check_ends(since)
+            self.finished = since.finished or self.stop_conditions.check(self, since)
         self._book(total)
         return total
 
@@ -142,18 +151,12 @@ class Simulation:
                 break
         return replace(total, steps=1)
 
-    def _check_ends(self, tally: Tally) -> None:
-        """Find out whether the model, or else a stop condition, ends the run after some steps."""
-        self.finished = tally.finished
-        for condition in self.stop_conditions.values():
-            if self.finished is None and self.steps_done % condition.every == 0:
-                self.finished = condition.check(self, tally)
-
     def _book(self, tally: Tally) -> None:
         self.tally.add(tally)
         self.ledger.entered += tally.entered
         self.ledger.left += tally.left
         self.ledger.airborne = tally.airborne
+        self.bed.check()
         self.ledger.check(self.bed)
 
     @property
@@ -219,10 +222,18 @@ class Simulation:
         model: dict[str, Any] = self.model.parameters.model_dump(mode="json")
         return {**self.scenario.data(), "model": model, "wind": self.wind.model_dump(mode="json")}
 
+    @property
+    def scenario_in_force(self) -> Scenario:
+        """The scenario with the parameters and the wind that events have changed."""
+        return validate(self.current_data(), "run")
+
     def state(self) -> State:
         """Everything it takes to go on from here with the same bits."""
+        self._refuse_half_done()
         arrays = {f"bed/{name}": array.copy() for name, array in self.bed.arrays.items()}
         arrays |= {f"model/{name}": np.asarray(value) for name, value in self.model.state().items()}
+        conditions, seen = self.stop_conditions.state()
+        arrays |= {f"stop/{name}": array for name, array in seen.items()}
         now = self.current_data()
         data: dict[str, Any] = {
             "scenario": self.scenario.data(),
@@ -234,12 +245,8 @@ class Simulation:
             "ledger": asdict(self.ledger),
             "tally": asdict(self.tally),
             "events": [record.data() for record in self.events],
-            "stop_conditions": {},
+            "stop_conditions": conditions,
         }
-        for name, condition in self.stop_conditions.items():
-            seen = condition.state()
-            data["stop_conditions"][name] = {k: v for k, v in seen.items() if not isinstance(v, np.ndarray)}
-            arrays |= {f"stop/{name}/{k}": v for k, v in seen.items() if isinstance(v, np.ndarray)}
         return State(data, arrays)
 
     @classmethod
@@ -264,7 +271,6 @@ class Simulation:
         simulation.ledger = Ledger(**data["ledger"])
         simulation.tally = Tally(**data["tally"])
         simulation.events = [Record.from_data(record) for record in data["events"]]
-        for name, condition in simulation.stop_conditions.items():
-            condition.restore({**data["stop_conditions"][name], **state.group(f"stop/{name}/")})
+        simulation.stop_conditions.restore(data["stop_conditions"], state.group("stop/"))
         simulation.ledger.check(bed)
         return simulation

@@ -3,16 +3,18 @@
 Scenario plus events gives the same bits again.
 """
 
+import json
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Annotated, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Any, Literal, get_args
 
-from pydantic import Field, TypeAdapter, ValidationError, field_validator
+from pydantic import Field, TypeAdapter, ValidationError, field_validator, model_validator
 
 from barchan.errors import Problem, ScenarioError
 from barchan.parameters import declarations, parameter
 from barchan.scenario import Scenario, nearest, validate
-from barchan.scenario.migrations import current_key, current_value
+from barchan.scenario.definition import without_empty_notes
+from barchan.scenario.migrations import current_key, current_value, current_wind
 from barchan.simulation.change import Change, wrong
 from barchan.simulation.strokes import PlantStroke, RockStroke, Stroke
 from barchan.wind import Wind
@@ -28,6 +30,16 @@ class SetParameter(Change):
     key: str = parameter(unit="-", meaning="The parameter, for instance model.hop_length.")
     value: Any = parameter(unit="-", meaning="Its value from now on.")
 
+    @model_validator(mode="before")
+    @classmethod
+    def _called_as_now(cls, data: Any) -> Any:
+        """A key of an earlier format is the one that it stands for now."""
+        key = data.get("key") if isinstance(data, dict) else None
+        if not isinstance(key, str) or current_key(key) == key:
+            return data
+        now = current_key(key)
+        return {**data, "key": now, "value": current_value(now, data.get("value"))}
+
     def apply(self, simulation: "Simulation") -> None:
         """Give the model its new parameters; where they change which slopes stand, the bed settles."""
         model = simulation.model
@@ -39,6 +51,10 @@ class SetParameter(Change):
         model.change(_amended(simulation, self).model)
         if model.slope_rules() != rules:
             model.relax(simulation.bed)
+
+    def summary(self) -> str:
+        """Key and value."""
+        return f"{self.key} {json.dumps(self.value, ensure_ascii=False)}"
 
     def amend(self, scenario: dict[str, Any]) -> None:
         """Set the value at its key."""
@@ -67,6 +83,10 @@ class SetWind(Change):
         replace(simulation.forcing, wind=wanted).wind_of(simulation.steps_done)
         simulation.wind = wanted
 
+    def summary(self) -> str:
+        """The wind in few words."""
+        return f"wind {self.wind.summary()}"
+
     def amend(self, scenario: dict[str, Any]) -> None:
         """Replace the wind."""
         scenario["wind"] = self.wind.model_dump(mode="json")
@@ -86,17 +106,22 @@ class Record:
     step: int
     event: AnyEvent
 
+    def __str__(self) -> str:
+        return f"at step {self.step}: {self.event.summary()}"
+
     def data(self) -> dict[str, Any]:
         """The record as plain data."""
-        return {"step": self.step, **self.event.model_dump(mode="json", exclude_none=True)}
+        data = without_empty_notes(self.event.model_dump(mode="json"))
+        return {"step": self.step, **data}
 
     @classmethod
     def from_data(cls, data: dict[str, Any]) -> "Record":
         """The record that ``data`` holds."""
         data = dict(data)
-        if data.get("kind") == "set" and current_key(data["key"]) != data["key"]:
-            data["key"] = current_key(data["key"])
-            data["value"] = current_value(data["key"], data["value"])
+        if data.get("kind") == "set":
+            data.setdefault("value", None)  # earlier journals left out a null
+        if data.get("kind") == "wind":
+            data["wind"] = current_wind(data["wind"])
         return cls(data.pop("step"), event_from(data))
 
 
@@ -114,8 +139,15 @@ def event_from(data: Any) -> AnyEvent:
     try:
         event: AnyEvent = _EVENTS.validate_python(data)
     except ValidationError as error:
-        raise wrong(error, Change, data) from None
+        raise wrong(error, _kind_of(data), data) from None
     return event
+
+
+def _kind_of(data: Any) -> type[Change]:
+    """The class of event that plain data mean to be."""
+    kinds = {kind.model_fields["kind"].default: kind for kind in get_args(AnyEvent)}
+    name = data.get("kind") if isinstance(data, dict) else None
+    return kinds.get(name, Change) if isinstance(name, str) else Change
 
 
 def _amended(simulation: "Simulation", change: Change) -> Scenario:

@@ -31,6 +31,14 @@ class BrushStroke(Change):
     radius: float = parameter(unit="m", gt=0, meaning="Radius of the patch.")
     falloff: Falloff = parameter("smooth", unit="-", meaning="How the amount falls towards the rim.")
 
+    def painted(self) -> str:
+        """What is painted, and how much of it."""
+        raise NotImplementedError
+
+    def summary(self) -> str:
+        """What is painted, how much, and where."""
+        return f"{self.painted()} within {self.radius:g} m of x {self.x:g} m, y {self.y:g} m"
+
     def strength(self, lattice: Lattice) -> NDArray[np.float64]:
         """Strength of the brush on each cell, from 0 to 1 at the centre."""
         return brush(lattice, self.x, self.y, self.radius, self.falloff)
@@ -70,6 +78,10 @@ class Stroke(BrushStroke):
         meaning="Slabs at the centre; negative to take away.",
     )
 
+    def painted(self) -> str:
+        """What is painted, and how much of it."""
+        return f"sand {self.amount:+d} slabs"
+
     def change(self, bed: Bed, model: Model) -> NDArray:  # noqa: ARG002
         """Units added to each cell; no more are taken than lie there."""
         return brushed(bed, self.strength(bed.lattice), self.amount)
@@ -101,6 +113,10 @@ class RockStroke(BrushStroke):
         meaning="Height at the centre; negative to lower, to the lowest ground at most.",
     )
 
+    def painted(self) -> str:
+        """What is painted, and how much of it."""
+        return f"ground {self.amount:+d} slabs"
+
     def change(self, bed: Bed, model: Model) -> NDArray:  # noqa: ARG002
         """Rise of the ground on each cell (m), in whole slabs, never below the lowest ground."""
         return raised(bed, self.strength(bed.lattice), self.amount)
@@ -131,6 +147,10 @@ class PlantStroke(BrushStroke):
         le=MOST_PLANTS,
         meaning="Change at the centre; negative to thin, to none at most.",
     )
+
+    def painted(self) -> str:
+        """What is painted, and how much of it."""
+        return f"{self.field} {self.amount:+g}"
 
     def change(self, bed: Bed, model: Model) -> NDArray:
         """Change of the field on each cell, within its bounds."""

@@ -2,6 +2,8 @@
 
 from dataclasses import dataclass
 
+from barchan.checked import finite
+
 
 @dataclass(frozen=True)
 class HopRule:
@@ -14,6 +16,11 @@ class HopRule:
     whole: bool
     every_hop: bool
 
+    def __post_init__(self) -> None:
+        """Refuse growth that is no number."""
+        finite(self.linear, "linear growth of hops")
+        finite(self.quadratic, "quadratic growth of hops")
+
 
 @dataclass(frozen=True)
 class ErosionChance:
@@ -21,6 +28,11 @@ class ErosionChance:
 
     factor: float = 1.0
     offset: float = 0.0
+
+    def __post_init__(self) -> None:
+        """Refuse chances that are no numbers."""
+        finite(self.factor, "factor of the chance of erosion")
+        finite(self.offset, "offset of the chance of erosion")
 
 
 @dataclass(frozen=True)

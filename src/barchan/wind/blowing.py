@@ -3,15 +3,28 @@
 from typing import Any, Literal, Self
 
 import numpy as np
-from pydantic import Field, model_validator
+from pydantic import Field, ValidationError, model_validator
 
-from barchan.parameters import parameter
+from barchan.parameters import mistake, parameter
 from barchan.wind.gusts import Gusts, normal
 from barchan.wind.interval import StepClock, WindInterval
 from barchan.wind.weather import Weather, WithWeather
 
 SPEED: dict[str, Any] = {"unit": "cells or m/s", "ge": 0, "le": 100_000}
 """Declaration shared by all speeds."""
+
+
+FASTEST = 100.0
+"""Speed (m/s) that no mean wind over sand or snow exceeds: the fastest gust known was 113 m/s
+(World Meteorological Organization 2010)."""
+
+
+def too_fast(speed: float) -> str:
+    """What is wrong with a speed (m/s) above ``FASTEST``."""
+    return (
+        f"is {speed:g} m/s, faster than any wind; allowed: up to {FASTEST:g} m/s. Is it in another unit: "
+        'cm/s, or a hop length ("unit": "cells")?'
+    )
 
 
 class Blowing(WithWeather):
@@ -57,6 +70,19 @@ class Blowing(WithWeather):
         if self.gusts is not None and self.unit != "m/s":
             raise ValueError("gusts are given, but the speed is not; allowed: gusts of a speed in m/s")
         return self
+
+    @model_validator(mode="after")
+    def _not_faster_than_any_wind(self) -> Self:
+        found = [
+            mistake((key,), too_fast(speed)) for key, speed in self.speeds_in_metres() if speed > FASTEST
+        ]
+        if found:
+            raise ValidationError.from_exception_data(type(self).__name__, found)
+        return self
+
+    def speeds_in_metres(self) -> list[tuple[str, float]]:
+        """The mean speeds that are stated in m/s, and their keys."""
+        return [("speed", self.speed)] if self.unit == "m/s" and self.speed is not None else []
 
     @property
     def longest_hop(self) -> float | None:

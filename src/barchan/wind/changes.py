@@ -49,7 +49,7 @@ class Change:
 
     def range(self) -> tuple[float, float]:
         """Least and greatest value."""
-        values = [self.first + (self.last - self.first) * share for share in _shares(self.ramp)]
+        values = [self.first + (self.last - self.first) * share for share in self.ramp.extremes()]
         return min(values), max(values)
 
     def _piece(self, duration: float) -> int:

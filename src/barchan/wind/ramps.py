@@ -8,6 +8,9 @@ from pydantic import Field, model_validator
 
 from barchan.parameters import Parameters, parameter
 
+_SAMPLES = 64
+"""Parts of the duration at whose ends the extremes of a curve are sought."""
+
 _HALVINGS = 60
 """Number of halvings after which an interval vanishes in double precision."""
 
@@ -22,6 +25,11 @@ class Ramp(Parameters):
     def share(self, time: float) -> float:
         """Fraction of the change that is done after the fraction ``time`` of the duration."""
         raise NotImplementedError
+
+    def extremes(self) -> tuple[float, float]:
+        """The least and the greatest fraction of the change on the way."""
+        shares = [self.share(k / _SAMPLES) for k in range(_SAMPLES + 1)]
+        return min(shares), max(shares)
 
 
 class Linear(Ramp):
@@ -98,6 +106,11 @@ class Points(Ramp):
         times = [0.0, *(point.time for point in self.points), 1.0]
         values = [0.0, *(point.value for point in self.points), 1.0]
         return float(np.interp(time, times, values))
+
+    def extremes(self) -> tuple[float, float]:
+        """The least and the greatest value of its points, ends included."""
+        values = [0.0, *(point.value for point in self.points), 1.0]
+        return min(values), max(values)
 
 
 AnyRamp = Annotated[Linear | Bezier | Points, Field(discriminator="kind")]

@@ -58,7 +58,7 @@ class Regime(Blowing):
         source="Prague thesis, §5.3",
         **SPEED,
     )
-    course: AnyRamp = Field(
+    speed_ramp: AnyRamp = Field(
         default_factory=Linear, description="How the speed changes from the first to the last."
     )
 
@@ -68,7 +68,7 @@ class Regime(Blowing):
         source="Prague thesis, §5.12",
         **TEMPERATURE,
     )
-    temperature_course: AnyRamp = Field(
+    temperature_ramp: AnyRamp = Field(
         default_factory=Linear, description="How the temperature changes from the first to the last."
     )
     final_snowfall: float | None = parameter(
@@ -77,7 +77,7 @@ class Regime(Blowing):
         source="ours",
         **SNOWFALL,
     )
-    snowfall_course: AnyRamp = Field(
+    snowfall_ramp: AnyRamp = Field(
         default_factory=Linear, description="How the snowfall changes from the first to the last."
     )
 
@@ -91,6 +91,16 @@ class Regime(Blowing):
             if last is not None and getattr(self, name) is None:
                 raise ValueError(f"final_{name} {last} is given without {name}; give both")
         return self
+
+    def speeds_in_metres(self) -> list[tuple[str, float]]:
+        """The first and the last speed, and the highest on the way, where they are stated in m/s."""
+        found = super().speeds_in_metres()
+        if not found or self.final_speed is None or self.speed is None:
+            return found
+        rise = self.final_speed - self.speed
+        highest = max(self.speed + rise * share for share in self.speed_ramp.extremes())
+        ends = [*found, ("final_speed", self.final_speed)]
+        return ends if highest <= max(self.speed, self.final_speed) else [*ends, ("speed_ramp", highest)]
 
     @property
     def longest_hop(self) -> float | None:
@@ -115,7 +125,7 @@ class Regime(Blowing):
         """The mean speed after a share of the regime's duration; not below zero."""
         if self.speed is None or self.final_speed is None:
             return self.speed
-        return max(self.speed + (self.final_speed - self.speed) * self.course.share(time), 0.0)
+        return max(self.speed + (self.final_speed - self.speed) * self.speed_ramp.share(time), 0.0)
 
     @property
     def changes(self) -> bool:
@@ -126,11 +136,9 @@ class Regime(Blowing):
         """How temperature and snowfall change during the regime, where they do."""
         temperature = snowfall = None
         if self.temperature is not None and self.final_temperature is not None:
-            temperature = temperature_change(
-                self.temperature, self.final_temperature, self.temperature_course
-            )
+            temperature = temperature_change(self.temperature, self.final_temperature, self.temperature_ramp)
         if self.snowfall is not None and self.final_snowfall is not None:
-            snowfall = snowfall_change(self.snowfall, self.final_snowfall, self.snowfall_course)
+            snowfall = snowfall_change(self.snowfall, self.final_snowfall, self.snowfall_ramp)
         return temperature, snowfall
 
     def weather_at(self, over: float, clock: StepClock) -> Weather:
@@ -187,6 +195,14 @@ class Regimes(Parameters):
     def cycle(self, clock: StepClock) -> float:
         """How long all regimes blow together, in steps."""
         return math.fsum(regime.duration(clock) for regime in self.regimes)
+
+    def period(self, step: int, clock: StepClock) -> float:
+        """Steps after which the wind comes again: 0 if within a step or all are done, infinite if never."""
+        cycle = self.cycle(clock)
+        if self.repeat:
+            same = len(self.regimes) == 1 and not self.regimes[0].changes
+            return 0.0 if same or cycle < 1.0 else cycle
+        return 0.0 if step >= cycle else math.inf
 
     def lasts(self, step: int, clock: StepClock) -> int:
         """Number of steps from ``step`` on in which the wind stays the same."""

@@ -64,6 +64,13 @@ class SeriesWind(Parameters):
         row = int(np.searchsorted(edges, start, "right"))
         return max(int((edges[row] - start) / clock.seconds() + _ROUNDING), 1)
 
+    def period(self, _step: int, clock: StepClock) -> float:
+        """Steps after which the wind comes again: 0 if within a step, infinite if never."""
+        if not self.repeat:
+            return math.inf
+        cycle = float(self.series(clock.seed).ends[-1]) / clock.seconds()
+        return cycle if cycle >= 1.0 else 0.0
+
     def intervals(self, step: int, clock: StepClock) -> list[WindInterval]:
         """Intervals of a step, in order."""
         rows, record = self._rows(step, clock), self.series(clock.seed).record

@@ -49,7 +49,7 @@ class Course(Parameters):
         scale="log",
         meaning="Time in which it changes, where steps have a duration.",
     )
-    course: AnyRamp = Field(
+    ramp: AnyRamp = Field(
         default_factory=Linear, description="How it changes from the first value to the last."
     )
 
@@ -102,7 +102,7 @@ class TemperatureCourse(Course):
     @property
     def change(self) -> Change:
         """How the temperature changes."""
-        return temperature_change(self.first, self.first if self.last is None else self.last, self.course)
+        return temperature_change(self.first, self.first if self.last is None else self.last, self.ramp)
 
 
 class SnowfallCourse(Course):
@@ -121,7 +121,7 @@ class SnowfallCourse(Course):
     @property
     def change(self) -> Change:
         """How the snowfall changes."""
-        return snowfall_change(self.first, self.first if self.last is None else self.last, self.course)
+        return snowfall_change(self.first, self.first if self.last is None else self.last, self.ramp)
 
 
 class WeatherCourse(Parameters):

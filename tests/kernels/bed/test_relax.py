@@ -6,6 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from barchan.bed import Bed
+from barchan.kernels.bed import relax
 from barchan.lattice import Lattice
 from barchan.slabs.parameters import SlabParameters
 from tests.kernels.slabs.test_step import PlainSlabs
@@ -97,3 +98,40 @@ def test_only_what_a_change_upsets_slides():
     PlainSlabs(SlabParameters(), lattice).relax(bed, where)
     assert bed.sand[5, 5] < 9
     assert bed.sand[15, 15] == 9
+
+
+@pytest.mark.parametrize("boundary", ["periodic", "open"])
+@pytest.mark.parametrize("ground", [0.0, 3.0])
+def test_a_tower_of_sand_relaxes_in_work_that_does_not_grow_with_its_height(ground, boundary, monkeypatch):
+    """The work is the number of slides; a tower 64 times as high takes 64 times as many slabs to other cells.
+
+    Slab by slab it would take more than 64 times as many slides. Halving an excess takes log2(64) = 6 slides
+    more for each one of the low tower, where the sand spreads over the same cells: the whole field. Before
+    that each tower slides slab by slab, 256 slides for each cell.
+    """
+    lattice = Lattice(rows=15, columns=17, boundary_x=boundary, boundary_y=boundary)
+    rock = np.zeros(lattice.shape)
+    rock[3, 4] = ground
+    parameters = SlabParameters(neighbourhood="moore")
+
+    def relaxed(height):
+        sand = np.zeros(lattice.shape, np.int32)
+        sand[7, 8] = height
+        bed, slides = Bed(lattice, rock, sand), []
+
+        def counting(*arguments):
+            progress = some(*arguments)
+            slides.append(progress[2])
+            return progress
+
+        monkeypatch.setattr(relax, "_relax_some", counting)
+        PlainSlabs(parameters, lattice).relax(bed)
+        face, corner = steepest_steps(bed.sand + rock / lattice.thickness, *2 * [boundary == "periodic"])
+        assert bed.units == height
+        assert ground or (face <= parameters.face_limit(lattice))
+        assert ground or (corner <= parameters.corner_step_limit(lattice))
+        return slides[-1]
+
+    some = relax._relax_some
+    low, high = relaxed(10_000), relaxed(640_000)
+    assert high <= 7 * low

@@ -99,7 +99,7 @@ def test_looking_back_changes_nothing_of_the_run(scenario):
     assert np.array_equal(run.live.bed.sand, before)
 
 
-def test_a_run_that_comes_to_rest_tells_why_and_stops():
+def test_a_run_that_comes_to_rest_states_why_and_stops():
     run = started(small(sand={"mean": 0}, run={"steps": 100, "seed": 1, "until": {"idle_steps": 5}}))
     run_to(run, 50)
     assert not run.busy
@@ -134,5 +134,8 @@ def test_measures_grow_with_the_run(scenario):
     rows = run.measures.unsent()
     assert rows[0]["step"] == 0
     assert rows[-1]["step"] == 30
-    assert rows[-1]["highest_stack"] == run.live.bed.sand.max()
+    assert rows[-1]["values"]["highest_stack"] == run.live.bed.sand.max()
+    assert rows[0]["values"]["speed"] is None
+    assert rows[0]["doubts"]["speed"] == "no earlier frame to compare with"
+    assert "highest_stack" not in rows[-1]["doubts"]
     assert run.measures.unsent() == []

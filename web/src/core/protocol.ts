@@ -44,9 +44,11 @@ export interface Measure {
   name: string;
   title: string;
   unit: string;
+  /** What an angle is counted from. */
+  reference: string;
 }
 
-/** Something that a brush paints: what a stroke says of it, and how strong it may be. */
+/** Something that a brush paints: the keys of its strokes, and how strong it may be. */
 export interface Brush {
   title: string;
   stroke: JsonObject;
@@ -62,7 +64,7 @@ export interface Description {
   lattice: Lattice;
   model: { name: string; title: string; citation: string };
   models: Record<string, string>;
-  /** What each model is made for, by its name: sand, for instance. */
+  /** The material that each model moves, by the model's name: sand, for instance. */
   materials: Record<string, string>;
   fields: Field[];
   layers: { field: string; title: string; colours: string }[];
@@ -73,14 +75,19 @@ export interface Description {
   repose: number | null;
   facts: Record<string, string>;
   remarks: string[];
-  /** The ways that the run went; the step where each began, and its last one. */
+  /** The branches of the run; the step where each began, and its last one. */
   branches: { number: number; began: number; step: number }[];
-  /** The number of the one that it is on. */
+  /** The number of the present branch. */
   branch: number;
   events: number;
 }
 
-export type Row = { step: number } & Record<string, number | null>;
+/** The measures after a step, by name, and why some of them should not be quoted. */
+export interface Row {
+  step: number;
+  values: Record<string, number | null>;
+  doubts: Record<string, string>;
+}
 
 export interface Problem {
   key: string;

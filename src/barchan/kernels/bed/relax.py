@@ -7,16 +7,30 @@ orders that alternate without a pattern, so that a heap does not lean.
 
 import numpy as np
 from numba import njit
+from numpy.typing import NDArray
 
 from barchan.kernels.bed.active_layer import slide
 from barchan.kernels.bed.grid import neighbour
 from barchan.kernels.bed.levels import move_level
 from barchan.kernels.bed.slopes import has_sand, steepest
-from barchan.kernels.bed.state import STABLE, Unstable
+from barchan.kernels.bed.state import STABLE, ActiveLayer, Grid, Repose, Stacks, unstable_cells
 from barchan.kernels.core.borrow import borrowed
 from barchan.kernels.core.inlining import never_inline
 from barchan.kernels.core.internal import internal
+from barchan.kernels.core.progress import report
 from barchan.kernels.core.random import mix
+
+SINGLY = 256
+"""Slides for each cell of the field after which slabs slide together: more than any usual bed takes."""
+
+TOGETHER = 8
+"""Slabs by which a step is too high beyond which slabs slide together."""
+
+BATCH = 200_000
+"""Slides after which a signal is handled: some tenths of a second at most."""
+
+NO_END = 1 << 62
+"""Slides that no avalanche has."""
 
 CHECKED, MOVING = 1, 2
 """Why a cell waits to be looked at: a neighbour changed, or an avalanche moved its sand."""
@@ -43,33 +57,46 @@ def enqueue_about(unstable, row, col, first, at, length, grid):
 
 
 @internal(forceinline=True)
-def _move_slab(surface, sand, levels, cell, lower, slab):
-    """Move one slab of sand from a cell to a lower one."""
+def _move_slabs(surface, sand, levels, cell, lower, slab, count):
+    """Move slabs of sand from a cell to a lower one."""
     here, there = np.int64(surface[cell]), np.int64(surface[lower])
-    move_level(levels, here, here - slab)
-    move_level(levels, there, there + slab)
-    surface[cell] -= slab
-    surface[lower] += slab
+    move_level(levels, here, here - slab * count)
+    move_level(levels, there, there + slab * count)
+    surface[cell] -= slab * count
+    surface[lower] += slab * count
     if sand is not None:
-        sand[cell] -= 1
-        sand[lower] += 1
+        sand[cell] -= count
+        sand[lower] += count
+
+
+@internal(forceinline=True)
+def _sliding(surface, sand, cell, lower, limit, slab):
+    """Slabs that slide together: one, or half of what a high step has too many, as far as there is sand."""
+    excess = np.int64(surface[cell]) - np.int64(surface[lower]) - limit
+    if excess <= TOGETHER * slab:
+        return np.int64(1)
+    held = np.int64(surface[cell]) // slab if sand is None else np.int64(sand[cell])
+    return min(excess // (2 * slab), held)
 
 
 @internal()
-def relax_queue(stacks, orders, unstable, length, key, grid, repose, mixture):
-    """Let the first ``length`` cells of the queue slide, and all that they upset, until every slope stands.
+def relax_queue(stacks, orders, unstable, progress, most, key, grid, repose, mixture):
+    """Let the cells of the queue slide, and all that they upset, until every slope stands.
 
     Sand at rest slides where a step exceeds the static limit, moving sand comes to rest at the repose limit.
-    Slabs slide one at a time; ``orders`` are the orders in which neighbours are checked, one of which is
-    drawn by ``key`` each time. Sand of several sizes takes its ``mixture`` along (None: uniform). Returns
-    the number of slabs that slid.
+    Slabs slide one at a time, ``SINGLY`` times for each cell; then, from steps that are too high by more than
+    ``TOGETHER`` slabs, half of these at once, so that the work does not grow with the height of the sand.
+    ``orders`` are the orders in which neighbours are checked, one of which is drawn by ``key`` each time.
+    Sand of several sizes takes its ``mixture`` along (None: uniform). ``progress`` holds where the queue
+    begins, its length, the slides and the slabs that slid so far; returns them after ``most`` more slides, or
+    once the queue is empty.
     """
     never_inline()
     stacks, orders, unstable, mixture = borrowed((stacks, orders, unstable, mixture))
-    at = 0
-    moves = 0
+    at, length, slides, slid = progress
+    end, singly = slides + most, SINGLY * unstable.waiting.size
     last_order = np.uint64(orders.shape[0] - 1)
-    while length > 0:
+    while length > 0 and slides < end:
         cell = unstable.queue[at]
         at = at + 1 if at + 1 < unstable.queue.size else 0
         length -= 1
@@ -79,34 +106,61 @@ def relax_queue(stacks, orders, unstable, length, key, grid, repose, mixture):
             continue
         row = cell // grid.cols
         col = cell % grid.cols
-        order = np.int64(mix(key + np.uint64(moves)) & last_order)
+        order = np.int64(mix(key + np.uint64(slides)) & last_order)
         here = np.int64(stacks.surface[cell])
         direction = steepest(stacks, orders, order, row, col, here, -1, at_rest, grid, repose)
         if direction == STABLE:
             continue
         r, c = neighbour(row, col, direction, grid)
         lower = r * grid.cols + c
-        _move_slab(stacks.surface, stacks.sand, stacks.levels, cell, lower, repose.slab)
-        slide(mixture, cell, lower, 1)
-        moves += 1
+        limit = repose.face_limit if direction < 4 else repose.corner_limit
+        count = np.int64(1)
+        if slides >= singly:
+            count = _sliding(stacks.surface, stacks.sand, cell, lower, limit, repose.slab)
+        _move_slabs(stacks.surface, stacks.sand, stacks.levels, cell, lower, repose.slab, count)
+        slide(mixture, cell, lower, count)
+        slides += 1
+        slid += count
         length = enqueue(unstable, lower, MOVING, at, length)
         length = enqueue_about(unstable, row, col, order, at, length, grid)
         length = enqueue(unstable, cell, MOVING, at, length)
-    return moves
+    return at, length, slides, slid
 
 
-@njit(cache=True)
-def relax_field(stacks, where, orders, grid, repose, mixture):
-    """Let slopes that are too steep slide until all stand; returns the number of slabs that slid.
-
-    Starts at the cells ``where`` (bool, flat) something changed and their neighbours and goes on wherever
-    sand moves. Changes the stacks in place.
-    """
-    cells = grid.rows * grid.cols
-    unstable = Unstable(np.zeros(cells, np.int64), np.zeros(cells, np.uint8))
+@njit(cache=True, nogil=True)
+def _enqueue_all(unstable, where, grid):
+    """Put the cells ``where`` (bool, flat) something changed and neighbours on the queue; its length."""
     length = 0
-    for cell in range(cells):
+    for cell in range(where.size):
         if where[cell]:
             length = enqueue(unstable, cell, CHECKED, 0, length)
             length = enqueue_about(unstable, cell // grid.cols, cell % grid.cols, 0, 0, length, grid)
-    return relax_queue(stacks, orders, unstable, length, np.uint64(0), grid, repose, mixture)
+    return length
+
+
+@njit(cache=True, nogil=True)
+def _relax_some(stacks, orders, unstable, progress, grid, repose, mixture):
+    key = np.uint64(0)
+    return relax_queue(stacks, orders, unstable, progress, BATCH, key, grid, repose, mixture)
+
+
+def relax_field(
+    stacks: Stacks,
+    where: NDArray[np.bool_],
+    orders: NDArray[np.int64],
+    grid: Grid,
+    repose: Repose,
+    mixture: ActiveLayer | None,
+) -> int:
+    """Let slopes that are too steep slide until all stand; returns the number of slabs that slid.
+
+    Starts at the cells ``where`` (bool, flat) something changed and their neighbours and goes on wherever
+    sand moves. Changes the stacks in place. After each batch of slides a signal can be handled, and whoever
+    listens (``progress``) is told of the slabs that slid and the cells whose slopes have still to be checked.
+    """
+    unstable = unstable_cells(grid.rows * grid.cols)
+    progress = 0, _enqueue_all(unstable, where, grid), 0, 0
+    while progress[1] > 0:
+        progress = _relax_some(stacks, orders, unstable, progress, grid, repose, mixture)
+        report(f"slopes relax: {progress[3]:,} slabs have slid, {progress[1]:,} cells still to be checked")
+    return int(progress[3])

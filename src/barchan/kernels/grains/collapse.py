@@ -4,7 +4,7 @@ import numpy as np
 from numba import njit
 
 from barchan.kernels.bed.grid import neighbour
-from barchan.kernels.bed.relax import CHECKED, enqueue, enqueue_about, relax_queue
+from barchan.kernels.bed.relax import CHECKED, NO_END, enqueue, enqueue_about, relax_queue
 from barchan.kernels.bed.state import Stacks
 from barchan.kernels.core.borrow import borrowed
 from barchan.kernels.grains.surface import renew_mesh
@@ -45,7 +45,8 @@ def _find_steep(level, rows, cols, repose, grid, steep):
 def _relax(ground, slopes, key, length):
     stacks, layer = Stacks(ground.level, ground.sand, None, None), ground.active_layer
     grid, repose, orders, unstable = ground.grid, slopes.repose, slopes.orders, slopes.unstable
-    slid = relax_queue(stacks, orders, unstable, length, key, grid, repose, layer)
+    progress = relax_queue(stacks, orders, unstable, (0, length, 0, 0), NO_END, key, grid, repose, layer)
+    slid = progress[3]
     if slid > 0:
         renew_surface(ground)
     return slid

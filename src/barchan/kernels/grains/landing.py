@@ -16,21 +16,29 @@ from barchan.kernels.grains.surface import height_at, surface_at
 
 _ZERO = np.float32(0.0)
 
+_FARTHEST = np.float32(2.0**30)
+"""Distance (cells) in a time step beyond which laps round a field are not counted: the grain is gone."""
+
 
 @njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
 def _over_edge(slot, place, wraps, size, wrap, grains):
-    """Bring a coordinate that left the field in again from the other side, or take the grain out."""
+    """Bring a coordinate that left the field in again from the other side, or take the grain out.
+
+    A time step may carry a grain over more than one width of a narrow field.
+    """
     end = np.float32(size)
     p = place[slot]
-    if wrap:
-        if p < _ZERO:
-            p += end
-            wraps[slot] -= 1
-        if p >= end:
-            p -= end
-            wraps[slot] += 1
-    elif p < _ZERO or p >= end:
+    if p >= _ZERO and p < end:
+        return
+    if not wrap or not abs(p) < _FARTHEST:
         grains.status[slot] = GONE
+        return
+    laps = np.int64(np.floor(np.float64(p) / size))
+    p -= np.float32(laps * size)
+    wraps[slot] += np.int32(laps)
+    if p >= end:  # a tiny negative number, rounded
+        p -= end
+        wraps[slot] += 1
     place[slot] = p
 
 

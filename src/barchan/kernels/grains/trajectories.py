@@ -8,8 +8,11 @@ from barchan.kernels.grains.collapse import settle_about
 from barchan.kernels.grains.entrainment import entrain
 from barchan.kernels.grains.exchange import exchange
 from barchan.kernels.grains.landing import fly
-from barchan.kernels.grains.state import FLOWN, FLYING, NOWHERE
+from barchan.kernels.grains.state import FLOWN, FLYING, NOWHERE, SUNK
 from barchan.kernels.grains.surface import renew_stale
+
+LONGEST_FLIGHT = 1_000_000
+"""Time steps after which a grain of a single trajectory is put down where it is."""
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
@@ -26,21 +29,27 @@ def _fly_one(key, scene):
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
-def trajectories(count, key, scene, lifting, slopes):
-    """``count`` complete trajectories, one after the other, in the first slot; the bed relaxes after each.
+def trajectories(first, count, key, scene, lifting, slopes):
+    """``count`` complete trajectories, one after the other, from number ``first`` on; then the bed relaxes.
 
+    All fly in the first slot; a grain that does not land for ``LONGEST_FLIGHT`` time steps is put down.
     ``lifting`` is the entrainment that starts a trajectory; that of the scene's rules has no chance.
     """
     landings, counts, ground = scene.landings, scene.counts, scene.ground
-    for number in range(count):
+    for number in range(first, first + count):
         start = derive(key, number)
         source = entrain(0, start, scene.grains, ground, lifting)
         if source == NOWHERE:
             continue
         landings.slot[0], landings.deposit_cell[0], landings.lift_cell[0] = 0, NOWHERE, source
         _exchange_one(scene)
+        aloft = 0
         while scene.grains.status[0] == FLYING:
             counts[FLOWN] += 1
+            aloft += 1
+            if aloft > LONGEST_FLIGHT:
+                scene.grains.z[0] = SUNK
+                scene.grains.bounces[0] = max(scene.grains.bounces[0], scene.rules.bounce.most)
             if _fly_one(start, scene):
                 _exchange_one(scene)
         end = landings.deposit_cell[0] if landings.deposit_cell[0] >= 0 else source

@@ -17,6 +17,9 @@ from barchan.kernels.slabs.state import CELL, MOBILE
 _ALL = 1 << 32
 """A chance of one."""
 
+_LOOK = (1 << 12) - 1
+"""Hops of a slab after which it is asked whether the work is to be broken off, less one."""
+
 
 @internal(forceinline=True)
 def first_hop(speedup, levels, wind, height):
@@ -128,4 +131,6 @@ def carry(stacks, rules, heights, row, col, hop_along, hop_across, state, peak):
             rules.speedup, stacks.levels, wind, here, hop_along, hop_across, stays
         )
         ends = stays | (hops == wind.max_hops)
+        if hops & _LOOK == 0:
+            ends |= rules.interruption[0] != 0
     return row, col, state, True, stays, travel_along, travel_across

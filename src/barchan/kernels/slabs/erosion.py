@@ -81,6 +81,8 @@ def find_eroding_cell(stacks, rules, heights, band, row, col, state, peak):
             if col == grid.cols:
                 col = 0
                 row = row + 1 if row + 1 < grid.rows else 0
+                if rules.interruption[0] != 0:
+                    break
         erodes, state = may_erode(stacks, rules, heights, row, col, state, peak)
         if erodes:
             return row, col, state

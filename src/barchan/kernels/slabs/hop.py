@@ -13,14 +13,18 @@ from barchan.kernels.core.internal import internal
 def wrapped(place, size, wrap):
     """A fixed-point position brought back into the field, or -1 where it has left."""
     length = size << 32
-    while place >= length:
+    if place >= length:
         if not wrap:
             return -1
         place -= length
-    while place < 0:
+        if place >= length:  # hops longer than the field go round it
+            place %= length
+    if place < 0:
         if not wrap:
             return -1
         place += length
+        if place < 0:
+            place %= length
     return place
 
 

@@ -7,6 +7,7 @@ spread evenly over the hop's length within the field, as they are on a bed that 
 import numpy as np
 from numba import njit
 
+from barchan.kernels.bed.levels import measure_levels
 from barchan.kernels.bed.slopes import has_sand
 from barchan.kernels.core.borrow import borrowed
 from barchan.kernels.core.random import derive, draw, high, mix
@@ -81,7 +82,7 @@ def _first_landing(edge, cell, state, rules):
     return along, wrapped(across, grid.rows, False)
 
 
-@njit(cache=True)
+@njit(cache=True, nogil=True)
 def let_enter(stacks, rules, work, influx, key, tally):
     """Let a step's slabs enter, cell by cell along the upwind edges; counts are added to ``tally``.
 
@@ -90,9 +91,12 @@ def let_enter(stacks, rules, work, influx, key, tally):
     """
     stacks, rules, work, influx = borrowed((stacks, rules, work, influx))
     peak = np.int64(stacks.surface.max())
+    measure_levels(stacks.surface, stacks.levels)
     for edge in range(2):
         means = influx.along if edge == _ALONG else influx.across
         for cell in range(means.size):
+            if rules.interruption[0] != 0:
+                return
             start = derive(derive(key, edge), cell)
             count = np.int64(means[cell] + draw(start, 1))
             for number in range(count):

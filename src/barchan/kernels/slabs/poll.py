@@ -8,7 +8,7 @@ an argument of its own, so functions take an optional rule first. All work is do
 import numpy as np
 
 from barchan.kernels.bed.levels import move_level
-from barchan.kernels.bed.relax import CHECKED, enqueue, enqueue_about, relax_queue
+from barchan.kernels.bed.relax import CHECKED, NO_END, enqueue, enqueue_about, relax_queue
 from barchan.kernels.bed.slopes import next_on_slope, steepest
 from barchan.kernels.bed.state import DOWNSLOPE, STABLE, UPSLOPE
 from barchan.kernels.core.borrow import borrowed
@@ -37,7 +37,7 @@ def _relax_about(stacks, orders, unstable, row, col, key, grid, repose):
     never_inline()
     length = enqueue(unstable, row * grid.cols + col, CHECKED, 0, 0)
     length = enqueue_about(unstable, row, col, 0, 0, length, grid)
-    relax_queue(stacks, orders, unstable, length, key, grid, repose, None)
+    relax_queue(stacks, orders, unstable, (0, length, 0, 0), NO_END, key, grid, repose, None)
 
 
 @internal(forceinline=True)

@@ -118,6 +118,8 @@ class SlabRules(NamedTuple):
     """Neighbour orders for slabs that slide: rows ``DOWNSLOPE``, ``UPSLOPE`` and ``SHUFFLED`` (scratch)."""
     relaxation_orders: NDArray[np.int64]
     """Neighbour orders of avalanches that go on until every slope stands."""
+    interruption: NDArray[np.int64]
+    """One number, looked at from time to time: other than 0, the work is to be broken off."""
 
 
 BLOCK = 256

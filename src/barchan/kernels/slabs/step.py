@@ -59,7 +59,7 @@ def _run_round(stacks, rules, work, schedule, part, tally):
             else:
                 draw_cells(polls, poll, n, band, grid.cols, part.poll_key)
             peak = run_polls(stacks, rules, work, band, n, redraw, part.target, peak, tally)
-            if tally[MOVED] == part.target or tally[EXHAUSTED] > exhausted:
+            if tally[MOVED] == part.target or tally[EXHAUSTED] > exhausted or rules.interruption[0] != 0:
                 return
             poll += n
             at += n
@@ -78,7 +78,7 @@ def _walk(stacks, rules, work, schedule, step_key, first, count, tally):
         part = Round(number, 0, cells, derive(poll_key, number), poll_key, target)
         _run_round(stacks, rules, work, schedule, part, tally)
         number += 1
-        going = tally[MOVED] < target and tally[MOVED] > moved
+        going = tally[MOVED] < target and tally[MOVED] > moved and rules.interruption[0] == 0
         if tally[MOVED] == moved:
             tally[EXHAUSTED] += 1
 
@@ -96,17 +96,20 @@ def _run_rounds(stacks, rules, work, schedule, step_key, first, count, tally):
         key = derive(derive(step_key, 3), number)
         _run_round(stacks, rules, work, schedule, Round(number, start, stop, key, poll_key, -1), tally)
         number += 1
-        going = number * cells < first + count
+        going = number * cells < first + count and rules.interruption[0] == 0
 
 
-@njit(cache=True)
+@njit(cache=True, nogil=True)
 def run_steps(stacks, rules, work, schedule, key, step, steps, first, count, tally):
     """Run the polls ``first`` to ``first + count`` of each of ``steps`` steps from ``step`` on.
 
     The stacks are changed in place; their surface has room for ``SIMD_WIDTH`` numbers before it. ``key`` is
-    the random stream's. Moved slabs, travel and the rest are added to ``tally``.
+    the random stream's. Moved slabs, travel and the rest are added to ``tally``. Work that is broken off
+    leaves stacks and tally as they happen to be.
     """
     for s in range(steps):
+        if rules.interruption[0] != 0:
+            return
         step_key = derive(key, step + s)
         measure_levels(stacks.surface, stacks.levels)
         if not schedule.each_once:

@@ -5,10 +5,11 @@ from typing import Any
 
 from barchan.archive.folder import CHECKPOINT, SCENARIO
 from barchan.errors import BarchanError, Problem, ScenarioError
+from barchan.ground.reading import READERS
 from barchan.studio.server.security import is_plain_name
 
 UPLOADS = "studio-uploads"
-KINDS = (".png", ".npy", ".tif", ".tiff", ".csv", ".nc")
+KINDS = (*READERS, ".csv")
 """Files that can be ground or a wind record: data, never programs."""
 
 
@@ -52,7 +53,7 @@ class Workspace:
         return path
 
     def run(self, name: str) -> Path:
-        """The folder of the run of that name; raises BarchanError for what is no plain name."""
+        """The folder of the run of that name; raises BarchanError for any other than a plain name."""
         if not is_plain_name(name):
             raise BarchanError(f"'{name}' cannot be a run's name; allowed: letters, digits, dots, dashes")
         return self.folder / name

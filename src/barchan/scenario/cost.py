@@ -1,0 +1,58 @@
+"""How long a scenario is expected to take, estimated before it runs."""
+
+import math
+from typing import TYPE_CHECKING
+
+from barchan.wind.segment import Segment
+
+if TYPE_CHECKING:
+    from barchan.scenario.definition import Scenario
+
+_SAMPLES = 100
+"""Steps of the forcing that stand for all, where the wind changes."""
+
+_SECOND, _MINUTE, _HOUR, _DAY = 1, 60, 3600, 86400
+
+_UNITS = ((_DAY, "days"), (_HOUR, "hours"), (_MINUTE, "minutes"), (_SECOND, "seconds"))
+
+
+def expected_work(scenario: "Scenario") -> float:
+    """Work of the whole run, in the model's ``work_unit``.
+
+    Each of up to 100 steps stands for an equal part of the run; where in its part it lies differs, so that
+    winds that come and go periodically are not met at one phase only.
+    """
+    model, steps = scenario.new_model(), scenario.run.steps
+    work = sum(map(model.expected_work, sampled_segments(scenario)))
+    return work * max(steps / _SAMPLES, 1.0)
+
+
+def sampled_segments(scenario: "Scenario") -> list[Segment]:
+    """The winds of up to 100 steps, one of each equal part of the run."""
+    forcing, steps = scenario.seeded().forcing(), scenario.run.steps
+    chosen = range(steps) if steps <= _SAMPLES else _spread(steps, _SAMPLES)
+    return [s for step in chosen for segments in forcing.segments(step, 1) for s in segments]
+
+
+def _spread(steps: int, samples: int) -> list[int]:
+    """One step of each of ``samples`` equal parts of a run, at places that go on by the golden ratio."""
+    golden = (math.sqrt(5.0) - 1.0) / 2.0
+    return [int((number + number * golden % 1.0) * steps / samples) for number in range(samples)]
+
+
+def expected_seconds(scenario: "Scenario") -> float:
+    """Time (s) that the run takes on one core of a common computer, within a factor of about three.
+
+    Work at the model's measured rate; compiling, saving frames and settling at the start are left out, and
+    so is what the shape of the bed does to the rate.
+    """
+    return expected_work(scenario) / scenario.new_model().work_per_second
+
+
+def spoken_estimate(seconds: float) -> str:
+    """An expected time in one figure, ``about 3 minutes``, as rough as the estimate is."""
+    if seconds < 0.95:
+        return "under a second"
+    size, name = next(unit for unit in _UNITS if seconds >= 0.95 * unit[0])
+    figures = f"{float(f'{seconds / size:.1g}'):.0f}"
+    return f"about {figures} {name.removesuffix('s') if figures == '1' else name}"

@@ -1,0 +1,1 @@
+"""Runs of scenarios drawn at random from the declarations, and what must hold for each."""
