@@ -120,7 +120,7 @@ class Model(ABC):
     """Whether it lets sand enter across open edges, where the forcing brings any."""
     takes_hops: ClassVar[bool] = True
     """Whether a wind may state its speed as a hop length in cells."""
-    temperatures: ClassVar[tuple[float, float] | None] = None
+    temperature_range: ClassVar[tuple[float, float] | None] = None
     """The air temperatures (°C) that its rules hold for, where they use them."""
     material: ClassVar[str] = "sand"
     """The material of its slabs or parcels, in one word; the studio groups models by it."""

@@ -64,7 +64,7 @@ def scenario(number: int, narrow: bool = False, few: bool = True) -> dict[str, A
 
 def turned(wind: dict[str, Any], on_axes: bool) -> dict[str, Any]:
     """A wind whose directions all lie along the axes of the lattice, or none."""
-    if wind["kind"] in ("record", "mixed_axes"):
+    if wind["kind"] in ("record", "storms", "mixed_axes"):
         wind = {"kind": "steady"}
     for part in (wind, *wind.get("regimes", [])):
         quarter = 90.0 * (part.get("direction", 270.0) // 90.0)
@@ -85,6 +85,9 @@ def _drawn(rng: Random, narrow: bool, without: tuple[str, ...]) -> dict[str, Any
         "model": _model(rng, rng.choice(list(models())), without),
         "run": _run(rng),
     }
+    if models()[data["model"]["name"]].temperature_range is not None:
+        directions = {"kind": "steady", "direction": rng.choice([0.0, 33.0, 270.0])}
+        data["wind"] = {**directions, "temperature": rng.uniform(-20.0, 0.0), "speed": rng.uniform(0.0, 30.0)}
     if issubclass(models()[data["model"]["name"]], SlabModel):
         _add_clock_and_influx(rng, data)
     return data
@@ -240,7 +243,9 @@ def _run(rng: Random) -> dict[str, Any]:
 
 def _in_metres(wind: dict[str, Any]) -> bool:
     parts = [wind, *wind.get("regimes", [])]
-    return wind.get("kind") == "record" or any(p.get("unit") == "m/s" or p.get("seconds") for p in parts)
+    return wind.get("kind") in ("record", "storms") or any(
+        p.get("unit") == "m/s" or p.get("seconds") for p in parts
+    )
 
 
 def _consistent(rng: Random, kind: type[Parameters], data: dict[str, Any]) -> dict[str, Any]:
@@ -258,12 +263,15 @@ def _consistent(rng: Random, kind: type[Parameters], data: dict[str, Any]) -> di
         data.pop("gusts")
     if data.get("unit") == "m/s" and data.get("speed") is None:
         data["speed"] = rng.choice([0.0, 4.0, 12.0, 35.0])
-    if data.get("final_speed") is not None and data.get("speed") is None:
-        data.pop("final_speed")
+    for name in ("speed", "temperature", "snowfall"):
+        if data.get(f"final_{name}") is not None and data.get(name) is None:
+            data.pop(f"final_{name}")
     if "final_speed" in data:
         data.pop("speed_ramp", None)
     if kind.__name__ == "Regime":
         data |= {"steps": rng.randint(1, 4), "seconds": None}
+    if kind.__name__ == "Hardening":
+        data = {key: value for key, value in data.items() if key in ("increment", "cold_factor")}
     for name in ("lift_speed", "lift_angle"):
         given = [data[key] for key in (f"min_{name}", f"max_{name}") if key in data]
         if given:

@@ -67,7 +67,7 @@ class SnowWerner(SlabModel):
         "Eolian dunes: computer simulations and attractor interpretation. Geology 23(12), 1107-1110."
     )
     material = "snow"
-    temperatures = (COLDEST, WARMEST)
+    temperature_range = (COLDEST, WARMEST)
     Parameters = SnowWernerParameters
     parameters: SnowWernerParameters
     fields = (RESISTANCE,)

@@ -168,9 +168,9 @@ def _courses(scenario: "Scenario") -> Iterator[tuple[str, Course]]:
 
 def _weather_problems(scenario: "Scenario", model: Model) -> list[Found]:
     """Temperatures for which the model's rules do not hold."""
-    if model.temperatures is None:
+    if model.temperature_range is None:
         return []
-    coldest, warmest = model.temperatures
+    coldest, warmest = model.temperature_range
     stated: list[tuple[Path, tuple[float, ...]]] = [
         (("wind", *path, "temperature"), part.temperatures) for path, part in scenario.wind.placed_parts()
     ]
