@@ -1,0 +1,66 @@
+"""Snow that drifts, bonds, packs and falls."""
+
+from typing import Literal
+
+from barchan.model import Derived
+from barchan.parameters import parameter
+from barchan.snow.model import SnowModel
+from barchan.snow.pack import STRESS, mean_density, surface_density
+from barchan.snow.parameters import SnowParameters
+
+
+class SnowModelParameters(SnowParameters):
+    """Parameters of the snow model."""
+
+    name: Literal["snow"] = parameter("snow", unit="-", meaning="Snow that drifts, bonds, packs and falls.")
+
+
+class Snow(SnowModel):
+    """Snow as layers of unlike density and hardness, from which the wind takes quanta of mass.
+
+    A cell holds a stack of layers; each keeps how many quanta it is of, its density, and when it came to
+    rest. Bonds between its grains grow with time, faster when it is warm, so that the threshold stress is
+
+        τ_t = τ_w + τ_b N(ρ) / N(100) t^n    (t in hours at -10 °C, n = 0.27).
+
+    A polled cell outside the shadow zone gives a quantum with a chance in proportion to the excess of the shear
+    stress over τ_t, much less where it is bonded. The quantum hops on where the stress is strong, rests where
+    it is weak, may roll to a lower neighbour, and lies there as dense, loose drift. Fresh snow falls light.
+    Bonded snow is worn by drift where it stands out of the bed. All layers pack under their weight.
+
+    Known deviations: there are no overhangs, no suspension, no sublimation, melt or radiation, and one
+    temperature for all depths. The shear stress is that of linear theory, up to some 20 degrees; no vortices
+    scour about obstacles.
+    """
+
+    name = "snow"
+    title = "snow"
+    citation = (
+        "Our composition of published closures: Schmidt (1980), Li & Pomeroy (1997), Lehning et al. (2000), "
+        "Sørensen (2004), Groot Zwaaftink et al. (2013), Fourrière et al. (2010)."
+    )
+    Parameters = SnowModelParameters
+    derived = (
+        Derived(
+            "density",
+            "kg/m³",
+            "density of the uppermost layer",
+            lambda _model, bed, _wind: surface_density(bed),
+            least=0.0,
+        ),
+        Derived(
+            "mean_density",
+            "kg/m³",
+            "mass over thickness of all snow",
+            lambda model, bed, _wind: mean_density(bed, model.parameters.quantum),
+            least=0.0,
+        ),
+        Derived(
+            "stress",
+            "1",
+            "shear stress over that on flat snow",
+            lambda _model, bed, _wind: bed.arrays[STRESS],
+            centred=True,
+            least=0.0,
+        ),
+    )
