@@ -236,7 +236,8 @@ class SnowModel(Model):
             creep=Creep(np.uint64(chance)) if parameters.creep.strength > 0.0 else None,
             epoch=self.clock.epoch,
             density=round(now.drift_density * DENSITY_UNIT),
-            corner_factor=math.sqrt(2.0),
+            gentlest=int(tables.face_limit.min()),
+            corner_factor=math.sqrt(2.0) if parameters.neighbourhood == "moore" else 0.0,
         )
 
     def _enter(self, bed: Bed, frame: WindFrame) -> Field:

@@ -5,10 +5,16 @@ from numba import njit
 
 from barchan.kernels.bed.grid import neighbour
 from barchan.kernels.bed.relax import CHECKED, enqueue, enqueue_about
-from barchan.kernels.bed.state import BARRED, DOWNSLOPE, STABLE, UPSLOPE
+from barchan.kernels.bed.state import BARRED, DOWNSLOPE, EAST, NORTH, SOUTH, STABLE, UPSLOPE, WEST
 from barchan.kernels.core.inlining import never_inline
 from barchan.kernels.core.internal import internal
+from barchan.kernels.core.random import mix
 from barchan.kernels.snow.layers import pop, push, state_class
+
+_CORNER = 0.7071067811865476
+"""Weight of a step to a corner when the steepest is chosen."""
+
+_PLACES = np.uint64(3)
 
 
 @internal(forceinline=True)
@@ -18,61 +24,118 @@ def _limit(pack, rules, cell):
 
 
 @internal(forceinline=True)
-def _beyond(pack, rules, cell, here, corner):
-    """How far a neighbour's snow stands above ``here``, where it is too steep to stand; else 0."""
-    step = np.int64(pack.surface[cell]) - here
-    if step <= 0 or pack.quanta[cell] == 0:
-        return np.int64(0)
+def _faces(row, col, grid):
+    """The cells that share a face with a cell, in the order of directions; beyond an open edge itself."""
+    north = row + 1
+    if north == grid.rows:
+        north = 0 if grid.wrap_across else row
+    south = row - 1
+    if south < 0:
+        south = grid.rows - 1 if grid.wrap_across else row
+    east = col + 1
+    if east == grid.cols:
+        east = 0 if grid.wrap_along else col
+    west = col - 1
+    if west < 0:
+        west = grid.cols - 1 if grid.wrap_along else col
+    level = row * grid.cols
+    return (
+        np.uint64(level + east),
+        np.uint64(north * grid.cols + col),
+        np.uint64(level + west),
+        np.uint64(south * grid.cols + col),
+    )
+
+
+@internal(forceinline=True)
+def _slides(pack, rules, cell, step, corner):
+    """Whether a cell's snow slides down a step: it holds some, and it is too steep to stand."""
+    if step <= rules.gentlest or pack.quanta[cell] == 0:
+        return False
     limit = _limit(pack, rules, cell)
-    if corner:
-        limit = np.int64(limit * rules.corner_factor)
-    return step if step > limit else np.int64(0)
+    return step > (np.int64(limit * rules.corner_factor) if corner else limit)
+
+
+@internal(forceinline=True)
+def _sorted_above(pack, rules, cell, here, code):
+    """A number that sorts a neighbour by its step above ``here`` and then by its order; -1: it stands."""
+    step = np.int64(pack.surface[cell]) - here
+    if code == BARRED or not _slides(pack, rules, cell, step, False):
+        return np.int64(-1)
+    return (step << 6) + code
 
 
 @internal()
+def _corner_above(pack, rules, row, col, here, face):
+    """The steepest of a cell's corners whose snow slides, and of the ``face`` found already."""
+    grid, orders = rules.slabs.grid, rules.slabs.orders
+    best = np.int64(-1)
+    for direction in range(4, 8):
+        r, c = neighbour(row, col, direction, grid)
+        cell = np.uint64(r * grid.cols + c)
+        step = np.int64(pack.surface[cell]) - here
+        if orders[UPSLOPE, direction] != BARRED and _slides(pack, rules, cell, step, True):
+            best = max(best, (step << 6) + orders[UPSLOPE, direction])
+    return best if best >= 0 and (face < 0 or (best >> 6) * _CORNER > (face >> 6)) else face
+
+
+@internal(forceinline=True)
 def steepest_above(pack, rules, row, col):
     """Direction of the highest neighbour whose snow is too steep to stand above a cell; or ``STABLE``."""
-    grid, orders = rules.slabs.grid, rules.slabs.orders
-    here = np.int64(pack.surface[np.uint64(row * grid.cols + col)])
-    best, weight = np.int64(-1), 0.0
-    found = np.int64(STABLE)
-    for first in range(0, 8, 4):
-        for direction in range(first, first + 4):
-            if orders[UPSLOPE, direction] == BARRED:
-                continue
-            r, c = neighbour(row, col, direction, grid)
-            step = _beyond(pack, rules, np.uint64(r * grid.cols + c), here, first == 4)
-            key = (step << 6) + orders[UPSLOPE, direction]
-            share = 1.0 if first == 0 else 0.7071067811865476
-            if step > 0 and (
-                found == STABLE or ((key > best) if share == weight else step * share > (best >> 6) * weight)
-            ):
-                best, weight, found = key, share, direction
-    return found
+    orders = rules.slabs.orders
+    here = np.int64(pack.surface[np.uint64(row * rules.slabs.grid.cols + col)])
+    east, north, west, south = _faces(row, col, rules.slabs.grid)
+    best = max(
+        max(
+            _sorted_above(pack, rules, east, here, orders[UPSLOPE, EAST]),
+            _sorted_above(pack, rules, north, here, orders[UPSLOPE, NORTH]),
+        ),
+        max(
+            _sorted_above(pack, rules, west, here, orders[UPSLOPE, WEST]),
+            _sorted_above(pack, rules, south, here, orders[UPSLOPE, SOUTH]),
+        ),
+    )
+    if rules.corner_factor > 0.0:
+        best = _corner_above(pack, rules, row, col, here, best)
+    return best & 7 if best >= 0 else np.int64(STABLE)
 
 
 @internal()
-def steepest_below(pack, rules, row, col, here, limit, order):
-    """Direction of the lowest neighbour to which a step down from ``here`` exceeds the limit; or ``STABLE``."""
+def _corner_below(pack, rules, row, col, here, limit, face):
+    """The steepest of the steps to a cell's corners that do not stand, and of the ``face`` found already."""
     grid, orders = rules.slabs.grid, rules.slabs.orders
-    best, weight = np.int64(-1), 0.0
-    found = np.int64(STABLE)
-    for first in range(0, 8, 4):
-        allowed = limit if first == 0 else np.int64(limit * rules.corner_factor)
-        for place in range(4):
-            direction = first + place
-            if orders[DOWNSLOPE, direction] == BARRED:
-                continue
-            r, c = neighbour(row, col, direction, grid)
-            step = here - np.int64(pack.surface[np.uint64(r * grid.cols + c)])
-            if step <= allowed:
-                continue
-            rank = orders[DOWNSLOPE, direction] if order < 0 else ((place + order) & 3) << 3
-            key = (step << 6) + rank
-            share = 1.0 if first == 0 else 0.7071067811865476
-            if found == STABLE or ((key > best) if share == weight else step * share > (best >> 6) * weight):
-                best, weight, found = key, share, direction
-    return found
+    best = np.int64(-1)
+    for direction in range(4, 8):
+        r, c = neighbour(row, col, direction, grid)
+        step = here - np.int64(pack.surface[np.uint64(r * grid.cols + c)])
+        if orders[DOWNSLOPE, direction] != BARRED and step > np.int64(limit * rules.corner_factor):
+            best = max(best, (step << 6) + orders[DOWNSLOPE, direction])
+    return best if best >= 0 and (face < 0 or (best >> 6) * _CORNER > (face >> 6)) else face
+
+
+@internal(forceinline=True)
+def steepest_below(pack, rules, row, col, here, limit, turn):
+    """Direction of the steepest step down from ``here`` that exceeds the limit; or ``STABLE``.
+
+    Of equally steep ones the first in the wind's order is taken, which begins ``turn`` places later.
+    """
+    orders = rules.slabs.orders
+    east, north, west, south = _faces(row, col, rules.slabs.grid)
+    best = max(
+        max(
+            ((here - np.int64(pack.surface[east])) << 6) + (orders[DOWNSLOPE, EAST] ^ turn),
+            ((here - np.int64(pack.surface[north])) << 6) + (orders[DOWNSLOPE, NORTH] ^ turn),
+        ),
+        max(
+            ((here - np.int64(pack.surface[west])) << 6) + (orders[DOWNSLOPE, WEST] ^ turn),
+            ((here - np.int64(pack.surface[south])) << 6) + (orders[DOWNSLOPE, SOUTH] ^ turn),
+        ),
+    )
+    if (best >> 6) <= limit:
+        best = np.int64(-1)
+    if rules.corner_factor > 0.0:
+        best = _corner_below(pack, rules, row, col, here, limit, best)
+    return best & 7 if best >= 0 else np.int64(STABLE)
 
 
 @internal()
@@ -99,7 +162,7 @@ def lay_down(pack, rules, row, col, density):
     going = True
     while going:
         here = np.int64(pack.surface[np.uint64(row * grid.cols + col)]) + added
-        direction = steepest_below(pack, rules, row, col, here, limit, -1)
+        direction = steepest_below(pack, rules, row, col, here, limit, 0)
         going = direction != STABLE
         if going:
             row, col = neighbour(row, col, direction, grid)
@@ -132,7 +195,7 @@ def relax_pack(pack, where, unstable, rules):
         row, col = cell // grid.cols, cell % grid.cols
         here = np.int64(pack.surface[cell])
         limit = _limit(pack, rules, np.uint64(cell))
-        direction = steepest_below(pack, rules, row, col, here, limit, (moves * 7) & 3)
+        direction = steepest_below(pack, rules, row, col, here, limit, np.int64(mix(np.uint64(moves)) & _PLACES) << 3)
         if direction == STABLE:
             continue
         r, c = neighbour(row, col, direction, grid)

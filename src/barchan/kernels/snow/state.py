@@ -101,8 +101,10 @@ class SnowRules(NamedTuple):
     """The present epoch."""
     density: int
     """Density of what the wind lays down, in 1/``DENSITY_UNIT`` kg/m³."""
+    gentlest: int
+    """Step (0.1 mm) to a face neighbour at which any snow stands."""
     corner_factor: float
-    """Limit to a corner neighbour over that to a face."""
+    """Limit to a corner neighbour over that to a face; 0: nothing slides to corners."""
 
 
 def age_classes() -> NDArray[np.uint8]:
