@@ -6,6 +6,7 @@ Masses are whole numbers of quanta throughout, so nothing is lost. A layer is on
 import numpy as np
 from numba import njit
 
+from barchan.kernels.core.borrow import borrowed
 from barchan.kernels.core.internal import internal
 from barchan.kernels.core.random import derive, high
 from barchan.kernels.snow.state import (
@@ -84,6 +85,7 @@ def _merged(lower, upper):
 @internal()
 def _merge_two(pack, thickness, cell):
     """Merge the two neighbouring buried layers of a cell that differ least: mass times epochs apart."""
+    pack, thickness = borrowed((pack, thickness))
     before = _height(pack, thickness, cell)
     count = np.int64(pack.count[cell])
     best, least = np.int64(0), np.int64(-1)

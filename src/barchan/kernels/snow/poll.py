@@ -33,6 +33,7 @@ def exposure(giving, pack, grid, row, col, here, state):
     Grains do not come along one line: of ten comparisons eight are with the cell upwind, one each with those
     upwind to either side or, as often, beside it.
     """
+    pack = borrowed(pack)
     side = below(high(mix(state)), 20)
     direction = _UPWIND
     if side == 0:
@@ -147,7 +148,7 @@ def _roll(creep, pack, grid, row, col, state):
     return to_row, to_col, state
 
 
-@internal()
+@internal(forceinline=True)
 def settle(pack, rules, row, col, state):
     """Let a quantum that has landed roll, slide and lie; the random state and the height it reaches."""
     row, col, state = _roll(rules.creep, pack, rules.slabs.grid, row, col, state)

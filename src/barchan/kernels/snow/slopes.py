@@ -6,6 +6,7 @@ from numba import njit
 from barchan.kernels.bed.grid import neighbour
 from barchan.kernels.bed.relax import CHECKED, enqueue, enqueue_about
 from barchan.kernels.bed.state import BARRED, DOWNSLOPE, EAST, NORTH, SOUTH, STABLE, UPSLOPE, WEST
+from barchan.kernels.core.borrow import borrowed
 from barchan.kernels.core.inlining import never_inline
 from barchan.kernels.core.internal import internal
 from barchan.kernels.core.random import mix
@@ -139,11 +140,11 @@ def steepest_below(pack, rules, row, col, here, limit, turn):
 
 
 @internal()
-def feed(pack, rules, row, col):
-    """Let the slope above a cell that was lowered slide in, quantum by quantum; what slides loses its age."""
+def _slide_in(pack, rules, row, col, direction):
+    """Let quanta slide in from above, the first one from ``direction``, until the slope stands."""
     never_inline()
+    pack, rules = borrowed((pack, rules))
     grid, thickness = rules.slabs.grid, rules.tables.thickness
-    direction = steepest_above(pack, rules, row, col)
     while direction != STABLE:
         r, c = neighbour(row, col, direction, grid)
         density = pop(pack, thickness, np.uint64(r * grid.cols + c))
@@ -152,7 +153,15 @@ def feed(pack, rules, row, col):
         direction = steepest_above(pack, rules, row, col)
 
 
-@internal()
+@internal(forceinline=True)
+def feed(pack, rules, row, col):
+    """Let the slope above a cell that was lowered slide in, quantum by quantum; what slides loses its age."""
+    direction = steepest_above(pack, rules, row, col)
+    if direction != STABLE:
+        _slide_in(pack, rules, row, col, direction)
+
+
+@internal(forceinline=True)
 def lay_down(pack, rules, row, col, density):
     """Lay a quantum on a cell, from where it slides down the slope until it stands; the height reached."""
     grid, tables = rules.slabs.grid, rules.tables
