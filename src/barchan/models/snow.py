@@ -2,10 +2,9 @@
 
 from typing import Literal
 
-from barchan.model import Derived
 from barchan.parameters import parameter
+from barchan.snow.fields import DERIVED
 from barchan.snow.model import SnowModel
-from barchan.snow.pack import STRESS, mean_density, surface_density
 from barchan.snow.parameters import SnowParameters
 
 
@@ -40,27 +39,4 @@ class Snow(SnowModel):
         "Sørensen (2004), Groot Zwaaftink et al. (2013), Fourrière et al. (2010)."
     )
     Parameters = SnowModelParameters
-    derived = (
-        Derived(
-            "density",
-            "kg/m³",
-            "density of the uppermost layer",
-            lambda _model, bed, _wind: surface_density(bed),
-            least=0.0,
-        ),
-        Derived(
-            "mean_density",
-            "kg/m³",
-            "mass over thickness of all snow",
-            lambda model, bed, _wind: mean_density(bed, model.parameters.quantum),
-            least=0.0,
-        ),
-        Derived(
-            "stress",
-            "1",
-            "shear stress over that on flat snow",
-            lambda _model, bed, _wind: bed.arrays[STRESS],
-            centred=True,
-            least=0.0,
-        ),
-    )
+    derived = DERIVED

@@ -122,7 +122,7 @@ class SnowModel(Model):
             self._drift(bed, field, part, now, stream, counts)
             self.clock.pass_time(bonding, time, steps)
             done += steps
-        leave(bed, field.pack, field.ground, field.frame)
+        leave(bed, field.pack, field.ground, field.frame, self.clock.epoch)
         return _tally(counts, segment, field.frame)
 
     def _until_due(self, segment: Segment) -> int:
@@ -264,7 +264,7 @@ class SnowModel(Model):
             lay_quanta(field.pack, rules.tables.thickness, painted, rules.epoch, rules.density)
         changed = np.ones(painted.size, np.bool_) if where is None else where.ravel().copy()
         moved = self._relax(field, rules, changed)
-        leave(bed, field.pack, field.ground, field.frame)
+        leave(bed, field.pack, field.ground, field.frame, self.clock.epoch)
         return moved
 
     def state(self) -> dict[str, Any]:
@@ -302,4 +302,3 @@ def _tally(counts: NDArray[np.int64], segment: Segment, frame: WindFrame) -> Tal
         travel_x=float(travel_x),
         travel_y=float(travel_y),
     )
-

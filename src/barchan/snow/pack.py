@@ -6,11 +6,11 @@ from numpy.typing import NDArray
 from barchan.bed import Bed
 from barchan.fields import FieldInfo, LayerInfo
 from barchan.kernels.core.state import SIMD_WIDTH
-from barchan.kernels.snow.state import ONE_QUANTUM, Pack, density_of, epoch_of, quanta_of
+from barchan.kernels.snow.state import Pack, quanta_of
 from barchan.snow.parameters import HEIGHT_STEPS, SnowParameters
 from barchan.wind.frame import WindFrame
 
-SNOW, HEIGHT, TOP, STRESS = "snow", "snow_height", "snow_top", "snow_stress"
+SNOW, HEIGHT, TOP, STRESS, EPOCH = "snow", "snow_height", "snow_top", "snow_stress", "snow_epoch"
 """Names of the fields of snow on the bed."""
 
 
@@ -31,6 +31,7 @@ def fields_of(parameters: SnowParameters) -> tuple[FieldInfo, ...]:
     return (
         FieldInfo(HEIGHT, "int32", "0.1 mm", "thickness of the snow"),
         FieldInfo(TOP, "int64", "-", f"uppermost layer of snow: {packed}"),
+        FieldInfo(EPOCH, "int32", "600 s at -10 °C", "present epoch of bonding, the same everywhere"),
         FieldInfo(STRESS, "float32", "1", "shear stress over that on flat snow", centre=1.0),
         *(
             FieldInfo(buried_name(k + 1), "int64", "-", f"buried layer {k + 1} from the ground: {packed}")
@@ -54,8 +55,9 @@ def entered(bed: Bed, parameters: SnowParameters, frame: WindFrame) -> tuple[Pac
     return Pack(buffer[SIMD_WIDTH:], counted.astype(np.int32), top, buried, count), ground
 
 
-def leave(bed: Bed, pack: Pack, ground: NDArray[np.int32], frame: WindFrame) -> None:
-    """Write the pack back to the bed."""
+def leave(bed: Bed, pack: Pack, ground: NDArray[np.int32], frame: WindFrame, epoch: int) -> None:
+    """Write the pack and the present epoch back to the bed."""
+    bed.arrays[EPOCH][...] = epoch
     shape = frame.enter(bed.ground).shape
     beyond = np.arange(pack.buried.shape[1]) >= pack.count[:, None]
     pack.buried[beyond] = 0
@@ -69,21 +71,3 @@ def leave(bed: Bed, pack: Pack, ground: NDArray[np.int32], frame: WindFrame) -> 
 
 def _flat(field: NDArray, frame: WindFrame) -> NDArray:
     return np.ascontiguousarray(frame.enter(field)).ravel().copy()
-
-
-def surface_density(bed: Bed) -> NDArray[np.float64]:
-    """Density (kg/m³) of the uppermost layer; NaN on bare ground."""
-    top = bed.arrays[TOP]
-    return np.where(top < ONE_QUANTUM, np.nan, density_of(top))
-
-
-def surface_epoch(bed: Bed) -> NDArray[np.int64]:
-    """Epoch at which the uppermost layer came to rest."""
-    return epoch_of(bed.arrays[TOP])
-
-
-def mean_density(bed: Bed, quantum: float) -> NDArray[np.float64]:
-    """Mass over thickness (kg/m³) of all snow on a cell; NaN on bare ground."""
-    height = bed.arrays[HEIGHT] * HEIGHT_STEPS
-    mass = bed.arrays[SNOW] * quantum
-    return np.divide(mass, height, out=np.full(height.shape, np.nan), where=height > 0.0)

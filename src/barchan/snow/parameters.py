@@ -33,9 +33,7 @@ class OldLayer(Parameters):
     density: float = parameter(
         350.0, unit="kg/m³", ge=LEAST_DENSITY, le=GREATEST_DENSITY, meaning="Density of the layer."
     )
-    age: float = parameter(
-        24.0, unit="h", ge=0, le=1e5, meaning="Age of its bonds, in hours at -10 °C."
-    )
+    age: float = parameter(24.0, unit="h", ge=0, le=1e5, meaning="Age of its bonds, in hours at -10 °C.")
     weak_share: float = parameter(
         0.0,
         unit="-",

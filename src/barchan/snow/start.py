@@ -7,7 +7,7 @@ from barchan.bed import Bed
 from barchan.kernels.snow.state import density_of, pack_word, quanta_of
 from barchan.snow.clock import FIRST_EPOCH
 from barchan.snow.conditions import EPOCH_SECONDS, Conditions, quantum_heights
-from barchan.snow.pack import HEIGHT, SNOW, STRESS, TOP, buried_name, fields_of
+from barchan.snow.pack import EPOCH, HEIGHT, SNOW, STRESS, TOP, buried_name, fields_of
 from barchan.snow.parameters import OldLayer, SnowParameters
 from barchan.streams import Stream
 
@@ -18,6 +18,7 @@ def lay_first_snow(bed: Bed, parameters: SnowParameters, seed: int) -> None:
     for field in fields_of(parameters):
         bed.add(field, np.zeros(shape))
     bed.arrays[STRESS][...] = 1.0
+    bed.arrays[EPOCH][...] = FIRST_EPOCH
     layers = []
     for number, old in enumerate(parameters.beneath):
         word = pack_word(quanta_in(old, parameters), _epoch(old.age), old.density)

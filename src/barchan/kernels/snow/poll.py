@@ -17,7 +17,6 @@ from barchan.kernels.slabs.shadow import in_shadow
 from barchan.kernels.slabs.state import CAPPED, LEFT, MOVED, TRAVEL_ACROSS, TRAVEL_ALONG
 from barchan.kernels.snow.layers import pop, state_class
 from barchan.kernels.snow.slopes import feed, lay_down
-from barchan.kernels.snow.state import OLDEST
 
 _ALL = 1 << 32
 """A chance of one."""

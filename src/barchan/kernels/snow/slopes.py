@@ -204,7 +204,9 @@ def relax_pack(pack, where, unstable, rules):
         row, col = cell // grid.cols, cell % grid.cols
         here = np.int64(pack.surface[cell])
         limit = _limit(pack, rules, np.uint64(cell))
-        direction = steepest_below(pack, rules, row, col, here, limit, np.int64(mix(np.uint64(moves)) & _PLACES) << 3)
+        direction = steepest_below(
+            pack, rules, row, col, here, limit, np.int64(mix(np.uint64(moves)) & _PLACES) << 3
+        )
         if direction == STABLE:
             continue
         r, c = neighbour(row, col, direction, grid)
