@@ -71,8 +71,8 @@ def test_a_run_is_the_same_however_it_is_cut(cuts, storm):
 @pytest.mark.parametrize("speed", [8.0, 10.0, 12.0, 15.0])
 @pytest.mark.parametrize("temperature", [-10.0, -20.0])
 def test_flat_loose_snow_carries_the_saturated_flux(speed, temperature):
-    closures = {**SWITCHED_OFF, "hop": 0.3}
-    simulation = snow(200, {"speed": speed, "temperature": temperature}, **closures)
+    closures = {**SWITCHED_OFF, "hop": 0.3, "quantum": 0.1}
+    simulation = snow(400, {"speed": speed, "temperature": temperature}, **closures)
     simulation.advance(20)
     before = simulation.tally.travel_x
     steps = 150

@@ -22,10 +22,10 @@ class Snow(SnowModel):
 
         τ_t = τ_w + τ_b N(ρ) / N(100) t^n    (t in hours at -10 °C, n = 0.27).
 
-    A polled cell outside the shadow zone gives a quantum with a chance in proportion to the excess of the shear
-    stress over τ_t, much less where it is bonded. The quantum hops on where the stress is strong, rests where
-    it is weak, may roll to a lower neighbour, and lies there as dense, loose drift. Fresh snow falls light.
-    Bonded snow is worn by drift where it stands out of the bed. All layers pack under their weight.
+    A polled cell outside the shadow zone gives a quantum with a chance in proportion to the excess of the
+    shear stress over τ_t, much less where it is bonded. The quantum hops on where the stress is strong, rests
+    where it is weak, may roll to a lower neighbour, and lies there as dense, loose drift. Fresh snow is
+    light. Bonded snow is worn by drift where it stands out of the bed. All layers pack under their weight.
 
     Known deviations: there are no overhangs, no suspension, no sublimation, melt or radiation, and one
     temperature for all depths. The shear stress is that of linear theory, up to some 20 degrees; no vortices

@@ -123,7 +123,7 @@ def layer_tables(now: Conditions, drifting: bool, flux_share: float, cell_size: 
     """
     parameters, stress = now.parameters, max(now.stress, 1e-12)
     bonding = parameters.bonding
-    density, hours = _classes()
+    density, hours = _classes(now.drift_density)
     static = now.threshold(density, hours)
     bonded = np.broadcast_to((hours >= bonding.loose_hours) & bonding.grows, static.shape)
     threshold = np.where(drifting & ~bonded, IMPACT_STRESS * static, static)
@@ -157,14 +157,15 @@ def _limits(
 _AGES = age_classes()
 
 
-def _classes() -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Density (kg/m³, column) and age (h, row) in the middle of each class."""
+def _classes(drift: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Density (kg/m³, column) and age (h, row) in the middle of each class; that of ``drift`` is exact."""
     ages = np.arange(_AGES.size)
     means = np.bincount(_AGES, ages, AGE_CLASSES) / np.maximum(np.bincount(_AGES, minlength=AGE_CLASSES), 1)
     means[_AGES[-1] + 1 :] = ages[-1]
     width = _ANY_DENSITY / DENSITY_CLASSES
-    density = (np.arange(DENSITY_CLASSES) + 0.5) * width
-    hours = np.maximum(means * EPOCH_SECONDS / _HOUR, LOOSEST_BONDS)
+    density = (np.arange(DENSITY_CLASSES, dtype=np.float64) + 0.5) * width
+    density[min(int(drift / width), DENSITY_CLASSES - 1)] = drift
+    hours: NDArray[np.float64] = np.maximum(means * EPOCH_SECONDS / _HOUR, LOOSEST_BONDS)
     return density[:, None], hours[None, :]
 
 

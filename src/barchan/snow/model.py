@@ -81,8 +81,7 @@ class SnowModel(Model):
         self._stress_of: float | None = None
 
     def initialise(self, bed: Bed, seed: int) -> None:
-        """Turn the quanta of the start into layers; raises ScenarioError for ground too high to be counted."""
-        self.check_bed(bed)
+        """Turn the quanta of the start into layers."""
         lay_first_snow(bed, self.parameters, seed)
 
     @property

@@ -47,7 +47,7 @@ def entered(bed: Bed, parameters: SnowParameters, frame: WindFrame) -> tuple[Pac
     buried = np.zeros((ground.size, parameters.layers), np.int64)
     for k in range(parameters.layers):
         buried[:, k] = frame.enter(bed.arrays[buried_name(k + 1)]).ravel()
-    quanta, top, height = (_flat(bed.arrays[name], frame) for name in (SNOW, TOP, HEIGHT))
+    top, height = _flat(bed.arrays[TOP], frame), _flat(bed.arrays[HEIGHT], frame)
     buffer = np.zeros(SIMD_WIDTH + ground.size, np.int32)
     buffer[SIMD_WIDTH:] = ground + height
     count = (buried != 0).sum(axis=1).astype(np.uint8)

@@ -161,8 +161,8 @@ class SnowParameters(Parameters):
         gt=0,
         le=100,
         group="weather",
-        meaning="Wind at 10 m, at the model's temperature, under which a step polls as many cells as the field has; a step "
-        "lasts as long as this wind takes to carry what its polls move over flat, fresh drift.",
+        meaning="Wind at 10 m, at the model's temperature, under which a step polls as many cells as the "
+        "field has; a step lasts as long as this wind takes to carry what its polls move over fresh drift.",
         source="ours",
     )
     air_density: float = parameter(

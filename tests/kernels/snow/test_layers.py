@@ -1,5 +1,7 @@
 """Layers of a cell beside a list of layers in plain Python."""
 
+from itertools import pairwise
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -65,7 +67,7 @@ class Reference:
             return
         if len(self.layers) == self.kept + 1:
             buried = self.layers[:-1]
-            costs = [min(a[0], b[0]) * abs(a[1] - b[1]) for a, b in zip(buried, buried[1:], strict=False)]
+            costs = [min(a[0], b[0]) * abs(a[1] - b[1]) for a, b in pairwise(buried)]
             at = costs.index(min(costs))
             self.layers[at : at + 2] = [merged(self.layers[at], self.layers[at + 1])]
         self.layers.append((1, epoch, density))
