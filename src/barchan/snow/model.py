@@ -95,6 +95,14 @@ class SnowModel(Model):
         """From winds (m/s at 10 m) to polls over those of a step: in proportion to saturated fluxes."""
         return partial(relative_flux, self.parameters)
 
+    def step_volume(self) -> float:
+        """Volume (m² per step) of drift that goes through a line across the reference wind on the flat."""
+        density = Conditions(
+            self.parameters, self.parameters.reference_wind, self.parameters.temperature
+        ).drift_density
+        hops = self.parameters.hop / self.parameters.p_s
+        return self.parameters.erosion_chance * hops * self.parameters.quantum / density
+
     def conditions(self, segment: Segment) -> Conditions:
         """Wind and temperature of a segment."""
         wind = self.parameters.wind if segment.speed is None else segment.speed
