@@ -3,7 +3,8 @@
 import numpy as np
 
 import barchan
-from barchan.analysis.time_series import MEASURES, measured_frames
+from barchan.analysis.declared_measures import MEASURES
+from barchan.analysis.time_series import measured_frames
 from barchan.measures.migration import Migration
 from barchan.measures.orientation import Orientation
 from barchan.measures.slopes import Slopes
@@ -59,7 +60,7 @@ def test_an_outcome_shows_where_the_run_lies_and_why_it_ended(tmp_path):
 
 def test_measures_show_their_units():
     assert repr(MEASURES[3]) == "<Measure spacing: dominant spacing (m)>"
-    assert repr(MEASURES[2]) == "<Measure bare_fraction: bare ground>"
+    assert repr(MEASURES[2]) == "<Measure bare_fraction: bare ground (fraction)>"
     assert repr(Orientation(12.34, 0.5)) == "<Orientation 12.3° from north, coherence 0.50>"
     assert repr(Slopes(9.96, np.nan)) == "<Slopes windward 10.0°, lee nan°>"
     assert repr(Migration(0.1, -0.02, 0.9)) == (

@@ -179,10 +179,13 @@ def commands_page() -> str:
 
 def measures_table() -> str:
     """The table of declared measures."""
-    from barchan.analysis.time_series import MEASURES, PER_YEAR
+    from barchan.analysis.declared_measures import MEASURES, PER_YEAR
 
-    rows = [(code(m.name), m.title, "–" if m.unit == "-" else m.unit) for m in (*MEASURES, *PER_YEAR)]
-    return table(("Name", "What", "Unit"), rows, "30 45 25")
+    rows = [
+        (code(m.name), m.title, "–" if m.unit == "-" else f"{m.unit} {m.reference}".strip(), code(m.row))
+        for m in (*MEASURES, *PER_YEAR)
+    ]
+    return table(("Name", "What", "Unit", "In the row of"), rows, "25 35 25 15")
 
 
 def streams_table() -> str:

@@ -20,7 +20,11 @@ LEAST_ASPECT, LARGEST_ASPECT = 1e-4, 10.0
 class Lattice(Parameters):
     """The lattice: its size, what a cell and a slab measure, and what lies beyond its edges."""
 
-    kind: Literal["square"] = parameter("square", unit="-", meaning="Shape of the cells.")
+    kind: Literal["square"] = parameter(
+        "square",
+        unit="-",
+        meaning="Shape of the cells; 'from ground' takes rows, columns and cell_size from the ground's file.",
+    )
     rows: int = parameter(
         256,
         unit="cells",

@@ -1,8 +1,15 @@
 """``barchan info``: what a run holds and how far it is."""
 
+import csv
+import io
+import json
+
 import pytest
 
-from barchan.archive import Archive
+from barchan.analysis.declared_measures import in_rows
+from barchan.analysis.time_series import last_values
+from barchan.archive import Archive, open_run
+from barchan.entry import load
 from barchan.simulation import Simulation
 from tests.tiny import tiny
 
@@ -63,3 +70,65 @@ def test_the_measures_of_the_last_frame_are_told_the_models_own_too(here, barcha
     assert table in ran
     assert "highest stack" in table
     assert "reference height of hops" in table
+
+
+def rows_of_last(run):
+    with open_run(run) as dataset:
+        return in_rows(last_values(dataset, load(str(run))))
+
+
+def test_a_measure_has_one_row_with_its_units_side_by_side(finished, barchan):
+    table = barchan("info", finished).out.split("\n\n")[1]
+    titles = [line.split("  ")[0] for line in table.splitlines()]
+    assert titles == [row[0].measure.title for row in rows_of_last(finished)]
+    assert len(set(titles)) == len(titles)
+    highest = next(line for line in table.splitlines() if line.startswith("highest stack"))
+    assert " m, " in highest
+    assert highest.endswith(" slabs")
+    assert "clockwise from north" in next(line for line in table.splitlines() if "resultant wind" in line)
+
+
+def test_a_measure_that_should_not_be_quoted_is_marked_with_the_reason(here, barchan):
+    barchan("run", "tiny.json", "--quiet", "--no-picture", "--run.steps", 0)
+    table = barchan("info", "tiny").out.split("\n\n")[1]
+    (speed,) = [line for line in table.splitlines() if line.startswith("migration downwind")]
+    assert " – " in speed
+    assert speed.endswith("? no earlier frame to compare with")
+
+
+def test_measures_are_written_as_json_with_their_units_and_doubts(finished, barchan):
+    data = json.loads(barchan("info", finished, "--json").out)
+    assert data["contents"]["model"] == "werner"
+    rows = rows_of_last(finished)
+    assert [measure["name"] for measure in data["measures"]] == [row[0].measure.name for row in rows]
+    for measure, row in zip(data["measures"], rows, strict=True):
+        assert [value["unit"] for value in measure["values"]] == [value.measure.unit for value in row]
+        assert measure["doubt"] == (row[0].doubt or None)
+        for written, value in zip(measure["values"], row, strict=True):
+            assert written["value"] is None or written["value"] == value.value
+
+
+def test_measures_are_written_as_csv_a_row_each(finished, barchan):
+    table = list(csv.DictReader(io.StringIO(barchan("info", finished, "--csv").out)))
+    rows = rows_of_last(finished)
+    assert [line["name"] for line in table] == [row[0].measure.name for row in rows]
+    speed = next(line for line in table if line["name"] == "speed")
+    assert (speed["unit"], speed["unit_2"]) == ("m/step", "cells/step")
+    assert all(None not in line for line in table)
+
+
+def test_json_and_csv_exclude_each_other(finished, barchan):
+    result = barchan("info", finished, "--json", "--csv")
+    assert result.code == 1
+    assert "--json and --csv are both given" in result.err
+
+
+def test_a_run_without_frames_has_no_measures_in_json_and_csv(here, barchan):
+    Archive.create(here / "begun", Simulation(tiny())).close()
+    assert json.loads(barchan("info", "begun", "--json").out)["measures"] == []
+    assert barchan("info", "begun", "--csv").out.splitlines() == ["name,title,value,unit,reference,doubt"]
+
+
+def test_windward_may_refer_to_the_last_wind(finished, barchan):
+    assert barchan("info", finished, "--wind", "last").code == 0
+    assert barchan("info", finished, "--wind", "first").code != 0

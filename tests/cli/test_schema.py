@@ -42,6 +42,11 @@ def test_the_schema_holds_bounds_units_and_choices(schema):
     assert schema["$defs"]["Lattice"]["properties"]["boundary_x"]["enum"] == ["periodic", "open"]
 
 
+def test_a_lattice_from_the_ground_holds_to_the_schema(schema):
+    assert {"const": "from ground"} in schema["properties"]["lattice"]["anyOf"]
+    assert schema["$defs"]["Lattice"]["properties"]["kind"]["enum"] == ["square", "from ground"]
+
+
 @pytest.mark.parametrize("name", preset_names())
 def test_every_preset_holds_to_the_schema(validator, name):
     assert list(validator.iter_errors(load_scenario(name).data())) == []

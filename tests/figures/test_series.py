@@ -5,7 +5,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from barchan.analysis.time_series import MEASURES, measure_series
+from barchan.analysis.declared_measures import MEASURES
+from barchan.analysis.time_series import measure_series
 from barchan.entry import simulate
 from barchan.figures.series import SHOWN, about_middle, time_series
 from tests.tiny import tiny

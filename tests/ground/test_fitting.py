@@ -10,9 +10,10 @@ from PIL import Image
 
 import barchan
 from barchan.errors import ScenarioError
-from barchan.ground.fitting import bilinear, filled
+from barchan.ground.resampling import resampled
 from barchan.ground.sand import FileSand
 from barchan.ground.surface import FileGround
+from barchan.ground.voids import filled
 from barchan.lattice import Lattice
 from barchan.streams import Stream
 
@@ -98,12 +99,13 @@ def test_an_image_is_turned_and_scaled_between_the_heights_of_black_and_white(im
 
 def test_the_place_of_an_elevation_model_on_earth_is_kept(model):
     ground = FileGround(path=str(model()))
-    assert ground.georeference() == {"crs": "EPSG:32633", "west": 500_000.0, "south": 4_000_000.0}
+    place = ground.georeference()
+    assert (place.crs, place.west, place.south) == ("EPSG:32633", 500_000.0, 4_000_000.0)
 
 
 def test_an_array_has_no_place_on_earth_and_a_lost_file_none_either(array, tmp_path):
-    assert FileGround(path=str(array())).georeference() == {}
-    assert FileGround(path=str(tmp_path / "gone.tif")).georeference() == {}
+    assert FileGround(path=str(array())).georeference() is None
+    assert FileGround(path=str(tmp_path / "gone.tif")).georeference() is None
 
 
 def test_frames_tell_where_on_earth_they_lie(model):
@@ -126,8 +128,8 @@ def test_a_reference_system_without_metres_is_refused(model, crs):
 def test_cells_that_are_no_upright_squares_are_refused(model):
     oblong = rasterio.transform.Affine(2.0, 0.0, 0.0, 0.0, -3.0, 0.0)
     turned = rasterio.transform.Affine(2.0, 0.5, 0.0, 0.5, -2.0, 0.0)
-    assert "no upright squares" in refused(model(transform=oblong))
-    assert "no upright squares" in refused(model(transform=turned))
+    assert refused(model(transform=oblong)).startswith("has cells of 2 × 3 m; allowed: 2 m")
+    assert "no upright rectangles (rows turned by 14°)" in refused(model(transform=turned))
 
 
 def test_another_cell_size_is_refused_unless_the_file_may_be_resampled(model):
@@ -192,7 +194,7 @@ def test_filled_holes_stay_between_the_heights_around_them(seed, share):
 
 @given(st.integers(1, 9), st.integers(8, 15), st.floats(0.2, 3), st.floats(0.2, 3))
 def test_a_resampled_surface_stays_between_its_lowest_and_highest_point(rows, columns, step_y, step_x):
-    fitted = bilinear(HEIGHTS, step_y, step_x, Lattice(rows=rows, columns=columns))
+    fitted = resampled(HEIGHTS, step_y, step_x, Lattice(rows=rows, columns=columns))
     assert fitted.shape == (rows, columns)
     assert fitted.min() >= HEIGHTS.min() - 1e-9
     assert fitted.max() <= HEIGHTS.max() + 1e-9
@@ -202,7 +204,7 @@ def test_a_resampled_surface_stays_between_its_lowest_and_highest_point(rows, co
 def test_heights_beyond_the_allowed_range_are_refused(array, value):
     heights = HEIGHTS.copy()
     heights[2, 2] = value
-    assert "allowed: -100000 to 100000" in refused(array(heights), fill="interpolate")
+    assert "allowed: -100000 to 100000" in refused(array(heights), fill="interpolate", missing=[])
 
 
 def test_an_image_without_the_heights_of_black_and_white_is_refused(image):
@@ -228,7 +230,9 @@ def test_a_damaged_file_is_refused(tmp_path, suffix):
 
 def test_a_file_that_is_missing_or_of_an_unknown_kind_is_refused(tmp_path):
     assert refused(tmp_path / "none.npy") == "no such file"
-    assert refused(tmp_path / "a.bmp") == "is of an unknown kind; allowed: .npy, .png, .tif, .tiff"
+    assert refused(tmp_path / "a.bmp") == (
+        "is of an unknown kind; allowed: .npy, .png, .tif, .tiff, .asc, .xyz, .nc, .hgt"
+    )
 
 
 def test_a_missing_extra_is_named(model, monkeypatch):

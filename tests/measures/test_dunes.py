@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from barchan.measures.dunes import _bodies, find_dunes
+from barchan.measures.dunes import bodies_of, find_dunes
 
 
 def heap(rows, columns, row, column, radius=6.0, top=5.0):
@@ -61,4 +61,4 @@ def test_a_dune_that_an_open_edge_cuts_is_left_out():
 def test_the_corners_of_a_field_meet_over_joined_edges_only(periodic, bodies):
     corners = np.zeros((12, 16), bool)
     corners[[0, 0, -1, -1], [0, -1, 0, -1]] = True
-    assert len(np.unique(_bodies(corners, periodic))) - 1 == bodies
+    assert len(np.unique(bodies_of(corners, periodic))) - 1 == bodies

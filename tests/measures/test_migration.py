@@ -125,3 +125,45 @@ def test_a_field_of_one_row_moves_along_it():
     first = sine(3, 0, (1, 64))
     moved = migration([0, 1], [first, np.roll(first, 2, axis=1)])
     assert (moved.x, moved.y) == pytest.approx((2.0, 0.0), abs=1e-6)
+
+
+def test_surfaces_since_the_last_flat_one_are_compared():
+    """Runs that start from level sand have a speed from their third frame on."""
+    surfaces = [np.full((ROWS, COLUMNS), 3.0), *course((0.0, 1.5), count=3)]
+    assert migration([0, 10, 20, 30], surfaces).x == pytest.approx(0.15, abs=0.01)
+
+
+@pytest.mark.parametrize("cells", [(slice(10, 20), slice(30, 50)), (slice(0, 12), slice(0, 80))])
+def test_unknown_cells_do_not_hold_waves_back(cells):
+    surfaces = course((0.0, 1.5), count=4)
+    for surface in surfaces:
+        surface[cells] = np.nan
+    moved = migration([0, 10, 20, 30], surfaces)
+    assert (moved.x, moved.y) == pytest.approx((0.15, 0.0), abs=0.01)
+
+
+def test_over_whole_cycles_only_the_net_shift_counts():
+    """East by 6 cells and back by 4 in each cycle of 20 steps, looked at every 5."""
+    places = [0.0, 3.0, 6.0, 4.0, 2.0, 5.0, 8.0, 6.0, 4.0]
+    surfaces = [random_surface(3, (0.0, place)) for place in places]
+    steps = list(range(0, 45, 5))
+    assert migration(steps, surfaces, cycle=20.0).x == pytest.approx(0.1, abs=0.005)
+    assert math.isnan(migration(steps[:4], surfaces[:4], cycle=20.0).x)
+
+
+def test_surfaces_that_are_not_alike_are_not_followed():
+    """Hills of 2 cells, smoothed over 2: correlations deviate by sqrt(2 pi 8 / 3840) = 0.11 from 0.
+
+    The highest of 76 independent ones is about sqrt(2 ln 76) = 2.9 times as much, 0.34.
+    """
+    moved = migration([0, 10], [random_surface(1, size=2.0), random_surface(2, size=2.0)])
+    assert math.isnan(moved.x)
+    assert moved.correlation < 0.5
+
+
+def test_a_tilted_plane_under_waves_in_an_open_field_does_not_hold_them_back():
+    plane = np.add.outer(0.3 * np.arange(ROWS), 0.5 * np.arange(COLUMNS))
+    waves = [random_surface(8, (0.0, 1.0 * k)) for k in range(4)]
+    level = migration(range(4), waves, (False, False))
+    tilted = migration(range(4), [wave + plane for wave in waves], (False, False))
+    assert (tilted.x, tilted.y) == pytest.approx((level.x, level.y), abs=1e-6)

@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from barchan.measures import streamwise_slopes
+from barchan.measures import slip_face_angle, streamwise_slopes
 from tests.measures.waves import COLUMNS, ROWS, random_surface, ridges, sine, wavelength, wind_along
 
 HEIGHT = 3.0
@@ -87,11 +87,26 @@ def test_flat_ground_between_ridges_does_not_count():
     assert slopes.windward == pytest.approx(degrees(windward))
 
 
-def test_a_plane_in_an_open_field_has_one_slope():
+@pytest.mark.parametrize("tilt", [(0.2, 0.0), (-0.1, 0.3)])
+def test_waves_on_a_tilted_plane_have_the_slopes_of_the_waves(tilt):
+    """Ten waves of 16 cells and amplitude 1 have the slopes sin(pi / 8) cos(k pi / 8) between cells.
+
+    The sum of the squares of the positive cosines is 4, that of the cosines the cotangent of pi / 16.
+    """
+    east, north = np.meshgrid(np.arange(160), np.arange(96))
+    waves = np.sin(2 * np.pi * east / 16)
+    tilted = waves + tilt[0] * east + tilt[1] * north
+    slopes = streamwise_slopes(tilted, 1.0, 270.0, (False, False), width=0.0)
+    expected = degrees(4 * math.tan(math.pi / 16) * math.sin(math.pi / 8))
+    assert slopes.windward == pytest.approx(expected, rel=0.005)
+    assert slopes.lee == pytest.approx(expected, rel=0.005)
+
+
+def test_a_plane_alone_has_no_bedforms():
     field = np.tile(0.2 * np.arange(COLUMNS), (ROWS, 1))
     slopes = streamwise_slopes(field, 1.0, 270.0, (False, False), width=0.0)
-    assert slopes.windward == pytest.approx(degrees(0.2))
-    assert math.isnan(slopes.lee)
+    assert math.isnan(slopes.windward) or slopes.windward < 1e-6
+    assert math.isnan(slopes.lee) or slopes.lee < 1e-6
 
 
 @pytest.mark.parametrize("level", [0.0, 3.0, 1 / 3])
@@ -108,3 +123,50 @@ def test_what_smoothing_leaves_of_single_slabs_is_slope_too(width, angle):
     slopes = streamwise_slopes(slabs / 3, 1.0, 270.0, width=width)
     assert slopes.windward == pytest.approx(angle, abs=0.1)
     assert slopes.lee == pytest.approx(angle, abs=0.1)
+
+
+@pytest.mark.parametrize(("cell", "turned"), [(1.0, False), (2.5, True)])
+@pytest.mark.parametrize("angle", [20.0, 33.0, 35.0])
+def test_slip_faces_have_the_angle_they_are_built_with(angle, cell, turned):
+    """Windward sides of 8 degrees, faces of 12 cells, and a level floor as wide as half the dune."""
+    height = 12 * math.tan(math.radians(angle))
+    rise = math.ceil(height / math.tan(math.radians(8.0)))
+    dune = np.concatenate([np.arange(rise) / rise, np.arange(12, 0, -1) / 12, np.zeros(rise // 2)])
+    field = np.tile(cell * height * dune, (6, 2))
+    direction = 180.0 if turned else 270.0
+    measured = slip_face_angle(field.T if turned else field, cell, direction)
+    assert measured == pytest.approx(angle, abs=0.1)
+
+
+def test_slip_faces_dip_to_the_horizontal_whatever_the_ground_under_them():
+    """On ground that falls by 5 degrees a face that rises 28 degrees over it dips by their tangents' sum."""
+    profile = (
+        np.concatenate([np.arange(40) / 40, np.arange(12, 0, -1) / 12]) * 12 * math.tan(math.radians(28))
+    )
+    east = np.arange(4 * profile.size)
+    surface = np.tile(np.tile(profile, 4) - math.tan(math.radians(5)) * east, (5, 1))
+    expected = degrees(math.tan(math.radians(28)) + math.tan(math.radians(5)))
+    assert slip_face_angle(surface, 1.0, 270.0, (False, False)) == pytest.approx(expected, abs=0.1)
+
+
+def test_roughness_of_level_floors_hardly_lowers_slip_faces():
+    dunes = np.tile(np.concatenate([np.arange(48) / 48, np.arange(16, 0, -1) / 16]) * 10.0, (64, 2))
+    rough = dunes + np.random.default_rng(2).normal(0.0, 0.02, dunes.shape)
+    assert slip_face_angle(rough, 1.0, 270.0) == pytest.approx(degrees(10 / 16), abs=0.7)
+
+
+@pytest.mark.parametrize("measure", [streamwise_slopes, slip_face_angle])
+def test_cells_that_are_unknown_have_no_slopes(measure):
+    field = HEIGHT * ridges(4, 0)
+    wall = field.copy()
+    wall[10:20] = 100.0
+    holed = np.where(wall == 100.0, np.nan, field)
+    whole, measured = (measure(surface, 1.0, 270.0, width=0.0) for surface in (field, holed))
+    assert np.allclose(
+        [*vars(measured).values()] if measure is streamwise_slopes else measured,
+        [*vars(whole).values()] if measure is streamwise_slopes else whole,
+    )
+
+
+def test_a_flat_bed_has_no_slip_faces():
+    assert math.isnan(slip_face_angle(np.full((ROWS, COLUMNS), 2.0), 1.0, 270.0))

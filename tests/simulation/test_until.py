@@ -8,6 +8,7 @@ import pytest
 from barchan.errors import BarchanError
 from barchan.measures import crest_orientation, dominant_spacing, migration
 from barchan.simulation import Simulation
+from barchan.simulation.stop import stop_conditions
 from tests.tiny import RIDGES, tiny
 
 BARE = {"sand": {"kind": "flat", "mean": 0}}
@@ -125,3 +126,16 @@ def test_a_run_cannot_be_made_shorter_than_it_is(steps):
     with pytest.raises(BarchanError, match=f"12 steps are done already; {steps} cannot be the last one"):
         simulation.extend(steps)
     assert simulation.scenario.run.steps == 20
+
+
+@pytest.mark.parametrize(("cycle", "every"), [(20, 20), (3, 6), (500, 500)])
+def test_bedforms_under_winds_in_turn_are_looked_at_after_whole_cycles(cycle, every):
+    """A window of 100 steps has a look every 5; dunes swing within a cycle."""
+    half = cycle // 2
+    winds = [{"direction": 270.0, "steps": half}, {"direction": 90.0, "steps": cycle - half}]
+    scenario = tiny(
+        wind={"kind": "regimes", "regimes": winds}, run__until={"steady": {"window": 100, "tolerance": 0.1}}
+    )
+    (condition,) = stop_conditions(scenario).values()
+    assert condition.every == every
+    assert (condition.looks - 1) * condition.every >= 100

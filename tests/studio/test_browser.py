@@ -438,6 +438,23 @@ def test_an_image_dropped_onto_the_scene_is_the_ground(studio):
     assert (studio.folder / "studio-uploads" / "plateau.png").is_file()
 
 
+def test_an_elevation_model_brings_its_own_lattice_and_its_holes_are_told(studio):
+    """Heights of 0.05 m a column; the hole of -9999 in the middle of the slope is filled with the slope."""
+    rows = [[f"{0.05 * column:.2f}" for column in range(40)] for _ in range(20)]
+    rows[9][20] = rows[10][20] = "-9999"
+    head = "ncols 40\nnrows 20\nxllcorner 500000\nyllcorner 4000000\ncellsize 2.5\n"
+    text = head + "\n".join(" ".join(row) for row in rows)
+    dropped(studio, "dem.asc", "text/plain", text.encode())
+    run = "window.barchan.app.runs[0]"
+    studio.until(f"{run}.description.scenario.ground.kind === 'file' && {run}.ground.length === 800")
+    ground = np.array(studio.ask(f"[...{run}.ground]")).reshape(20, 40)
+    np.testing.assert_allclose(ground, np.broadcast_to(0.05 * np.arange(40), (20, 40)), atol=1e-3)
+    assert studio.ask(f"{run}.description.scenario.ground.missing") == [-9999]
+    assert studio.ask(f"{run}.description.lattice.cell_size") == 2.5
+    told = "window.barchan.app.log.some((e) => e.text.includes('-9999 taken as cells without a height'))"
+    assert studio.ask(told)
+
+
 def test_what_is_dropped_and_cannot_be_used_is_told(studio):
     dropped(studio, "tune.mp3", "audio/mpeg", b"0")
     studio.until("window.barchan.app.log.some((entry) => entry.text.startsWith('tune.mp3: not'))")

@@ -1,16 +1,12 @@
 """Frames as an xarray dataset, the same from memory as from disk."""
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from barchan.archive.frames import (
-    COUNTERS,
-    coordinate_attributes,
-    field_attributes,
-    run_attributes,
-)
+from barchan.archive.coordinates import GRID_MAPPING, STEP, axes, mapped, mapping_attributes
+from barchan.archive.frames import COUNTERS, field_attributes, run_attributes
 from barchan.fields import GROUND, depth_of
 from barchan.scenario import Scenario
 from barchan.simulation import Frame, Simulation
@@ -29,15 +25,20 @@ def dataset_of(simulation: Simulation, frames: Iterable[Frame]) -> "xr.Dataset":
     import xarray as xr
 
     frames = list(frames)
-    lattice = simulation.lattice
-    coordinates = {
-        "step": ("step", np.array([f.step for f in frames], np.int64), coordinate_attributes("step")),
-        "y": ("y", lattice.y, coordinate_attributes("y")),
-        "x": ("x", lattice.x, coordinate_attributes("x")),
+    lattice, place = simulation.lattice, simulation.scenario.ground.georeference()
+    coordinates: dict[str, Any] = {
+        "step": ("step", np.array([f.step for f in frames], np.int64), STEP),
+        **{name: (name, *axis) for name, axis in axes(lattice, place).items()},
     }
+    if mapping := mapping_attributes(place):
+        coordinates[GRID_MAPPING] = ((), 0, mapping)
     values = {c.name: ("step", np.array([c.of(f) for f in frames], c.dtype), c.attributes) for c in COUNTERS}
     fields = {
-        name: (("step", "y", "x"), np.stack([f.fields[name] for f in frames]), field_attributes(info))
+        name: (
+            ("step", "y", "x"),
+            np.stack([f.fields[name] for f in frames]),
+            {**field_attributes(info), **mapped(place)},
+        )
         for name, info in simulation.bed.declared.items()
         if info.in_frames
     }
@@ -45,7 +46,7 @@ def dataset_of(simulation: Simulation, frames: Iterable[Frame]) -> "xr.Dataset":
     dataset.attrs["events"] = json.dumps([record.data() for record in simulation.events])
     depth = depth_of(simulation.model.layers, dataset, lattice.thickness)
     dataset["elevation"] = dataset[GROUND.name] + depth
-    dataset["elevation"].attrs.update(ELEVATION)
+    dataset["elevation"].attrs.update({**ELEVATION, **mapped(place)})
     return with_time(dataset, simulation.scenario)
 
 

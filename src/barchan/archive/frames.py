@@ -12,6 +12,7 @@ import zarr
 from numpy.typing import NDArray
 from zarr.core.sync import sync
 
+from barchan.archive.coordinates import GRID_MAPPING, STEP, axes, mapped, mapping_attributes, place_attributes
 from barchan.fields import FieldInfo
 from barchan.scenario import Scenario
 from barchan.scenario.migrations import current_field
@@ -74,14 +75,6 @@ def field_attributes(field: FieldInfo) -> dict[str, Any]:
     return {"units": units, "long_name": field.meaning, "unit": field.unit}
 
 
-def coordinate_attributes(name: str) -> dict[str, Any]:
-    """Unit and meaning of a coordinate."""
-    if name == "step":
-        return {"units": "1", "long_name": "steps done"}
-    edge = {"x": "west", "y": "south"}[name]
-    return {"units": "m", "axis": name.upper(), "long_name": f"distance from the {edge} edge"}
-
-
 def run_attributes(scenario: Scenario) -> dict[str, Any]:
     """What a run's data say of themselves."""
     from barchan.version import __version__
@@ -94,7 +87,7 @@ def run_attributes(scenario: Scenario) -> dict[str, Any]:
         "scenario": scenario.text(),
         "cell_size": scenario.lattice.cell_size,
         "slab_height": scenario.lattice.thickness,
-        **scenario.ground.georeference(),
+        **place_attributes(scenario.ground.georeference()),
     }
 
 
@@ -122,12 +115,15 @@ class Frames:
     def create(cls, path: Path, scenario: Scenario, fields: dict[str, FieldInfo]) -> "Frames":
         """Make an empty store for a scenario's frames."""
         group = zarr.open_group(path, mode="w", zarr_format=3, attributes=run_attributes(scenario))
-        lattice = scenario.lattice
-        for name, places in (("x", lattice.x), ("y", lattice.y)):
+        lattice, place = scenario.lattice, scenario.ground.georeference()
+        for name, (places, attributes) in axes(lattice, place).items():
             array = _make(group, name, places.shape, places.shape, "float64", (name,))
-            array.attrs.update(coordinate_attributes(name))
+            array.attrs.update(attributes)
             array[...] = places
-        _make(group, "step", (0,), (_CHUNK,), "int64", ("step",)).attrs.update(coordinate_attributes("step"))
+        if mapping := mapping_attributes(place):
+            _make(group, GRID_MAPPING, (), (), "int64", ()).attrs.update(mapping)
+            group.attrs["coordinates"] = GRID_MAPPING
+        _make(group, "step", (0,), (_CHUNK,), "int64", ("step",)).attrs.update(STEP)
         for counter in COUNTERS:
             array = _make(group, counter.name, (0,), (_CHUNK,), counter.dtype, ("step",))
             array.attrs.update(counter.attributes)
@@ -135,7 +131,7 @@ class Frames:
             if field.in_frames:
                 shape, chunk = (0, *lattice.shape), (1, *lattice.shape)
                 array = _make(group, field.name, shape, chunk, field.dtype, ("step", "y", "x"))
-                array.attrs.update(field_attributes(field))
+                array.attrs.update({**field_attributes(field), **mapped(place)})
         store = cls(path)
         store.commit()
         return store

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from barchan.archive.coordinates import GRID_MAPPING
 from barchan.archive.dataset import ELEVATION, with_time
 from barchan.archive.folder import CHECKPOINT, FRAMES, SCENARIO, events_of, log_of, scenario_of
 from barchan.archive.frames import published
@@ -43,7 +44,9 @@ def open_run(path: str | Path) -> "xr.Dataset":
     lazy = LazyElevation(dataset, scenario.layers, scenario.lattice.thickness)
     dataset.attrs["events"] = json.dumps(events_of(path))
     dataset.attrs["stopped"] = _stopped(path) or "not finished"
-    dataset["elevation"] = (("step", "y", "x"), LazilyIndexedArray(lazy), ELEVATION)
+    located = {"grid_mapping": GRID_MAPPING} if GRID_MAPPING in dataset.variables else {}
+    attributes = {**ELEVATION, **located}
+    dataset["elevation"] = (("step", "y", "x"), LazilyIndexedArray(lazy), attributes)
     return with_time(dataset, scenario)
 
 

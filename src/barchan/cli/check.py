@@ -19,9 +19,10 @@ def check(scenario: str, /, *values: Tokens) -> None:
     model = sound.new_model()
     with sound.source_map.locating_errors():
         sound.forcing().wind_of(0)
-        model.initialise(sound.first_bed(), sound.seed)
+        bed = sound.first_bed()
+        model.initialise(bed, sound.seed)
     console.print(f"{scenario}: sound")
-    for name, fact in {**sound.time_facts(), **model.facts()}.items():
+    for name, fact in {**sound.ground_facts(), **sound.time_facts(), **model.facts()}.items():
         console.print(f"{name}: {fact}")
-    for remark in sound.remarks():
+    for remark in sound.remarks(bed.ground):
         print_note(remark)

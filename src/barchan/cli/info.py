@@ -1,19 +1,70 @@
 """``barchan info``: the contents of a run."""
 
+import json
 from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Literal
+
+from cyclopts import Parameter
+
+from barchan.errors import BarchanError
+
+if TYPE_CHECKING:
+    from barchan.scenario import Scenario
 
 
-def info(run: Path, /) -> None:
+def info(
+    run: Path,
+    /,
+    *,
+    wind: Literal["resultant", "last"] = "resultant",
+    as_json: Annotated[bool, Parameter(name="--json", negative=())] = False,
+    as_csv: Annotated[bool, Parameter(name="--csv", negative=())] = False,
+) -> None:
     """Print the contents of a run, its progress, and the measures of its last frame.
+
+    A measure marked with ? should not be quoted, for the reason that follows.
 
     Parameters
     ----------
     run
         The run's folder.
+    wind
+        The wind that windward, lee and downwind refer to: the resultant of a whole cycle of winds, or the
+        last one.
+    as_json
+        Print contents and measures as JSON.
+    as_csv
+        Print the measures as CSV, a row each.
     """
-    from barchan.archive import open_run, run_info
-    from barchan.cli.report import print_measures, print_table, resume_command
+    from barchan.analysis.time_series import last_values
+    from barchan.archive import open_run
+    from barchan.cli import measure_table
+    from barchan.cli.report import print_table
     from barchan.cli.terminal import console
+
+    if as_json and as_csv:
+        raise BarchanError("--json and --csv are both given; give one of them")
+    frames, scenario, rows = _contents(run)
+    values = []
+    if frames:
+        with open_run(run) as dataset:
+            values = last_values(dataset, scenario, wind)
+    if as_json:
+        data = {"run": str(run), "contents": dict(rows), "measures": measure_table.as_data(values)}
+        console.out(json.dumps(data, indent=2, ensure_ascii=False))
+    elif as_csv:
+        console.out(measure_table.as_csv(values), end="")
+    else:
+        print_table([(name, value, "") for name, value in rows], left=True)
+        if values:
+            console.print()
+            measure_table.print_values(values)
+
+
+def _contents(run: Path) -> tuple[int, "Scenario", list[tuple[str, str]]]:
+    """The number of frames of a run, its scenario, and its contents to read."""
+    from barchan.archive import run_info
+    from barchan.cli.report import resume_command
 
     known = run_info(run)
     scenario = known.scenario
@@ -35,8 +86,4 @@ def info(run: Path, /) -> None:
         ("state", state),
         ("size", f"{known.bytes / 1e6:.1f} MB"),
     ]
-    print_table([(name, value, "") for name, value in rows], left=True)
-    if known.frames:
-        console.print()
-        with open_run(run) as dataset:
-            print_measures(dataset, scenario)
+    return known.frames, scenario, rows

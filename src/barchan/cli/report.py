@@ -1,6 +1,5 @@
 """The output of a run before it starts and when it ends."""
 
-import math
 import shlex
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -30,9 +29,13 @@ def print_facts(simulation: Simulation, random_seed: bool) -> None:
     field = f"{lattice.columns} × {lattice.rows} cells of {lattice.cell_size:g} m"
     seed = f"seed {scenario.run.seed}" + (" (random)" if random_seed else "")
     console.print(f"{field}, slabs of {lattice.thickness:.3g} m, {scenario.run.steps} steps, {seed}")
-    for name, fact in {**scenario.time_facts(), **simulation.model.facts()}.items():
+    for name, fact in {
+        **scenario.ground_facts(),
+        **scenario.time_facts(),
+        **simulation.model.facts(),
+    }.items():
         console.print(f"{name}: {fact}")
-    for remark in scenario.remarks():
+    for remark in scenario.remarks(simulation.bed.ground):
         print_note(remark)
 
 
@@ -72,10 +75,10 @@ def _draw(outcome: Outcome, quiet: bool) -> str | None:
 
 def print_measures(dataset: "xr.Dataset", scenario: Scenario) -> None:
     """The table of the last frame's measures."""
-    from barchan.analysis.time_series import last_measures, measures_of
+    from barchan.analysis.time_series import last_values
+    from barchan.cli.measure_table import print_values
 
-    values = last_measures(dataset, scenario)
-    print_table([(m.title, _number(values[m.name]), m.unit) for m in measures_of(scenario)])
+    print_values(last_values(dataset, scenario))
 
 
 def print_table(rows: list[tuple[str, str, str]], left: bool = False) -> None:
@@ -89,7 +92,3 @@ def print_table(rows: list[tuple[str, str, str]], left: bool = False) -> None:
 def resume_command(run: Path) -> str:
     """The command that goes on with a run, to be pasted."""
     return f"barchan resume {shlex.quote(str(run))}"
-
-
-def _number(value: float) -> str:
-    return "–" if math.isnan(value) else f"{value:.4g}" if abs(value) < 1e4 else f"{value:.0f}"

@@ -7,7 +7,11 @@ def schema() -> None:
 
     from barchan.cli.terminal import console
     from barchan.scenario import Scenario
+    from barchan.scenario.from_ground import FROM_GROUND
 
     stated = {"required": ["barchan"]}  # a file states its format, which a Scenario made in Python knows
     schema = {**Scenario.model_json_schema(), **stated}
+    lattice, kind = schema["properties"]["lattice"], schema["$defs"]["Lattice"]["properties"]["kind"]
+    lattice["anyOf"] = [{"$ref": lattice.pop("$ref")}, {"const": FROM_GROUND}]
+    kind["enum"] = [kind.pop("const"), FROM_GROUND]
     console.out(json.dumps(schema, indent=2, ensure_ascii=False), highlight=False)

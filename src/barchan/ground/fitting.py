@@ -1,16 +1,32 @@
 """Heights from a file brought onto the lattice: holes, scale and size, never in silence."""
 
-import math
+from functools import lru_cache
 from pathlib import Path
-from typing import Literal
+from typing import Annotated, Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
+from pydantic import BeforeValidator
 
 from barchan.errors import Problem, ScenarioError
-from barchan.ground.raster import Raster, UnreadableError, read
+from barchan.ground.raster import Hints, Outline, Place, Raster, UnreadableError
+from barchan.ground.reading import read
+from barchan.ground.reference import require_metres
+from barchan.ground.resampling import resampled
+from barchan.ground.voids import filled, marked, suspects
 from barchan.lattice import Lattice
 from barchan.parameters import Parameters, parameter
+
+TOLERANCE = 1e-3
+"""Part by which a side of a file's cell may differ from the lattice's cell size."""
+
+FARTHEST = 0.5
+"""Cells by which that may shift the far edge of the field."""
+
+
+def _several(value: Any) -> Any:
+    """A single number as a list of one."""
+    return [value] if isinstance(value, int | float) and not isinstance(value, bool) else value
 
 
 class FromFile(Parameters):
@@ -19,8 +35,9 @@ class FromFile(Parameters):
     kind: str
     path: str = parameter(
         unit="-",
-        meaning="The file: .npy (row 0 in the south), .png (greyscale), .tif or .tiff (GeoTIFF); in a "
-        "scenario file, from where that file lies.",
+        meaning="The file: .npy (row 0 in the south), .png (greyscale), .tif or .tiff (GeoTIFF), .asc "
+        "(ESRI ASCII grid), .xyz (points on a grid), .nc (NetCDF) or .hgt; in a scenario file, from where "
+        "that file lies.",
     )
     lowest: float | None = parameter(
         None, unit="m", ge=-1e5, le=1e5, meaning="Height that black means, in an image."
@@ -31,14 +48,46 @@ class FromFile(Parameters):
     resample: bool = parameter(
         False,
         unit="-",
-        meaning="Whether a file of another size is interpolated bilinearly: a GeoTIFF at its own scale from "
-        "its south-west corner, others stretched over the field.",
+        meaning="Whether a file of other cells is brought onto the lattice's: means over larger cells, "
+        "linear between smaller ones; an elevation model at its own scale from its south-west corner, others "
+        "stretched over the field.",
+    )
+    missing: Annotated[list[float] | None, BeforeValidator(_several)] = parameter(
+        None,
+        unit="-",
+        max_length=100,
+        meaning="Numbers that mark cells without a value, where the file does not declare them; [] if all "
+        "are values. Without it, a number that looks like such a mark is refused.",
     )
     fill: Literal["no", "interpolate"] = parameter(
         "no",
         unit="-",
         meaning="Whether cells without a value are refused, or filled smoothly from those around them.",
     )
+    crs: str | None = parameter(
+        None,
+        unit="-",
+        meaning="Coordinate reference system of an elevation model that states none, for instance "
+        "EPSG:32633, or 'metres' for local coordinates.",
+    )
+    variable: str | None = parameter(
+        None, unit="-", meaning="Name of the variable to read, in a NetCDF file of several."
+    )
+
+    def raster(self) -> Raster:
+        """What the file holds; raises UnreadableError where its coordinates are no metres on the ground."""
+        hints = Hints(self.crs, self.variable)
+        raster = read(Path(self.path), hints)
+        if raster.place is not None:
+            require_metres(raster.place, raster.values.shape, hints)
+        return raster
+
+    def outline(self) -> Outline:
+        """Size, place and unit of what the file holds; raises as ``raster`` does."""
+        path = Path(self.path)
+        if not path.is_file():
+            raise UnreadableError("no such file")
+        return _outline(self, _stamps(path, path.with_suffix(".prj")))
 
     def heights(self, lattice: Lattice, group: str, least: float, most: float) -> NDArray[np.float64]:
         """The file's heights on the lattice, all of them from ``least`` to ``most``.
@@ -46,18 +95,23 @@ class FromFile(Parameters):
         Raises ScenarioError with every problem, under the keys of the scenario's ``group``.
         """
         try:
-            raster = read(Path(self.path))
-            heights = self._filled(self._scaled(raster), least, most)
-            return self._fitted(heights, raster.cell_size, lattice)
+            raster = self.raster()
+            heights = self._filled(self._scaled(raster, lattice.cell_size), least, most)
+            return self._fitted(heights, raster.place, lattice)
         except UnreadableError as error:
             raise ScenarioError([Problem(f"{group}.path", f"'{self.path}': {error}")]) from None
 
-    def _scaled(self, raster: Raster) -> NDArray[np.float64]:
-        if raster.full_scale is None:
-            return raster.heights
-        if self.lowest is None or self.highest is None:
-            raise UnreadableError("is an image: state lowest and highest, the heights of black and white")
-        return self.lowest + (self.highest - self.lowest) * raster.heights / raster.full_scale
+    def _scaled(self, raster: Raster, cell_size: float) -> NDArray[np.float64]:
+        """Heights, NaN where there is none."""
+        values = raster.values.astype(np.float64)
+        if raster.full_scale is not None:
+            if self.lowest is None or self.highest is None:
+                raise UnreadableError("is an image: state lowest and highest, the heights of black and white")
+            return self.lowest + (self.highest - self.lowest) * values / raster.full_scale
+        if self.missing is None:
+            _refuse_suspects(doubtful(raster, cell_size))
+        values[marked(values, self.missing or [])] = np.nan
+        return values * raster.scale + raster.offset
 
     def _filled(self, heights: NDArray[np.float64], least: float, most: float) -> NDArray[np.float64]:
         holes = np.isnan(heights)
@@ -74,24 +128,20 @@ class FromFile(Parameters):
         return filled(heights, holes)
 
     def _fitted(
-        self, heights: NDArray[np.float64], cell: float | None, lattice: Lattice
+        self, heights: NDArray[np.float64], place: Place | None, lattice: Lattice
     ) -> NDArray[np.float64]:
         rows, columns = heights.shape
-        same = cell is None or math.isclose(cell, lattice.cell_size, rel_tol=1e-6)
-        if self.resample:
-            if cell is None:
-                return bilinear(heights, rows / lattice.rows, columns / lattice.columns, lattice)
-            step = lattice.cell_size / cell
-            if lattice.rows * step > rows + 1e-6 or lattice.columns * step > columns + 1e-6:
-                size = f"{columns * cell:g} × {rows * cell:g} m"
-                field = f"{lattice.columns * step * cell:g} × {lattice.rows * step * cell:g} m"
+        if self.resample and place is None:
+            return resampled(heights, rows / lattice.rows, columns / lattice.columns, lattice)
+        if self.resample and place is not None:
+            step_y, step_x = lattice.cell_size / place.height, lattice.cell_size / place.width
+            if _beyond(lattice.rows * step_y, rows) or _beyond(lattice.columns * step_x, columns):
+                size = f"{columns * place.width:g} × {rows * place.height:g} m"
+                field = f"{lattice.columns * lattice.cell_size:g} × {lattice.rows * lattice.cell_size:g} m"
                 raise UnreadableError(f"covers {size}; allowed: at least the field, {field}")
-            return bilinear(heights, step, step, lattice)
-        if not same:
-            raise UnreadableError(
-                f"has cells of {cell:g} m; allowed: {lattice.cell_size:g} m as lattice.cell_size, "
-                "or resample true"
-            )
+            return resampled(heights, step_y, step_x, lattice)
+        if place is not None:
+            _require_cells(place, heights.shape, lattice.cell_size)
         if heights.shape != lattice.shape:
             raise UnreadableError(
                 f"is {rows} rows of {columns} cells; allowed: the lattice's {lattice.rows} rows of "
@@ -100,52 +150,59 @@ class FromFile(Parameters):
         return heights
 
 
-def bilinear(
-    heights: NDArray[np.float64], step_y: float, step_x: float, lattice: Lattice
-) -> NDArray[np.float64]:
-    """Heights at the centres of the lattice's cells, whose width is a number of the file's cells."""
-    from scipy.ndimage import map_coordinates
+def doubtful(raster: Raster, cell_size: float) -> list[tuple[float, int]]:
+    """Numbers of a raster that look like undeclared codes for missing cells, each with its count.
 
-    rows = (np.arange(lattice.rows) + 0.5) * step_y - 0.5
-    columns = (np.arange(lattice.columns) + 0.5) * step_x - 0.5
-    places = np.meshgrid(rows, columns, indexing="ij")
-    return np.asarray(map_coordinates(heights, places, order=1, mode="nearest"))
+    ``cell_size`` (m) counts where the raster has no cells of its own.
+    """
+    cell = raster.place.cell_size if raster.place is not None else cell_size
+    return suspects(raster.values.astype(np.float64), raster.scale, cell)
 
 
-def filled(heights: NDArray[np.float64], holes: NDArray[np.bool_]) -> NDArray[np.float64]:
-    """Each hole's cells set to the mean of their four neighbours: a membrane over the hole's rim."""
-    from scipy.sparse import coo_array
-    from scipy.sparse.linalg import spsolve
-
-    number = np.full(holes.shape, -1)
-    number[holes] = np.arange(holes.sum())
-    count = int(holes.sum())
-    rows, cols, weights = [], [], []
-    diagonal, known = np.zeros(count), np.zeros(count)
-    for here, there in _neighbours():
-        cell, neighbour = number[here], number[there]
-        inner, rim = (cell >= 0) & (neighbour >= 0), (cell >= 0) & (neighbour < 0)
-        np.add.at(diagonal, cell[cell >= 0], 1.0)
-        np.add.at(known, cell[rim], heights[there][rim])
-        rows.append(cell[inner])
-        cols.append(neighbour[inner])
-        weights.append(np.full(inner.sum(), -1.0))
-    rows.append(np.arange(count))
-    cols.append(np.arange(count))
-    weights.append(diagonal)
-    places = (np.concatenate(rows), np.concatenate(cols))
-    matrix = coo_array((np.concatenate(weights), places), shape=(count, count)).tocsc()
-    whole = heights.copy()
-    whole[holes] = spsolve(matrix, known)
-    return whole
+def _beyond(needed: float, available: int) -> bool:
+    """Whether more of the file's cells are needed than there are, within the tolerance."""
+    return needed - available > min(FARTHEST, TOLERANCE * available)
 
 
-def _neighbours() -> list[tuple[tuple[slice, slice], tuple[slice, slice]]]:
-    """The cells of an array that have a neighbour on one side, and those neighbours, for each side."""
-    every, first, last = slice(None), slice(None, -1), slice(1, None)
-    return [
-        ((first, every), (last, every)),
-        ((last, every), (first, every)),
-        ((every, first), (every, last)),
-        ((every, last), (every, first)),
-    ]
+@lru_cache(maxsize=32)
+def _outline(file: FromFile, _stamps: tuple[tuple[str, int, int], ...]) -> Outline:
+    """The outline of a file; kept as long as its stamps are the same."""
+    raster = file.raster()
+    rows, columns = raster.values.shape
+    return Outline((rows, columns), raster.place, raster.scale, raster.unit)
+
+
+def _stamps(*paths: Path) -> tuple[tuple[str, int, int], ...]:
+    """Place, time of change and length of those files that exist."""
+    found = [(str(path.resolve()), path.stat()) for path in paths if path.is_file()]
+    return tuple((name, stat.st_mtime_ns, stat.st_size) for name, stat in found)
+
+
+def _refuse_suspects(found: list[tuple[float, int]]) -> None:
+    if not found:
+        return
+    said = " and ".join(f"{'a cell' if n == 1 else f'{n} cells'} of {_exact(v)}" for v, n in found)
+    codes = ", ".join(_exact(value) for value, _ in found)
+    raise UnreadableError(
+        f"has {said}, which looks like a code for cells without a value that the file does not declare; "
+        f"state missing [{codes}] if it is one (and fill 'interpolate'), missing [] if all are heights"
+    )
+
+
+def _exact(value: float) -> str:
+    """A number that reads back as the same single-precision value."""
+    return f"{value:.9g}"
+
+
+def _require_cells(place: Place, shape: tuple[int, int], cell_size: float) -> None:
+    """Raise UnreadableError where a file's cells are not the lattice's, within the tolerance."""
+    sides, counts = (place.width, place.height), (shape[1], shape[0])
+    parts = [abs(side / cell_size - 1.0) for side in sides]
+    if all(p <= TOLERANCE and p * n <= FARTHEST for p, n in zip(parts, counts, strict=True)):
+        return
+    square = abs(place.width / place.height - 1.0) <= TOLERANCE
+    cells = f"{place.width:.9g} m" if square else f"{place.width:.9g} × {place.height:.9g} m"
+    raise UnreadableError(
+        f"has cells of {cells}; allowed: {cell_size:g} m as lattice.cell_size (within {100 * TOLERANCE:g} %, "
+        "and half a cell over the field), or resample true"
+    )

@@ -1,21 +1,18 @@
-"""Arrays of heights read from files: NumPy arrays, greyscale PNG images, GeoTIFF elevation models.
+"""Heights as a file holds them, and where on Earth its cells lie.
 
-Row 0 is the south edge afterwards: images and GeoTIFF are turned, a NumPy array lies as ours do.
+Row 0 is the south edge and column 0 the west edge, however the file is written.
 """
 
 import math
-import warnings
-from collections.abc import Callable
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any
 
-import numpy as np
 from numpy.typing import NDArray
 
 from barchan.errors import BarchanError
 
-MISSING_EXTRA = "needs rasterio to be read; install it with: pip install barchan[geo]"
+SHEAR = 1e-3
+"""Largest part of a cell by which rows or columns may lean over the whole raster."""
 
 
 class UnreadableError(BarchanError):
@@ -23,101 +20,79 @@ class UnreadableError(BarchanError):
 
 
 @dataclass(frozen=True)
-class Raster:
-    """Heights in a file; where it has none, NaN."""
+class Hints:
+    """What a user says of a file that does not say it itself."""
 
-    heights: NDArray[np.float64]
+    crs: str | None = None
+    """Coordinate reference system, or ``metres`` for local coordinates."""
+    variable: str | None = None
+    """Name of the variable to read, in a NetCDF file."""
+
+
+@dataclass(frozen=True)
+class Place:
+    """The south-west corner of a raster and the sides of its cells, in units of its coordinates."""
+
+    west: float
+    south: float
+    width: float
+    """Side of a cell from west to east."""
+    height: float
+    """Side of a cell from south to north."""
+    crs: Any = None
+    """Coordinate reference system (rasterio's ``CRS``); None where the file states none."""
+
+    @property
+    def cell_size(self) -> float:
+        """Side of the square that has the area of a cell."""
+        return math.sqrt(self.width * self.height)
+
+
+@dataclass(frozen=True)
+class Raster:
+    """Numbers of a file, NaN where the file declares none, and how they give heights."""
+
+    values: NDArray[Any]
+    place: Place | None = None
+    """None where the file has no coordinates."""
     full_scale: float | None = None
     """The value of white, in an image."""
-    cell_size: float | None = None
-    """Width of a cell (m), in an elevation model."""
+    scale: float = 1.0
+    """Metres that a number stands for, in an elevation model."""
+    offset: float = 0.0
+    """Height (m) that zero stands for."""
+    unit: str | None = None
+    """Unit of length that the file states for its numbers; None where it states none."""
 
 
-def read(path: Path) -> Raster:
-    """The heights in a file, by its suffix.
+@dataclass(frozen=True)
+class Outline:
+    """What there is to know of a raster without its numbers; see ``Raster``."""
 
-    Raises UnreadableError where it holds none.
+    shape: tuple[int, int]
+    place: Place | None
+    scale: float
+    unit: str | None
+
+
+def placed(
+    values: NDArray[Any], transform: tuple[float, float, float, float, float, float], crs: Any
+) -> tuple[NDArray[Any], Place]:
+    """Values and place of a raster whose affine transform is (a, b, c, d, e, f), turned to our order.
+
+    x = a·column + b·row + c, y = d·column + e·row + f, of a cell's outer corner. Raises UnreadableError where
+    rows do not run from west to east, or columns not from south to north or back.
     """
-    reader = READERS.get(path.suffix.lower())
-    if reader is None:
-        raise UnreadableError(f"is of an unknown kind; allowed: {', '.join(READERS)}")
-    if not path.is_file():
-        raise UnreadableError("no such file")
-    return reader(path)
-
-
-def georeference(path: Path) -> dict[str, Any]:
-    """The coordinate reference system of an elevation model and its south-west corner in it (m).
-
-    Nothing where the file has none, or is no longer there.
-    """
-    if READERS.get(path.suffix.lower()) is not _elevation_model:
-        return {}
-    try:
-        with _opened(path) as source:
-            crs, bounds = source.crs, source.bounds
-    except UnreadableError:
-        return {}
-    return {"crs": crs.to_string(), "west": bounds.left, "south": bounds.bottom} if crs else {}
-
-
-def _array(path: Path) -> Raster:
-    try:
-        heights = np.load(path, allow_pickle=False)
-    except (OSError, ValueError, EOFError) as error:
-        raise UnreadableError(f"cannot be read as a NumPy array: {error}") from None
-    if not isinstance(heights, np.ndarray) or heights.ndim != 2 or heights.dtype.kind not in "biuf":
-        raise UnreadableError("holds no two-dimensional array of numbers")
-    return Raster(heights.astype(np.float64))
-
-
-def _image(path: Path) -> Raster:
-    from PIL import Image
-
-    try:
-        with Image.open(path) as image:
-            mode, values = image.mode, np.asarray(image)
-    except (OSError, ValueError, Image.DecompressionBombError) as error:
-        raise UnreadableError(f"cannot be read as an image: {error}") from None
-    if mode != "L" and not mode.startswith("I"):
-        raise UnreadableError(f"is an image of mode {mode}; allowed: greyscale of 8 or 16 bits")
-    return Raster(values[::-1].astype(np.float64), full_scale=255.0 if mode == "L" else 65535.0)
-
-
-def _elevation_model(path: Path) -> Raster:
-    with _opened(path) as source:
-        shape, crs = source.transform, source.crs
-        if source.count != 1:
-            raise UnreadableError(f"has {source.count} bands; allowed: one, of elevations")
-        if crs is None or not crs.is_projected or crs.linear_units_factor[1] != 1.0:
-            name = "no coordinate reference system" if crs is None else crs.to_string()
-            raise UnreadableError(f"has {name}; allowed: a projected one in metres, for instance UTM")
-        if shape.b or shape.d or not math.isclose(shape.a, abs(shape.e), rel_tol=1e-6):
-            raise UnreadableError(
-                "has cells that are no upright squares; allowed: squares, rows from west to east"
-            )
-        values = source.read(1, masked=True).astype(np.float64) * source.scales[0] + source.offsets[0]
-        heights = np.ma.filled(values, np.nan)
-        return Raster(heights[::-1] if shape.e < 0 else heights, cell_size=shape.a)
-
-
-def _opened(path: Path) -> Any:
-    try:
-        import rasterio
-    except ImportError:
-        raise UnreadableError(MISSING_EXTRA) from None
-    try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore", rasterio.errors.NotGeoreferencedWarning)
-            return rasterio.open(path)
-    except rasterio.errors.RasterioError as error:
-        raise UnreadableError(f"cannot be read as a GeoTIFF: {error}") from None
-
-
-READERS: dict[str, Callable[[Path], Raster]] = {
-    ".npy": _array,
-    ".png": _image,
-    ".tif": _elevation_model,
-    ".tiff": _elevation_model,
-}
-"""Readers by the suffix of the file."""
+    a, b, c, d, e, f = transform
+    rows, columns = values.shape
+    if abs(b) * rows > SHEAR * abs(a) or abs(d) * columns > SHEAR * abs(e):
+        turned = math.degrees(math.atan2(d, a))
+        raise UnreadableError(
+            f"has cells that are no upright rectangles (rows turned by {turned:.3g}°); "
+            "allowed: rows from west to east"
+        )
+    if e < 0:
+        values, f = values[::-1], f + e * rows
+    if a < 0:
+        values, c = values[:, ::-1], c + a * columns
+    return values, Place(c, f, abs(a), abs(e), crs)

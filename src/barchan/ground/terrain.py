@@ -1,6 +1,7 @@
 """The base of all kinds of ground."""
 
-from typing import Any, ClassVar
+from dataclasses import dataclass
+from typing import ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,6 +17,20 @@ TALLEST = 1e4
 """Height of the tallest landform (m)."""
 
 
+@dataclass(frozen=True)
+class Georeference:
+    """Where on Earth a field lies."""
+
+    west: float
+    """Easting of the field's west edge (m)."""
+    south: float
+    """Northing of its south edge (m)."""
+    crs: str | None = None
+    """Coordinate reference system, by its code where it has one; None where the terrain states none."""
+    wkt: str | None = None
+    """The same as well-known text."""
+
+
 class Terrain(Parameters):
     """A shape of the non-erodible ground."""
 
@@ -29,6 +44,14 @@ class Terrain(Parameters):
         """The cells that start without sand."""
         return np.zeros(lattice.shape, bool)
 
-    def georeference(self) -> dict[str, Any]:
-        """Where on Earth the field lies: ``crs`` and the south-west corner, where that is known."""
+    def georeference(self) -> Georeference | None:
+        """Where on Earth the field lies, where that is known."""
+        return None
+
+    def facts(self, _lattice: Lattice) -> dict[str, str]:
+        """How the ground was made to fit the lattice, where that is not obvious, for people to read."""
         return {}
+
+    def remarks(self, _lattice: Lattice) -> list[str]:
+        """Remarks that a user should know before running this."""
+        return []

@@ -45,7 +45,7 @@ def find_dunes(
     """
     deep = smoothed(depth, width, periodic)
     above = deep - (float(deep.mean()) if level is None else level)
-    bodies = _bodies(above > 0.0, periodic)
+    bodies = bodies_of(above > 0.0, periodic)
     found = []
     for number in range(1, int(bodies.max()) + 1):
         rows, columns = np.nonzero(bodies == number)
@@ -57,7 +57,7 @@ def find_dunes(
     return found
 
 
-def _bodies(raised: NDArray[np.bool_], periodic: Periodic) -> NDArray[np.int64]:
+def bodies_of(raised: NDArray[np.bool_], periodic: Periodic) -> NDArray[np.int64]:
     """Number of the body of each cell, counted from 1; bodies go on over joined edges.
 
     A margin repeats the cells beyond each joined edge; a cell and its copies belong to one body.

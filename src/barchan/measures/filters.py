@@ -1,4 +1,7 @@
-"""Filters that several measures apply to a field first."""
+"""Filters that several measures apply to a field first.
+
+A cell that is NaN is a void: it counts for nothing, and what is computed from it is a void too.
+"""
 
 from collections.abc import Sequence
 from typing import Literal
@@ -13,9 +16,53 @@ Periodic = tuple[bool, bool]
 
 
 def smoothed(field: NDArray, width: float, periodic: Periodic) -> Field:
-    """A field smoothed with a Gaussian of standard deviation ``width`` (cells)."""
+    """A field smoothed with a Gaussian of standard deviation ``width`` (cells); voids stay as they are."""
     modes: list[Literal["wrap", "nearest"]] = ["wrap" if p else "nearest" for p in periodic]
-    return ndimage.gaussian_filter(np.asarray(field, float), width, mode=modes)
+    values = np.asarray(field, float)
+    known = np.isfinite(values)
+    if known.all():
+        return ndimage.gaussian_filter(values, width, mode=modes)
+    total = ndimage.gaussian_filter(np.where(known, values, 0.0), width, mode=modes)
+    weight = ndimage.gaussian_filter(known.astype(float), width, mode=modes)
+    return np.where(known, total / np.where(known, weight, 1.0), np.nan)
+
+
+def without_trend(field: NDArray, periodic: Periodic) -> Field:
+    """A field less its ``trend``."""
+    values = np.asarray(field, float)
+    return values - trend(values, periodic)
+
+
+def trend(field: Field, periodic: Periodic) -> Field:
+    """The plane through a field, about its middle, that slopes only towards edges that are not joined.
+
+    Cells are weighted by Hann windows towards those edges: waves that the edges cut tilt the plane little.
+    """
+    sloping = [axis for axis in (0, 1) if not periodic[axis] and field.shape[axis] > 2]
+    known = np.isfinite(field)
+    if not sloping or not known.any():
+        return np.zeros_like(field)
+    places = np.indices(field.shape)
+    sides = [places[axis] - (field.shape[axis] - 1) / 2 for axis in sloping]
+    weight = np.sqrt(windows(field.shape, periodic))[known]
+    columns = np.stack([np.ones(int(known.sum())), *(side[known] for side in sides)], axis=1)
+    plane = np.linalg.lstsq(columns * weight[:, None], field[known] * weight, rcond=None)[0]
+    return np.asarray(sum(slope * side for slope, side in zip(plane[1:], sides, strict=True)))
+
+
+def windows(shape: tuple[int, ...], periodic: Periodic, shift: Sequence[float] | Field = (0.0, 0.0)) -> Field:
+    """Weights that fade out towards edges that are not joined (Hann), 1 along the other axes.
+
+    Their middle lies ``shift`` (rows, columns) from that of the field.
+    """
+    weights = np.ones(shape)
+    for axis in (0, 1):
+        size = shape[axis]
+        if not periodic[axis] and size > 2:
+            place = np.clip(np.arange(1, size + 1) - shift[axis], 0, size + 1)
+            window = np.sin(np.pi * place / (size + 1)) ** 2
+            weights = weights * (window[:, None] if axis == 0 else window[None, :])
+    return weights
 
 
 def gradient(field: Field, cell_size: float, periodic: Periodic) -> tuple[Field, Field]:
@@ -32,15 +79,12 @@ def gradient(field: Field, cell_size: float, periodic: Periodic) -> tuple[Field,
 
 
 def tapered(field: Field, periodic: Periodic, shift: Sequence[float] | Field = (0.0, 0.0)) -> Field:
-    """The field about its mean, faded out towards edges that are not joined (Hann).
+    """The field about its mean, faded out towards edges that are not joined; voids are at the mean.
 
     The window's middle lies ``shift`` (rows, columns) from that of the field.
     """
-    result = field - field.mean()
-    for axis in (0, 1):
-        size = field.shape[axis]
-        if not periodic[axis] and size > 2:
-            place = np.clip(np.arange(1, size + 1) - shift[axis], 0, size + 1)
-            window = np.sin(np.pi * place / (size + 1)) ** 2
-            result = result * (window[:, None] if axis == 0 else window[None, :])
-    return result
+    known = np.isfinite(field)
+    if not known.any():
+        return np.zeros_like(field)
+    about = field - field.mean(where=known)
+    return np.where(known, about, 0.0) * windows(field.shape, periodic, shift)

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from barchan.measures.filters import Periodic, gradient, smoothed
+from barchan.measures.filters import Periodic, gradient, smoothed, without_trend
 
 
 @dataclass(frozen=True)
@@ -27,12 +27,16 @@ def crest_orientation(
     """Mean crest direction by the structure tensor of the surface smoothed over ``width`` cells.
 
     The tensor averages the outer product of the surface's gradient with itself; crests run across its
-    principal direction, and its coherence is (l1 - l2) / (l1 + l2) of its two eigenvalues.
+    principal direction, and its coherence is (l1 - l2) / (l1 + l2) of its two eigenvalues. A trend towards
+    open edges is removed first; cells that are NaN are left out.
     """
-    east, north = gradient(smoothed(elevation, width, periodic), cell_size, periodic)
-    xx, yy, xy = float(np.mean(east**2)), float(np.mean(north**2)), float(np.mean(east * north))
+    surface = smoothed(without_trend(elevation, periodic), width, periodic)
+    east, north = gradient(surface, cell_size, periodic)
+    known = np.isfinite(east + north)
+    east, north = east[known], north[known]
+    xx, yy, xy = (float(part.sum()) for part in (east**2, north**2, east * north))
     if xx + yy <= np.finfo(float).tiny:
         return Orientation(float("nan"), 0.0)
     across = 0.5 * np.arctan2(2 * xy, xx - yy)
-    azimuth = -np.degrees(across) % 180.0
+    azimuth = -np.degrees(across) % 180.0 % 180.0  # a remainder of a tiny negative angle rounds up to 180
     return Orientation(float(azimuth), float(np.hypot(xx - yy, 2 * xy) / (xx + yy)))

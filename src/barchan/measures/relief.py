@@ -3,17 +3,20 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from barchan.measures.filters import Periodic, smoothed
+from barchan.measures.filters import Periodic, smoothed, without_trend
 from barchan.measures.spacing import dominant_spacing
 
 
 def bedform_height(elevation: NDArray, periodic: Periodic = (True, True), width: float = 1.0) -> float:
     """Height (m) from trough to crest of sine waves with the standard deviation of a surface.
 
-    The surface is smoothed over ``width`` cells first. 0 on a flat bed. All relief counts, that of the
-    ground too.
+    A trend towards open edges is removed and the surface smoothed over ``width`` cells first; cells that are
+    NaN are left out. 0 on a flat bed. All relief counts: that of uneven ground is removed beforehand, by
+    ``bedform_surface``.
     """
-    return float(2.0 * np.sqrt(2.0) * smoothed(elevation, width, periodic).std())
+    surface = smoothed(without_trend(elevation, periodic), width, periodic)
+    known = np.isfinite(surface)
+    return float(2.0 * np.sqrt(2.0) * surface.std(where=known)) if known.any() else float("nan")
 
 
 def bedform_index(

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from barchan.directions import downwind
-from barchan.measures.filters import Field, Periodic, gradient, smoothed
+from barchan.measures.filters import Field, Periodic, gradient, smoothed, without_trend
 
 
 @dataclass(frozen=True)
@@ -29,14 +29,43 @@ def streamwise_slopes(
 ) -> Slopes:
     """Mean slopes that face a wind from ``direction`` (degrees) and that turn from it.
 
-    Slopes of the surface smoothed over ``width`` cells, averaged with the slope itself as weight: exact
-    for straight flanks, and level ground between bedforms does not count. All relief does: bedforms, hills
-    and walls of the ground, and remains of single slabs after smoothing.
+    Slopes of the surface without its trend towards open edges, smoothed over ``width`` cells, averaged with
+    the slope itself as weight: exact for straight flanks, and level ground between bedforms does not count.
+    Cells that are NaN are left out. All relief counts, also remains of single slabs after smoothing; that of
+    uneven ground is removed beforehand, by ``bedform_surface``.
     """
-    east, north = gradient(smoothed(elevation, width, periodic), cell_size, periodic)
+    surface = smoothed(without_trend(elevation, periodic), width, periodic)
+    east, north = gradient(surface, cell_size, periodic)
     x, y = downwind(direction)
     rise = east * x + north * y
     return Slopes(_weighted(rise[rise > 0]), _weighted(-rise[rise < 0]))
+
+
+SHARE = 0.95
+"""Share of the fall of lee sides that slip faces are as steep as, or steeper than all of."""
+
+
+def slip_face_angle(
+    elevation: NDArray,
+    cell_size: float,
+    direction: float,
+    periodic: Periodic = (True, True),
+    width: float = 0.5,
+) -> float:
+    """The 95th percentile (degrees) of the slopes of lee sides in a wind from ``direction`` (degrees).
+
+    Lee cells are those on which the surface, smoothed over ``width`` cells, falls downwind; their slope is
+    the dip, in whatever direction they face, to the horizontal: a trend is not removed, nor the relief of the
+    ground. Each cell counts by its slope, so that level floors and roughness count little. Cells that are NaN
+    are left out. NaN where nothing falls downwind.
+    """
+    east, north = gradient(smoothed(elevation, width, periodic), cell_size, periodic)
+    x, y = downwind(direction)
+    dip = np.sort(np.hypot(east, north)[east * x + north * y < -1e-12])
+    if not dip.size:
+        return float("nan")
+    fall = np.cumsum(dip)
+    return float(np.degrees(np.arctan(dip[np.searchsorted(fall, SHARE * fall[-1])])))
 
 
 def _weighted(slopes: Field) -> float:

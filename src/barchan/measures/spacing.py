@@ -5,7 +5,7 @@ from numpy.typing import NDArray
 from scipy import fft
 
 from barchan.directions import downwind
-from barchan.measures.filters import Field, Periodic, smoothed, tapered
+from barchan.measures.filters import Field, Periodic, smoothed, tapered, without_trend
 
 
 def dominant_spacing(
@@ -19,12 +19,11 @@ def dominant_spacing(
 
     The inverse of the mean wavenumber along the wind, each wavenumber weighted with the square of its
     power: the wavelength itself for a train of waves, hardly moved by the harmonics of sharp crests, and
-    steady where several wavelengths compete. The surface is smoothed over ``width`` cells first. NaN on a
-    bed without relief along the wind.
+    steady where several wavelengths compete. A trend towards open edges is removed and the surface smoothed
+    over ``width`` cells first; cells that are NaN are left out. NaN on a bed without relief along the wind.
     """
-    wavenumber, power = streamwise_spectrum(
-        smoothed(elevation, width, periodic), cell_size, direction, periodic
-    )
+    surface = smoothed(without_trend(elevation, periodic), width, periodic)
+    wavenumber, power = streamwise_spectrum(surface, cell_size, direction, periodic)
     weight = power**2
     if not weight.sum() > 0:
         return float("nan")
@@ -49,6 +48,6 @@ def streamwise_spectrum(
     place = np.rint(along / step).astype(np.int64)
     total = np.bincount(place, power.ravel()).astype(np.float64)
     moment = np.bincount(place, power.ravel() * along).astype(np.float64)
-    rounding = 1e-24 * elevation.size * float(np.sum(np.square(elevation, dtype=float)))
+    rounding = 1e-24 * elevation.size * float(np.nansum(np.square(elevation, dtype=float)))
     filled = (np.arange(total.size) > 0) & (total > rounding)
     return moment[filled] / total[filled], total[filled]

@@ -9,7 +9,8 @@ from pydantic import Field
 
 from barchan.errors import Problem, ScenarioError
 from barchan.ground.area import Area, covered
-from barchan.ground.raster import UnreadableError, read
+from barchan.ground.raster import UnreadableError
+from barchan.ground.reading import read
 from barchan.lattice import Lattice
 from barchan.parameters import Parameters, parameter
 from barchan.plants.species import LEAST, MOST, SPECIES
@@ -156,12 +157,14 @@ class MappedPlants(Layout):
             raster = read(Path(self.path))
         except UnreadableError as error:
             raise self._misfit(str(error)) from None
-        share = raster.heights / (raster.full_scale or 1.0)
+        share = raster.values / (raster.full_scale or 1.0)
         message = ""
         if share.shape != lattice.shape:
             message = f"has {share.shape} rows and columns; allowed: the lattice's {lattice.shape}"
         elif not np.isfinite(share).all():
             message = f"has {np.count_nonzero(~np.isfinite(share))} cells without a value; allowed: none"
+        elif share.min() < 0 or share.max() > 1:
+            message = f"has shares from {share.min():g} to {share.max():g}; allowed: 0 to 1"
         if message:
             raise self._misfit(message)
         return share

@@ -2,9 +2,15 @@
 
 from typing import TYPE_CHECKING
 
+import numpy as np
+from numpy.typing import NDArray
+
 from barchan.directions import downwind
+from barchan.errors import ScenarioError
+from barchan.ground.edges import unmatched_edges
 from barchan.models import Model
 from barchan.scenario.source_map import Path
+from barchan.streams import Stream
 from barchan.wind import Recorded
 
 if TYPE_CHECKING:
@@ -88,6 +94,16 @@ def starved_edges(scenario: "Scenario") -> list[str]:
     plural = "edges are" if len(edges) > 1 else "edge is"
     text = f"the {sides} {plural} open and nothing enters there: the wind will empty the field"
     return [f'{text}; state what enters with "influx", for instance {{"kind": "saturation", "share": 0.2}}']
+
+
+def broken_edges(scenario: "Scenario", ground: NDArray[np.float64] | None) -> list[str]:
+    """A remark where edges are joined and the ground does not go on over them; made here if not given."""
+    if ground is None:
+        try:
+            ground = scenario.ground.elevation(scenario.lattice, Stream(scenario.run.seed or 0, "ground"))
+        except ScenarioError:  # said where the bed is made
+            return []
+    return unmatched_edges(ground, scenario.lattice)
 
 
 def _timeless(scenario: "Scenario") -> list[Found]:

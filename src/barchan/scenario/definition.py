@@ -3,6 +3,8 @@
 import secrets
 from typing import TYPE_CHECKING, Annotated, Any, Literal, Self, Union
 
+import numpy as np
+from numpy.typing import NDArray
 from pydantic import Field, PrivateAttr, model_validator
 from pydantic_core import PydanticCustomError
 
@@ -15,7 +17,7 @@ from barchan.ground.surface import Ground
 from barchan.lattice import Lattice
 from barchan.models import Model, models
 from barchan.parameters import Parameters, parameter
-from barchan.scenario.consistency import inconsistencies, starved_edges
+from barchan.scenario.consistency import broken_edges, inconsistencies, starved_edges
 from barchan.scenario.source_map import SourceMap
 from barchan.scenario.summary import html_table, in_a_line, summary
 from barchan.wind import Clock, Forcing, Steady, StepClock, Wind
@@ -167,6 +169,10 @@ class Scenario(Parameters):
             )
         return facts
 
+    def ground_facts(self) -> dict[str, str]:
+        """How the ground was made to fit the lattice, where that is not obvious, for people to read."""
+        return self.ground.facts(self.lattice)
+
     def forcing(self) -> Forcing:
         """The wind over this scenario's lattice, with its clock; the scenario must have a seed."""
         clock, model = self.clock, self.new_model()
@@ -212,11 +218,11 @@ class Scenario(Parameters):
     def _repr_html_(self) -> str:
         return html_table(self.title or "Scenario", summary(self))
 
-    def remarks(self) -> list[str]:
-        """Remarks that a user should know before running this."""
+    def remarks(self, ground: NDArray[np.float64] | None = None) -> list[str]:
+        """Remarks that a user should know before running this; ``ground`` (m) as it was made, if it was."""
         model = self.new_model()
         remarks = [model.remarks(part.longest_hop, part.direction) for _, part in self.wind.placed_parts()]
-        remarks.append(starved_edges(self))
+        remarks += [starved_edges(self), self.ground.remarks(self.lattice), broken_edges(self, ground)]
         return list(dict.fromkeys(remark for found in remarks for remark in found))
 
 

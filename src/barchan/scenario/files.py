@@ -2,6 +2,7 @@
 
 import json
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from importlib.resources import files
 from pathlib import Path
 from typing import Any
@@ -10,10 +11,11 @@ from pydantic import ValidationError
 
 from barchan.errors import Problem, ScenarioError
 from barchan.scenario.definition import Scenario
+from barchan.scenario.from_ground import measure, spelt_out
 from barchan.scenario.messages import nearest, problems_of
 from barchan.scenario.migrations import migrate
 from barchan.scenario.source_map import Path as KeyPath
-from barchan.scenario.source_map import SourceMap, parse
+from barchan.scenario.source_map import SourceMap, parse, path_of
 
 Override = tuple[str, str]
 """A dotted key and the text given for it, as on a command line."""
@@ -55,15 +57,18 @@ def validate(
     data = {key: value for key, value in json.loads(json.dumps(data)).items() if key != "$schema"}
     data, trouble = migrate(data)
     found += [Problem("barchan", trouble, name)] if trouble else []
+    spelt_out(data)
     given: set[KeyPath] = set()
     for key, text in overrides:
         path = tuple(key.replace("-", "_").split("."))
         given.add(path)
         found += _override(data, path, text)
+        spelt_out(data)
 
     _name_variants(data)
 
     source_map = SourceMap(name, lines or {}, given)
+    found += [replace(p, place=source_map.of(path_of(p.key))) for p in measure(data, given)]
     try:
         scenario = Scenario.model_validate_json(json.dumps(data))
     except ValidationError as error:

@@ -1,15 +1,18 @@
 """When bedforms are steady: spacing, straightness and speed that stay constant."""
 
+import math
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from barchan.directions import downwind
+from barchan.measures.bedform_surface import bedform_surface
 from barchan.measures.migration import migration
 from barchan.measures.orientation import crest_orientation
 from barchan.measures.spacing import dominant_spacing
 from barchan.model import Tally
 from barchan.scenario import Scenario, SteadyState
+from barchan.wind.resultant import resultant_direction
 
 if TYPE_CHECKING:
     from barchan.simulation.core import Simulation
@@ -24,7 +27,8 @@ class SteadyBedforms:
     def __init__(self, asked: SteadyState, scenario: Scenario) -> None:
         """Watch a run of ``scenario``."""
         self.asked = asked
-        self.every = max(1, asked.window // LOOKS)
+        forcing = scenario.forcing()
+        self.every = _whole_cycles(max(1, asked.window // LOOKS), forcing.wind.period(0, forcing.clock))
         self.looks = -(-asked.window // self.every) + 1
         lattice = scenario.lattice
         self.cell_size = lattice.cell_size
@@ -34,8 +38,12 @@ class SteadyBedforms:
 
     def check(self, simulation: "Simulation", _tally: Tally) -> str | None:
         """Measure the bed; the reason to end, once the window's measures are constant."""
-        surface = simulation.elevation
-        wind = simulation.wind_direction
+        bed = simulation.bed
+        surface = bedform_surface(bed.ground, bed.depth, self.cell_size, self.periodic)
+        hop = getattr(simulation.scenario.model, "hop_length", 1.0)
+        wind = resultant_direction(simulation.forcing, max(simulation.steps_done - 1, 0), hop)
+        if math.isnan(wind):
+            wind = simulation.wind_direction
         spacing = dominant_spacing(surface, self.cell_size, wind, self.periodic)
         straightness = crest_orientation(surface, self.cell_size, self.periodic).coherence
         speed = float("nan")
@@ -69,3 +77,10 @@ class SteadyBedforms:
         """Take up what was seen before."""
         self.seen = state["seen"]
         self.previous = state["previous"]
+
+
+def _whole_cycles(steps: int, cycle: float) -> int:
+    """About as many steps, and as many whole cycles of the wind as they need: dunes swing within one."""
+    if not 1.0 <= cycle < math.inf:
+        return steps
+    return round(cycle * math.ceil(steps / cycle))

@@ -27,6 +27,10 @@ class Blows(Protocol):
         """Intervals of a step, in order."""
         ...
 
+    def period(self, step: int, clock: StepClock, /) -> float:
+        """Steps after which the wind of ``step`` comes again: 0 if it stays the same, infinite if never."""
+        ...
+
 
 @dataclass(frozen=True)
 class Forcing:

@@ -79,6 +79,10 @@ class MixedAxes(Parameters):
             for axis, share in zip(axes, shares, strict=True)
         ]
 
+    def period(self, _step: int, _clock: StepClock) -> float:
+        """Steps after which the wind comes again: 0, as every step is the same."""
+        return 0.0
+
     def placed_parts(self) -> list[tuple[tuple[str | int, ...], Blowing]]:
         """The winds of both axes, with their keys."""
         axes = self.first, self.second

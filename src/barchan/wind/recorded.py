@@ -1,5 +1,6 @@
 """A wind that blows as it was recorded."""
 
+import math
 from functools import lru_cache
 from pathlib import Path
 from typing import ClassVar, Literal, NamedTuple
@@ -87,6 +88,13 @@ class Recorded(Parameters):
             return FOR_EVER
         row = int(np.searchsorted(edges, start, "right"))
         return max(int((edges[row] - start) / clock.seconds() + _ROUNDING), 1)
+
+    def period(self, _step: int, clock: StepClock) -> float:
+        """Steps after which the wind comes again: 0 if within a step, infinite if never."""
+        if not self.repeat:
+            return math.inf
+        cycle = float(self._series.ends[-1]) / clock.seconds()
+        return cycle if cycle >= 1.0 else 0.0
 
     def intervals(self, step: int, clock: StepClock) -> list[WindInterval]:
         """Intervals of a step, in order."""

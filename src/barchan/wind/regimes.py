@@ -130,6 +130,14 @@ class Regimes(Parameters):
         """How long all regimes blow together, in steps."""
         return math.fsum(regime.duration(clock) for regime in self.regimes)
 
+    def period(self, step: int, clock: StepClock) -> float:
+        """Steps after which the wind comes again: 0 if within a step or all are done, infinite if never."""
+        cycle = self.cycle(clock)
+        if self.repeat:
+            same = len(self.regimes) == 1 and not self.regimes[0].changes
+            return 0.0 if same or cycle < 1.0 else cycle
+        return 0.0 if step >= cycle else math.inf
+
     def lasts(self, step: int, clock: StepClock) -> int:
         """Number of steps from ``step`` on in which the wind stays the same."""
         regime, over = self._at(step, clock)

@@ -25,6 +25,10 @@ class Steady(Blowing):
         """Intervals of a step, in order."""
         return [self.interval(step, 0.0, 1.0, self.speed, clock)]
 
+    def period(self, _step: int, _clock: StepClock) -> float:
+        """Steps after which the wind comes again: 0, as it stays the same but for its random variation."""
+        return 0.0
+
     def placed_parts(self) -> list[tuple[tuple[str | int, ...], Blowing]]:
         """The winds that it is made of, and under which keys they stand."""
         return [((), self)]

@@ -134,5 +134,8 @@ def test_measures_grow_with_the_run(scenario):
     rows = run.measures.unsent()
     assert rows[0]["step"] == 0
     assert rows[-1]["step"] == 30
-    assert rows[-1]["highest_stack"] == run.live.bed.sand.max()
+    assert rows[-1]["values"]["highest_stack"] == run.live.bed.sand.max()
+    assert rows[0]["values"]["speed"] is None
+    assert rows[0]["doubts"]["speed"] == "no earlier frame to compare with"
+    assert "highest_stack" not in rows[-1]["doubts"]
     assert run.measures.unsent() == []

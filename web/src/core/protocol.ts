@@ -44,6 +44,8 @@ export interface Measure {
   name: string;
   title: string;
   unit: string;
+  /** What an angle is counted from. */
+  reference: string;
 }
 
 /** Something that a brush paints: what a stroke says of it, and how strong it may be. */
@@ -80,7 +82,12 @@ export interface Description {
   events: number;
 }
 
-export type Row = { step: number } & Record<string, number | null>;
+/** The measures after a step, by name, and why some of them should not be quoted. */
+export interface Row {
+  step: number;
+  values: Record<string, number | null>;
+  doubts: Record<string, string>;
+}
 
 export interface Problem {
   key: string;

@@ -6,8 +6,17 @@ import type { Stage } from "../scene/stage";
 import { dialog } from "./dialog";
 import { download, h, themeColour } from "./dom";
 
-const HEIGHTS = /\.(png|npy|tiff?)$/i;
+const HEIGHTS = /\.(png|npy|tiff?|asc|xyz|nc|hgt)$/i;
 const RECORDS = /\.(csv|nc)$/i;
+
+/** Most cells of a dropped elevation model that become cells of the lattice one by one. */
+const MOST_CELLS = 2 ** 19;
+
+/** An uploaded file, and the heights that it holds, if it does. */
+interface Kept {
+  path: string;
+  heights: { rows: number; columns: number; cell_size: number | null; codes: number[] } | null;
+}
 
 export class Files {
   readonly menu: HTMLElement;
@@ -50,10 +59,9 @@ export class Files {
   }
 
   async take(file: File): Promise<void> {
-    if (HEIGHTS.test(file.name)) await this.ground(file);
-    else if (RECORDS.test(file.name)) await this.record(file);
-    else if (/\.json$/i.test(file.name)) await this.load(file.name, await file.text());
-    else this.app.note("error", `${file.name}: not a scenario (.json) no ground (.png, .npy, .tif) and no wind record (.csv, .nc)`);
+    if (/\.json$/i.test(file.name)) await this.load(file.name, await file.text());
+    else if (HEIGHTS.test(file.name) || RECORDS.test(file.name)) await this.keep(file);
+    else this.app.note("error", `${file.name}: not a scenario (.json), no ground (.png, .npy, .tif, .asc, .xyz, .nc) and no wind record (.csv, .nc)`);
   }
 
   async savePicture(): Promise<void> {
@@ -108,7 +116,7 @@ export class Files {
   private choose(): void {
     const input = h("input", {
       type: "file",
-      accept: ".json,.png,.npy,.tif,.tiff,.csv,.nc",
+      accept: ".json,.png,.npy,.tif,.tiff,.asc,.xyz,.hgt,.csv,.nc",
       onchange: () => {
         const file = input.files?.[0];
         if (file) void this.take(file);
@@ -117,35 +125,52 @@ export class Files {
     input.click();
   }
 
-  private async ground(file: File): Promise<void> {
-    const scenario = this.app.current?.description?.scenario;
-    if (!scenario) return;
+  /** Use a file as ground, or as a record of winds where it holds no heights. */
+  private async keep(file: File): Promise<void> {
     try {
       const kept = await this.upload(file);
-      const image = /\.png$/i.test(file.name);
-      const { columns, cell_size } = this.app.current!.description!.lattice;
-      const heights = image ? { lowest: 0, highest: Number((columns * cell_size * 0.08).toPrecision(2)) } : {};
-      const ground = { kind: "file", path: kept.path, resample: true, fill: "interpolate", ...heights };
-      this.app.note("info", `${file.name} is the ground now${image ? `, white ${heights.highest} m above black` : ""}; see Ground in the panel.`);
-      this.app.create({ ...scenario, ground }, true);
+      if (RECORDS.test(file.name) && !kept.heights) await this.record(file, kept);
+      else this.ground(file, kept);
     } catch (error) {
       this.app.refused(error);
     }
   }
 
-  private upload(file: File): Promise<{ path: string }> {
+  private ground(file: File, kept: Kept): void {
+    const scenario = this.app.current?.description?.scenario;
+    if (!scenario) return;
+    const image = /\.png$/i.test(file.name);
+    const { columns, cell_size } = this.app.current!.description!.lattice;
+    const heights = image ? { lowest: 0, highest: Number((columns * cell_size * 0.08).toPrecision(2)) } : {};
+    const codes = kept.heights?.codes ?? [];
+    const missing = codes.length ? { missing: codes } : {};
+    const ground = { kind: "file", path: kept.path, resample: true, fill: "interpolate", ...heights, ...missing };
+    const said = [
+      `${file.name} is the ground now`,
+      image ? `white ${heights.highest} m above black` : "",
+      codes.length ? `${codes.join(", ")} taken as cells without a height` : "",
+    ];
+    this.app.note("info", `${said.filter(Boolean).join(", ")}; see Ground in the panel.`);
+    this.app.create({ ...scenario, ...this.lattice(scenario, kept), ground }, true);
+  }
+
+  /** The lattice over a whole elevation model: its own cells, or larger ones where there are too many. */
+  private lattice(scenario: JsonObject, kept: Kept): JsonObject {
+    const { rows = 0, columns = 0, cell_size = null } = kept.heights ?? {};
+    if (cell_size === null) return {};
+    const { rows: _rows, columns: _columns, ...rest } = scenario.lattice as JsonObject;
+    const times = Math.ceil(Math.sqrt((rows * columns) / MOST_CELLS));
+    return { lattice: { ...rest, kind: "from ground", cell_size: cell_size * times } };
+  }
+
+  private upload(file: File): Promise<Kept> {
     return this.app.connection.fetch(`upload?name=${encodeURIComponent(file.name)}`, { method: "POST", body: file });
   }
 
   /** Let the winds of a record blow. */
-  private async record(file: File): Promise<void> {
-    try {
-      const kept = await this.upload(file);
-      const answer = await this.app.ask({ command: "wind", wind: { kind: "record", path: kept.path }, run: this.app.selected });
-      if (answer) this.app.note("info", `The winds of ${file.name} blow now.`);
-    } catch (error) {
-      this.app.refused(error);
-    }
+  private async record(file: File, kept: Kept): Promise<void> {
+    const answer = await this.app.ask({ command: "wind", wind: { kind: "record", path: kept.path }, run: this.app.selected });
+    if (answer) this.app.note("info", `The winds of ${file.name} blow now.`);
   }
 
   private saveRun(): void {

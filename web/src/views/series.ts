@@ -46,7 +46,7 @@ export class SeriesView {
   private save(): void {
     const names = this.measures().map((measure) => measure.name);
     const rows = (this.app.current?.measures ?? []).map((row) =>
-      [row.step, ...names.map((name) => row[name] ?? "")].join(),
+      [row.step, ...names.map((name) => row.values[name] ?? "")].join(),
     );
     download("measures.csv", `${["step", ...names].join()}\n${rows.join("\n")}\n`);
   }
@@ -63,15 +63,18 @@ export class SeriesView {
     this.drawnAt = performance.now();
     for (const { measure, chart, value } of this.charts) {
       chart.setData(this.data(measure.name));
-      const last = this.app.current?.measures.findLast((row) => row[measure.name] !== null)?.[measure.name];
-      value.textContent = `${short(last ?? null, 3)}${measure.unit === "-" ? "" : ` ${measure.unit}`}`;
+      const rows = this.app.current?.measures ?? [];
+      const last = rows.findLast((row) => row.values[measure.name] != null)?.values[measure.name];
+      const doubt = rows.at(-1)?.doubts[measure.name] ?? "";
+      value.textContent = `${short(last ?? null, 3)}${measure.unit === "-" ? "" : ` ${measure.unit}`}${doubt && " ?"}`;
+      value.title = [measure.reference, doubt].filter(Boolean).join("; ");
     }
   }
 
   /** The steps of all runs, and each run's values there. */
   private data(name: string): uPlot.AlignedData {
     const tables = this.app.runs.map(
-      (run) => [run.measures.map((row) => row.step), run.measures.map((row) => row[name] ?? null)] as uPlot.AlignedData,
+      (run) => [run.measures.map((row) => row.step), run.measures.map((row) => row.values[name] ?? null)] as uPlot.AlignedData,
     );
     if (tables.length === 1) return tables[0]!;
     return uPlot.join(tables);

@@ -19,6 +19,7 @@ from barchan.studio.protocol import LARGEST_MESSAGE, is_frame
 from barchan.studio.server import gallery
 from barchan.studio.server.security import LARGEST_UPLOAD, Guard, HostCheck, RateLimiter
 from barchan.studio.server.session import Session
+from barchan.studio.server.uploads import heights_in
 
 CLIENT = Path(__file__).parents[1] / "client"
 
@@ -78,7 +79,7 @@ def application(session: Session, guard: Guard) -> Starlette:
 
 
 async def _upload(request: Request, session: Session) -> Response:
-    """Keep a file of heights in the session's folder."""
+    """Keep a file in the session's folder, and answer with the heights that it holds, if it does."""
     content = bytearray()
     async for part in request.stream():
         content += part
@@ -88,7 +89,8 @@ async def _upload(request: Request, session: Session) -> Response:
         path = session.workspace.keep(request.query_params.get("name", ""), bytes(content))
     except (BarchanError, OSError) as error:
         return JSONResponse({"text": str(error)}, 400)
-    return JSONResponse({"path": str(path), "name": path.name})
+    heights = await run_in_threadpool(heights_in, path)
+    return JSONResponse({"path": str(path), "name": path.name, "heights": heights})
 
 
 async def _connect(websocket: WebSocket, session: Session, guard: Guard) -> None:

@@ -6,6 +6,7 @@ from typing import Any
 from barchan.errors import BarchanError, ScenarioError
 from barchan.scenario import FORMAT, load_scenario, preset_names, validate
 from barchan.scenario.partial import salvage
+from barchan.scenario.source_map import parse
 from barchan.studio.commands import Handlers
 from barchan.studio.protocol import Request
 from barchan.studio.server.workspace import Workspace
@@ -14,10 +15,12 @@ QUERIES: Handlers[Callable[[Workspace, Request], dict[str, Any]]] = Handlers("qu
 
 
 @QUERIES.handles("check")
-def check(_: Workspace, request: Request) -> dict[str, Any]:
+def check(workspace: Workspace, request: Request) -> dict[str, Any]:
     """The problems of a scenario's text, and the part of it that can be used."""
+    text, name = str(request["text"]), str(request.get("name", "scenario"))
     try:
-        scenario, problems = salvage(str(request["text"]), str(request.get("name", "scenario")))
+        workspace.check(parse(text, name)[0])  # a lattice may be taken from the ground's file
+        scenario, problems = salvage(text, name)
     except ScenarioError as error:
         return {"scenario": None, "problems": [vars(problem) for problem in error.problems]}
     return {"scenario": scenario.data(), "problems": [vars(problem) for problem in problems]}

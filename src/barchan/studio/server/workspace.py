@@ -5,10 +5,11 @@ from typing import Any
 
 from barchan.archive.folder import CHECKPOINT, SCENARIO
 from barchan.errors import BarchanError, Problem, ScenarioError
+from barchan.ground.reading import READERS
 from barchan.studio.server.security import is_plain_name
 
 UPLOADS = "studio-uploads"
-KINDS = (".png", ".npy", ".tif", ".tiff", ".csv", ".nc")
+KINDS = (*READERS, ".csv")
 """Files that can be ground or a wind record: data, never programs."""
 
 

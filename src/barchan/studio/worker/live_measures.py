@@ -3,7 +3,8 @@
 import math
 from typing import Any
 
-from barchan.analysis.time_series import FrameMeasurer, measures_of
+from barchan.analysis.declared_measures import measures_of
+from barchan.analysis.frame_measurer import FrameMeasurer
 from barchan.simulation import Simulation
 from barchan.studio.worker.time_budget import TimeBudget
 
@@ -58,23 +59,30 @@ class LiveMeasures:
 
 
 def _row(simulation: Simulation, measurer: FrameMeasurer) -> dict[str, Any]:
-    """The measures of a simulation as it is now, by name; None where one has no value."""
+    """The measures of a simulation as it is now, by name, and why some should not be quoted.
+
+    None stands where one has no value.
+    """
     tally = simulation.tally
     frame = measurer.measured(
         simulation.steps_done,
         simulation.bed,
-        simulation.elevation,
+        simulation.forcing,
         simulation.wind_direction,
         (tally.travel_x, tally.travel_y),
         lambda: (simulation.model, simulation.bed, simulation.last_segment),
     )
-    values = {measure.name: measure.compute(frame) for measure in measures_of(simulation.scenario)}
+    found = [measure.of(frame) for measure in measures_of(simulation.scenario)]
     return {
         "step": simulation.steps_done,
-        **{name: float(value) if math.isfinite(value) else None for name, value in values.items()},
+        "values": {v.measure.name: v.value if math.isfinite(v.value) else None for v in found},
+        "doubts": {v.measure.name: v.doubt for v in found if v.doubt},
     }
 
 
 def declared_measures(simulation: Simulation) -> list[dict[str, str]]:
-    """Name, title and unit of every measure."""
-    return [{"name": m.name, "title": m.title, "unit": m.unit} for m in measures_of(simulation.scenario)]
+    """Name, title and unit of every measure, and what an angle is counted from."""
+    return [
+        {"name": m.name, "title": m.title, "unit": m.unit, "reference": m.reference}
+        for m in measures_of(simulation.scenario)
+    ]

@@ -1,0 +1,65 @@
+"""What the browser learns of an uploaded file."""
+
+import json
+
+import numpy as np
+import pytest
+
+from barchan.errors import BarchanError
+from barchan.studio.server.queries import QUERIES
+from barchan.studio.server.uploads import heights_in
+from barchan.studio.server.workspace import Workspace
+
+HEAD = "ncols 12\nnrows 3\nxllcorner 500000\nyllcorner 4000000\ncellsize 2.5\n"
+
+
+@pytest.fixture
+def dem(tmp_path):
+    def write(name="dem.asc", hole="7"):
+        rows = [" ".join(["5", hole, *["6"] * 10]) for _ in range(3)]
+        (tmp_path / name).write_text(HEAD + "\n".join(rows))
+        return tmp_path / name
+
+    return write
+
+
+def test_an_elevation_model_is_described_by_its_cells(dem):
+    assert heights_in(dem()) == {"rows": 3, "columns": 12, "cell_size": 2.5, "codes": []}
+
+
+def test_undeclared_codes_for_missing_cells_are_named(dem):
+    assert heights_in(dem(hole="-9999"))["codes"] == [-9999.0]
+
+
+def test_an_array_has_no_cells_of_its_own(tmp_path):
+    np.save(tmp_path / "a.npy", np.ones((4, 9)))
+    assert heights_in(tmp_path / "a.npy") == {"rows": 4, "columns": 9, "cell_size": None, "codes": []}
+
+
+def test_a_record_of_winds_holds_no_heights(tmp_path):
+    xr = pytest.importorskip("xarray")
+    time = np.arange(3) * np.timedelta64(1, "h") + np.datetime64("2020-01-01", "ns")
+    wind = xr.Dataset({"u10": ("time", np.ones(3)), "v10": ("time", np.ones(3))}, {"time": time})
+    wind.to_netcdf(tmp_path / "wind.nc")
+    reanalysis = wind.expand_dims(latitude=[40.0, 40.25], longitude=[10.0, 10.25, 10.5])
+    reanalysis.to_netcdf(tmp_path / "era5.nc")
+    for name in ("wind.nc", "era5.nc", "wind.csv"):
+        assert heights_in(tmp_path / name) is None
+
+
+def test_text_grids_may_be_uploaded(tmp_path):
+    workspace = Workspace(tmp_path)
+    for name in ("dem.asc", "dem.xyz", "dem.hgt", "dem.nc"):
+        assert workspace.keep(name, b"1").name == name
+    with pytest.raises(BarchanError):
+        workspace.keep("dem.py", b"1")
+
+
+def test_checking_a_scenario_opens_no_file_beyond_the_folder(dem, tmp_path):
+    ground = {"kind": "file", "path": str(dem("secret.asc"))}
+    text = json.dumps({"barchan": 2, "lattice": "from ground", "ground": ground})
+    answer = QUERIES["check"](Workspace(tmp_path / "folder"), {"command": "check", "text": text})
+    assert answer["scenario"] is None
+    (problem,) = answer["problems"]
+    assert problem["key"] == "ground.path"
+    assert "is outside the studio's folder" in problem["message"]
