@@ -11,7 +11,7 @@ author = "The Barchan developers"
 copyright = author
 version = release = version_of("barchan")
 
-extensions = ["myst_parser", "sphinx.ext.autodoc", "generate", "references", "mathml"]
+extensions = ["myst_parser", "sphinx.ext.autodoc", "generate", "tutorials", "references", "mathml"]
 exclude_patterns = ["_build", "_generated/parts"]
 source_suffix = {".md": "markdown"}
 

@@ -5,7 +5,7 @@ transverse dunes under one wind, linear dunes between two, domes, stars and netw
 picture is one run of Werner's model, from the lowest to the highest of its surface. Below each column stands
 RDP/DP of its wind, beside each row the thickness of its sand spread evenly.
 
-Run ``python examples/dune_types.py diagram.png`` for the picture, ``--help`` for what can be changed.
+Run ``python examples/dune_types.py diagram.png`` for the picture, ``--help`` for its options.
 """
 
 import argparse

@@ -4,7 +4,7 @@ A barchan grows from a heap in Werner's model, ripples grow in Nishimori & Ouchi
 finer cells and the ripples are laid over its sand: not on the slip face, not in the shadow zone, not on bare
 ground. The ripples are exaggerated: on a dune of this size real ones, some 10 cm long, could not be seen.
 
-Run ``python examples/ripples_on_dune.py picture.png`` for the picture, ``--help`` for what can be changed.
+Run ``python examples/ripples_on_dune.py picture.png`` for the picture, ``--help`` for its options.
 """
 
 import argparse

@@ -15,12 +15,12 @@ from barchan.errors import Problem, ScenarioError
         (Problem("", "not valid JSON", "a.json"), "not valid JSON (a.json)"),
     ],
 )
-def test_a_problem_is_told_with_its_key_and_its_place_where_there_are_any(problem, text):
+def test_a_problem_is_printed_with_its_key_and_its_place_where_there_are_any(problem, text):
     assert str(problem) == text
 
 
 @pytest.mark.parametrize(("count", "title"), [(1, "a.json: 1 problem"), (3, "a.json: 3 problems")])
-def test_an_error_tells_how_many_problems_there_are_and_then_each(count, title):
+def test_an_error_states_how_many_problems_there_are_and_then_each(count, title):
     error = ScenarioError([Problem(f"k{n}", "is wrong") for n in range(count)], "a.json")
     assert str(error).splitlines() == [title, *(f"  k{n}: is wrong" for n in range(count))]
 

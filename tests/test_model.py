@@ -1,4 +1,4 @@
-"""What models tell of how they see a bed: the wind rises to the crest and is gone in the lee."""
+"""The fields that models derive from a bed: the wind rises to the crest and is gone in the lee."""
 
 import numpy as np
 import pytest

@@ -139,16 +139,16 @@ def test_every_group_may_carry_a_note(note):
 
 
 def test_every_variant_of_a_group_is_declared():
-    keys = [d.key for d in declarations(Regime) if d.key.startswith("course")]
+    keys = [d.key for d in declarations(Regime) if d.key.startswith("speed_ramp")]
     assert keys == [
-        "course.kind",
-        "course.kind",
-        "course.time_1",
-        "course.value_1",
-        "course.time_2",
-        "course.value_2",
-        "course.kind",
-        "course.points",
-        "course.points[].time",
-        "course.points[].value",
+        "speed_ramp.kind",
+        "speed_ramp.kind",
+        "speed_ramp.time_1",
+        "speed_ramp.value_1",
+        "speed_ramp.time_2",
+        "speed_ramp.value_2",
+        "speed_ramp.kind",
+        "speed_ramp.points",
+        "speed_ramp.points[].time",
+        "speed_ramp.points[].value",
     ]

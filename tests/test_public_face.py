@@ -1,4 +1,4 @@
-"""What ``import barchan`` offers, and what it does not cost."""
+"""The public names of ``import barchan``, and the modules that importing it does not load."""
 
 import subprocess
 import sys
@@ -62,7 +62,7 @@ def test_models_and_presets_are_known_by_name():
     assert "barchans" in barchan.preset_names()
 
 
-def test_a_run_in_memory_and_one_on_disk_are_read_alike(tmp_path):
+def test_a_run_in_memory_and_one_on_disk_are_read_in_the_same_way(tmp_path):
     scenario = tiny()
     dataset = barchan.simulate(scenario)
     outcome = barchan.run(barchan.Simulation(scenario), tmp_path / "run")

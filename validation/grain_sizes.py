@@ -19,7 +19,7 @@ SEEDS = (1, 2, 3)
 FINE, DEPTH = 0.15e-3, 2400
 ROWS, COLUMNS = 16, 128
 MINUTE, EARLY, LATE = 60.0, 10, 20
-"""Seconds of wind between looks, and the looks (minutes) that are told."""
+"""Seconds of wind between looks, and the looks (minutes) that are reported."""
 LAYER, THICK = 2.0, 6.25
 """Thickness of the active layer (mean diameters): as it is, and two grains of 1 mm."""
 CASES = {
@@ -33,7 +33,7 @@ CASES = {
 
 
 def sorted_bed(coarse, share, speed, layer, seed):
-    """What the wind makes of a flat bed of mixed sand."""
+    """A flat bed of mixed sand under the wind."""
     scenario = barchan.load(
         {
             "barchan": 2,
@@ -77,7 +77,7 @@ def _look(simulation):
     smooth = sum(np.roll(bed.elevation, shift, axis=1) for shift in (-1, 0, 1)) / 3.0
     return {
         "ratio": coarse_crests(model, bed),
-        "alike": float(np.corrcoef(smooth.ravel(), diameter.ravel())[0, 1]),
+        "correlation": float(np.corrcoef(smooth.ravel(), diameter.ravel())[0, 1]),
         "relief": float(bed.elevation.std()) * 1e3,
         "surface": float(diameter.mean()) * 1e3,
     }
@@ -96,8 +96,8 @@ def rows():
                 f"{votes} of {len(values)} seeds above 1",
             )
     for name, found in results.items():
-        alike = spread(found[f"alike {LATE}"], 2)
-        yield Row(f"correlation of height and diameter, {name}, {LATE} min", "positive", alike)
+        correlation = spread(found[f"correlation {LATE}"], 2)
+        yield Row(f"correlation of height and diameter, {name}, {LATE} min", "positive", correlation)
         reliefs = ", ".join(spread(found[f"relief {at}"], 2) for at in (EARLY, LATE))
         yield Row(f"relief after {EARLY}, {LATE} min, {name}", "–", f"{reliefs} mm")
         yield Row(f"mean diameter at the surface, {name}", "–", f"{spread(found[f'surface {LATE}'])} mm")

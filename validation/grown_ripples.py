@@ -26,15 +26,15 @@ THIN = 1 / 32
 """Height of a parcel of the thin sand, in grain diameters; a patch takes sixteen."""
 MINUTE = 60.0
 LOOKS = (10, 20, 30)
-"""Minutes after which heights and spacings are told."""
+"""Minutes after which heights and spacings are reported."""
 HOUR = (*LOOKS, 60)
 """The same at the three winds."""
 FRAME, FRAMES = 5.0, 7
-"""Seconds of wind between the frames that tell the speed, and how many of them."""
+"""Seconds of wind between the frames that give the speed, and how many of them."""
 
 
 def grown(speed, diameter, thin, rules, looks, seed):
-    """What an hour or half of it makes of a flat bed."""
+    """A flat bed after half an hour or an hour of wind."""
     parcel = diameter * (THIN if thin else 1.0)
     model = {
         "name": "ripples",
@@ -74,7 +74,7 @@ def grown(speed, diameter, thin, rules, looks, seed):
     return {
         "slowing": (late - middle) / (middle - early),
         "speed": moved.x * CELL / FRAME * 1e3,
-        "alike": moved.correlation,
+        "correlation": moved.correlation,
         **{f"spacing {at}": one * 1e2 for at, one in spacing.items()},
         **{f"height {at}": one * 1e3 for at, one in height.items()},
         "index": spacing[LOOKS[-1]] / late,
@@ -107,7 +107,7 @@ def rows():
         "12 m/s, grains of 0.30 mm": (12.0, 2 * DIAMETER, True, {}, LOOKS),
         "12 m/s, whole diameters": (12.0, DIAMETER, False, {}, LOOKS),
         "12 m/s, no creep": (*middling, {"creep": {"momentum": 0.0}}, LOOKS),
-        "12 m/s, stress alike": (
+        "12 m/s, uniform stress": (
             *middling,
             {"relief_flow": {"stress_in_phase": 0.0, "stress_in_quadrature": 0.0}},
             LOOKS,

@@ -47,14 +47,14 @@ def forms(preset, seed):
 def rows():
     for preset, found in zip(PRESETS, over_seeds(forms, [(p,) for p in PRESETS], SEEDS), strict=True):
         for step in STEPS:
-            told = {name: spread(values, 2) for name, values in found.items() if name.endswith(f" {step}")}
+            spreads = {name: spread(values, 2) for name, values in found.items() if name.endswith(f" {step}")}
             yield Row(
                 f"`{preset}`, {step} steps",
                 "3 to 4 arms, top 15–30°, foot 5–10°" if step == STEPS[0] else "-",
-                f"{told[f'summits {step}']} summits, {told[f'arms {step}']} arms, "
-                f"stars {told[f'stars {step}']}, "
-                f"top {told[f'top {step}']}°, foot {told[f'foot {step}']}°, "
-                f"straightness {told[f'straightness {step}']}",
+                f"{spreads[f'summits {step}']} summits, {spreads[f'arms {step}']} arms, "
+                f"stars {spreads[f'stars {step}']}, "
+                f"top {spreads[f'top {step}']}°, foot {spreads[f'foot {step}']}°, "
+                f"straightness {spreads[f'straightness {step}']}",
             )
 
 

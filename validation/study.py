@@ -1,4 +1,4 @@
-"""What the studies share: runs over several seeds, and rows that compare them with what was published."""
+"""Shared by the studies: runs over several seeds, and rows that compare them with published values."""
 
 import itertools
 import statistics

@@ -14,7 +14,7 @@ from barchan.lattice import Lattice
 
 
 class Bed:
-    """The fields of a simulation, by name: the ground, the layers on it, and what else models declare.
+    """The fields of a simulation, by name: the ground, the layers on it, and the models' own fields.
 
     Layers lie on the ground in the order of ``layers``, the lowest first. All count the same quantum, so that
     a unit that passes from one layer to another stays whole. Elevation is computed from ground and layers,
@@ -47,7 +47,7 @@ class Bed:
         declared: Iterable[FieldInfo] = (),
         layers: Sequence[LayerInfo] = (SAND,),
     ) -> Self:
-        """The bed that a frame shows: ground, layers and what else it carries of the ``declared`` fields."""
+        """The bed that a frame shows: ground, layers and those of the ``declared`` fields that it carries."""
         counts = [fields[layer.name] for layer in layers]
         bed = cls(lattice, fields[GROUND.name], *counts, layers=layers)
         for name in (layer.height_field for layer in layers if layer.height_field):
@@ -112,7 +112,7 @@ class Bed:
         return self.units * self.lattice.thickness * area
 
     def classes_of(self, layer: str) -> list[LayerInfo]:
-        """The classes that a layer is divided into, in order of declaration; none: it is all alike."""
+        """The classes that a layer is divided into, in order of declaration; none: the layer is uniform."""
         return [f for f in self.declared.values() if isinstance(f, LayerInfo) and f.part_of == layer]
 
     def undivided(self) -> list[str]:

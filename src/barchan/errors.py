@@ -1,4 +1,4 @@
-"""What Barchan says when something is wrong: one error that names everything at fault."""
+"""The error that Barchan raises: one for all that is wrong, each problem with its key."""
 
 from dataclasses import dataclass
 
@@ -14,7 +14,7 @@ class Problem:
     key: str
     """Dotted path of the key, for instance ``model.hop_length``."""
     message: str
-    """What is wrong, with the value, and what is allowed."""
+    """The fault, with the value found and the values allowed."""
     place: str = ""
     """Where it stands: ``file:line`` or ``command line``."""
 
@@ -24,7 +24,7 @@ class Problem:
 
 
 class _ListedError(BarchanError):
-    """Several problems, told at once."""
+    """Several problems, reported at once."""
 
     def __init__(self, problems: list[Problem], title: str = "scenario") -> None:
         self.problems = problems

@@ -1,4 +1,4 @@
-"""Declarations of what lies on the lattice: fields, and the layers that wind can move.
+"""Declarations of the fields on the lattice, and of the layers that wind can move.
 
 Archive, studio and figures know fields and layers by their declarations only.
 """
@@ -34,7 +34,7 @@ class LayerInfo(FieldInfo):
     part_of: str = ""
     """The layer that this one is a class of: the classes of a layer add up to it on every cell."""
     class_value: float | None = None
-    """What sets the class apart (a grain diameter, an age, a hardness), in ``class_unit``."""
+    """The property that defines the class (a grain diameter, an age, a hardness), in ``class_unit``."""
     class_unit: str = ""
 
 

@@ -1,4 +1,4 @@
-"""Heights in the whole numbers that kernels count in, and what 64 bits can hold of them."""
+"""Heights in the whole numbers that kernels count in, and their range in 64 bits."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,7 +10,7 @@ FRACTION_BITS = 20
 """Binary places of a height below one slab, over ground that is not flat."""
 
 MOST_RELIEF = 1 << 29
-"""Slabs from the lowest ground to the highest: shadow lines are told apart over twice as much."""
+"""Slabs from the lowest ground to the highest: shadow lines are distinguished over twice as much."""
 
 MOST_TOGETHER = 1 << 42
 """Slabs that all cells' heights may come to where a mean height is kept: sums stay below 2**62."""

@@ -1,4 +1,4 @@
-"""The lattice: its size, what a cell and a slab measure, and what lies beyond its edges."""
+"""The lattice: its size, the width of a cell, the height of a slab, and its boundaries."""
 
 from typing import Literal, Self
 
@@ -18,7 +18,7 @@ LEAST_ASPECT, LARGEST_ASPECT = 1e-4, 10.0
 
 
 class Lattice(Parameters):
-    """The lattice: its size, what a cell and a slab measure, and what lies beyond its edges."""
+    """The lattice: its size, the width of a cell, the height of a slab, and its boundaries."""
 
     kind: Literal["square"] = parameter(
         "square",

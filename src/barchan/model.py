@@ -1,4 +1,4 @@
-"""What every model declares and does."""
+"""The contract of models: their declarations and methods."""
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Hashable
@@ -18,7 +18,7 @@ from barchan.wind.segment import Segment
 
 @dataclass
 class Tally:
-    """What happened on the bed during some steps; slabs are the bed's whole units."""
+    """Counts of the events on the bed during some steps; slabs are the bed's whole units."""
 
     steps: int = 0
     polls: int = 0
@@ -26,7 +26,7 @@ class Tally:
     moved: int = 0
     """Slabs that the wind took."""
     crept: int = 0
-    """Slabs that moved without being carried, in a model that tells them apart."""
+    """Slabs that moved without being carried, in a model that counts them separately."""
     left: int = 0
     """Slabs that left through open edges."""
     entered: int = 0
@@ -48,7 +48,7 @@ class Tally:
         return not (self.moved or self.crept or self.entered or self.airborne)
 
     def add(self, other: "Tally") -> None:
-        """Take in what happened next."""
+        """Add the counts of the steps that followed."""
         for name in ("steps", "polls", "moved", "crept", "left", "entered", "capped", "exhausted"):
             setattr(self, name, getattr(self, name) + getattr(other, name))
         self.travel_x += other.travel_x
@@ -118,9 +118,9 @@ class Model(ABC):
     takes_influx: ClassVar[bool] = False
     """Whether it lets sand enter across open edges, where the forcing brings any."""
     material: ClassVar[str] = "sand"
-    """What its slabs or parcels are of, in one word; the studio offers models by it."""
+    """The material of its slabs or parcels, in one word; the studio groups models by it."""
     work_unit: ClassVar[str] = "polls"
-    """What a unit of its work is, for rates that people read."""
+    """Name of the unit of its work, for rates that people read."""
     Parameters: ClassVar[type[Parameters]]
     layers: tuple[LayerInfo, ...] = (SAND,)
     """Layers on the ground that wind can move, the lowest first; a run starts with the uppermost filled."""
@@ -183,7 +183,7 @@ class Model(ABC):
 
     @property
     def step_seconds(self) -> float | None:
-        """Duration of a step (s), of a model whose rules tell it."""
+        """Duration of a step (s), of a model whose rules define it."""
         return None
 
     @property
@@ -194,7 +194,7 @@ class Model(ABC):
     def step_volume(self) -> float:
         """Volume of sand (m² per step: per width across the wind) that a step moves on a flat bed.
 
-        Raises ValueError where the model cannot tell.
+        Raises ValueError where the model cannot know it.
         """
         raise ValueError(f"is given, but how much sand a step of {self.title} moves is not known")
 
@@ -203,7 +203,7 @@ class Model(ABC):
         return []
 
     def state(self) -> dict[str, NDArray | float | int | str]:
-        """What the model remembers between steps beside the bed."""
+        """The values that the model keeps between steps beside the bed."""
         return {}
 
     def restore(self, state: dict[str, Any]) -> None:
@@ -215,9 +215,9 @@ class Model(ABC):
         return []
 
     def remarks(self, hop_length: float | None, direction: float) -> list[str]:
-        """What a user should know about this choice of parameters on this lattice."""
+        """Warnings about this choice of parameters on this lattice."""
         return []
 
     def facts(self) -> dict[str, str]:
-        """What the parameters come to on this lattice, for people to read."""
+        """Quantities that follow from the parameters on this lattice, by name, as text."""
         return {}

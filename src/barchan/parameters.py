@@ -67,7 +67,7 @@ class Parameters(BaseModel):
     )
 
     kind_key: ClassVar[str] = ""
-    """The key that tells variants of this group apart, where there are any."""
+    """The key that distinguishes the variants of this group, where there are any."""
 
     note: str | list[str] | None = Field(
         default=None, description="A comment, kept but not used.", repr=False

@@ -77,7 +77,7 @@ def test_the_origin_of_a_joined_field_does_not_matter(seed, direction, rows, col
 
 @settings(max_examples=20, deadline=None)
 @given(st.integers(0, 2**32), st.sampled_from([0.0, 40.0, 213.0]), st.sampled_from(["periodic", "open"]))
-def test_a_bed_and_a_wind_turned_alike_have_the_same_streamlines(seed, direction, boundary):
+def test_a_bed_and_a_wind_turned_together_have_the_same_streamlines(seed, direction, boundary):
     field = lattice(boundary, rows=40, columns=40)
     bed = np.random.default_rng(seed).normal(0.0, 1e-3, field.shape)
     turned = streamlines(bed.T.copy(), field, (270.0 - direction + 180.0) % 360.0, HEIGHT)
@@ -97,7 +97,7 @@ def test_a_wind_does_not_feel_the_other_side_over_open_edges():
     assert (slope[:, -1] == 0.0).all()
 
 
-def test_the_wind_blows_level_and_alike_over_a_flat_bed():
+def test_the_wind_blows_level_and_uniformly_over_a_flat_bed():
     slope, faster, _ = streamlines(np.full((24, 64), 0.3), lattice(), 300.0, HEIGHT)
     assert (slope == 0.0).all()
     assert (faster == 0.0).all()

@@ -1,4 +1,4 @@
-"""How grains fall and what sets them off."""
+"""The fall of grains, and the thresholds at which the wind moves them."""
 
 import numpy as np
 import pytest

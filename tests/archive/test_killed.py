@@ -82,12 +82,12 @@ def test_a_command_killed_again_and_again_comes_to_the_same_bits(tmp_path, same_
 
 
 def frames_in_log(folder):
-    """The steps of all frames that a log tells of."""
+    """The steps of all frames that a log mentions."""
     return [entry["step"] for entry in log_of(folder) if entry["event"] == "frame"]
 
 
 def made_as_far_as(monkeypatch, folder, arrays):
-    """Leave a run that was killed while its store of frames was made, after so many arrays."""
+    """Leave a run that was killed while its store of frames was made, after a number of arrays."""
     made = iter(range(arrays))
     make = frames._make
 

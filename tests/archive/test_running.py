@@ -20,7 +20,7 @@ JOURNAL = {
 
 
 class After:
-    """Wants to stop after so many looks."""
+    """Asks for a stop after a number of looks."""
 
     def __init__(self, looks):
         self.looks = looks

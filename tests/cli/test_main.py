@@ -1,4 +1,4 @@
-"""What a user can mend is told on stderr, with exit code 1 and without a traceback."""
+"""An error that a user can mend is printed on stderr, with exit code 1 and without a traceback."""
 
 import pytest
 

@@ -1,4 +1,4 @@
-"""What every model must do, whichever it is; a new model is tested by being there."""
+"""The contract of all models; a new model is tested as soon as it is there."""
 
 import json
 
@@ -149,7 +149,7 @@ def test_a_model_says_what_it_is(name):
 
 
 @EVERY_MODEL
-def test_a_model_tells_what_it_keeps_on_the_bed(name):
+def test_a_model_declares_its_fields_on_the_bed(name):
     simulation = Simulation(scenario(name))
     model = simulation.model
     declared = {"ground"} | {field.name for field in (*model.layers, *model.fields)}

@@ -43,7 +43,7 @@ def test_a_model_of_another_package_is_found_and_run(installed, tmp_path):
     assert "water_table" in installed("schema").stdout
 
 
-def test_its_mistakes_are_told_like_any_others(installed):
+def test_its_mistakes_are_reported_like_any_others(installed):
     with pytest.raises(subprocess.CalledProcessError) as failed:
         installed("check", "barchans", "--model.name", "damp", "--model.water-table", "5000")
     assert "model.water_table: is 5000" in failed.value.stderr

@@ -1,49 +1,30 @@
 """Every code block of the documentation runs: Python as it stands, console blocks by their commands."""
 
-import shlex
+import sys
 from pathlib import Path
-from typing import Any
 
 import pytest
 
-from barchan.cli import app
-from tests.docs.blocks import Block, blocks, commands
-
 ROOT = Path(__file__).resolve().parents[2]
-PAGES = [*sorted((ROOT / "docs").glob("*.md")), ROOT / "README.md"]
-RUNNABLE = ("python", "console")
+sys.path.insert(0, str(ROOT / "docs" / "_ext"))
 
+from code_blocks import blocks, commands, run_page  # noqa: E402
+from tutorials import pictures  # noqa: E402
 
-def run_python(block: Block, page: Path, names: dict[str, Any]) -> None:
-    """Run a block so that errors name its page and line."""
-    text = "\n" * (block.line - 1) + block.text
-    exec(compile(text, str(page), "exec"), names)
-
-
-def run_console(block: Block, page: Path) -> None:
-    """Run the ``barchan`` commands of a block; others are left alone."""
-    for command in commands(block):
-        program, *words = shlex.split(command, comments=True)
-        if program == "barchan":
-            code = app()(words, result_action="return_value")
-            assert code in (None, 0), f"{page.name}:{block.line}: '{command}' returned {code}"
+TUTORIALS = sorted((ROOT / "docs" / "tutorials").glob("*.md"))
+PAGES = [*sorted((ROOT / "docs").glob("*.md")), *TUTORIALS, ROOT / "README.md"]
 
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
 def test_code_blocks_run(page, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     monkeypatch.syspath_prepend(tmp_path)
-    names: dict[str, Any] = {"__name__": "__main__"}
-    for block in blocks(page):
-        if block.file:
-            (tmp_path / block.file).write_text(block.text, "utf-8")
-        elif block.run and block.language == "python":
-            run_python(block, page, names)
-        elif block.run and block.language == "console":
-            run_console(block, page)
+    run_page(page, tmp_path)
+    missing = [name for name in pictures(page) if not (tmp_path / name).is_file()]
+    assert missing == []
 
 
-def test_blocks_are_found_and_told_apart(tmp_path):
+def test_blocks_are_found_and_distinguished(tmp_path):
     page = tmp_path / "page.md"
     page.write_text(
         "```python\none = 1\n```\n\n<!-- not run -->\n```python\nno\n```\n\n"

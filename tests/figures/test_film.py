@@ -82,10 +82,10 @@ def test_a_film_that_cannot_be_written_is_a_clear_error(tmp_path, dataset):
         film(dataset, tiny(), tmp_path / "nowhere" / "film.gif", size=48)
 
 
-def test_progress_is_told_of_every_frame(tmp_path, dataset):
-    told = []
-    film(dataset, tiny(), tmp_path / "film.gif", size=48, progress=told.append)
-    assert told == [1, 2, 3, 4, 5]
+def test_progress_is_reported_of_every_frame(tmp_path, dataset):
+    reported = []
+    film(dataset, tiny(), tmp_path / "film.gif", size=48, progress=reported.append)
+    assert reported == [1, 2, 3, 4, 5]
 
 
 @pytest.mark.parametrize("name", ["film.webp", "film.gif"])
@@ -96,7 +96,7 @@ def test_a_run_of_one_frame_makes_a_film_of_one_frame(tmp_path, dataset, name):
 
 
 def test_with_a_held_scale_one_height_has_one_colour_in_all_frames(tmp_path, dataset):
-    """Level beds of 1, 2 and 3 slabs; with a scale of its own each frame would look alike."""
+    """Level beds of 1, 2 and 3 slabs; with a scale of its own each frame would look the same."""
     levels = dataset.isel(step=slice(3)).copy(deep=True)
     for number in range(3):
         levels["sand"][number] = number + 1

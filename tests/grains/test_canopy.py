@@ -181,7 +181,7 @@ def test_frames_carry_plants_and_pictures_show_them():
     assert (shown[8, 5], shown[8, 32]) == (0.0, 1.0)
 
 
-def test_the_user_is_told_of_plants():
+def test_facts_mention_plants():
     facts = Simulation(barchan.load(SMALL)).model.facts()
     assert facts["plants"] == (
         "on 50% of the field, up to 0.05 m high, with a roughness of 0.00615 m and a displacement of 0.0333 m"

@@ -1,4 +1,4 @@
-"""What grain models refuse and tell, collapse and clocks."""
+"""Refusals and remarks of grain models, collapse and clocks."""
 
 import numpy as np
 import pytest

@@ -143,13 +143,13 @@ def test_bits_of_several_sizes_do_not_depend_on_how_a_run_is_cut():
     np.testing.assert_array_equal(whole.bed.arrays["surface_2"], pieces.bed.arrays["surface_2"])
 
 
-def test_grains_of_one_class_are_those_of_sand_that_is_all_alike():
-    alike = Simulation(barchan.load(SMALL))
+def test_grains_of_one_class_are_those_of_uniform_sand():
+    uniform = Simulation(barchan.load(SMALL))
     one = sorted_sand([{"diameter": FINE, "share": 1.0}])
-    for simulation in (alike, one):
+    for simulation in (uniform, one):
         simulation.advance(40)
-    assert one.model.pool.flying == pytest.approx(alike.model.pool.flying, rel=0.15)
-    assert one.tally.moved == pytest.approx(alike.tally.moved, rel=0.15)
+    assert one.model.pool.flying == pytest.approx(uniform.model.pool.flying, rel=0.15)
+    assert one.tally.moved == pytest.approx(uniform.tally.moved, rel=0.15)
 
 
 def test_what_is_too_heavy_to_fly_creeps_downwind_and_never_flies():
@@ -185,7 +185,7 @@ def test_without_its_momentum_nothing_creeps():
     )
 
 
-def test_the_surface_tells_its_grains():
+def test_the_mean_diameter_of_a_surface_is_that_of_its_grains():
     simulation = sorted_sand()
     (field,) = type(simulation.model).derived
     diameter = field.compute(simulation.model, simulation.bed, simulation.forcing.wind_of(0))

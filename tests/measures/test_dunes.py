@@ -1,4 +1,4 @@
-"""Dunes are told apart as bodies of sand, also over joined edges."""
+"""Dunes are distinguished as bodies of sand, also over joined edges."""
 
 import numpy as np
 import pytest

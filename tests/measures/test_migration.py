@@ -16,7 +16,7 @@ drifts = st.floats(-2.5, 2.5)
 
 
 def course(drift, count=5, seed=1):
-    """A surface that drifts by so many rows and columns from one frame to the next."""
+    """A surface that drifts by a number of rows and columns from one frame to the next."""
     return [random_surface(seed, (drift[0] * k, drift[1] * k)) for k in range(count)]
 
 

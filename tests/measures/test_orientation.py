@@ -1,4 +1,4 @@
-"""Crest azimuth is clockwise from north; coherence tells how straight and parallel crests are."""
+"""Crest azimuth is clockwise from north; coherence measures how straight and parallel crests are."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""Arms lead away from summits; slopes are told apart by height."""
+"""Arms lead away from summits; slopes are measured by height."""
 
 import numpy as np
 import pytest

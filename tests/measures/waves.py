@@ -38,7 +38,7 @@ def wind_along(m, n, shape=(ROWS, COLUMNS)):
 
 
 def random_surface(seed, drift=(0.0, 0.0), shape=(ROWS, COLUMNS), size=4.0):
-    """A smooth random surface, the same for the same seed, drifted by so many rows and columns."""
+    """A smooth random surface, the same for the same seed, displaced by some rows and columns."""
     noise = np.fft.fft2(np.random.default_rng(seed).normal(size=shape))
     y, x = np.fft.fftfreq(shape[0])[:, None], np.fft.fftfreq(shape[1])[None, :]
     smooth = np.exp(-2 * (np.pi * size) ** 2 * (x**2 + y**2))

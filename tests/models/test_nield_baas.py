@@ -115,7 +115,7 @@ def test_the_year_survives_an_interruption():
         np.testing.assert_array_equal(whole.bed.arrays[name], parts.bed.arrays[name])
 
 
-def test_plants_can_be_told_to_hold_less_during_a_run():
+def test_plants_can_be_set_to_hold_less_during_a_run():
     simulation = Simulation(planted({"kind": "uniform", "grass": 0.5}))
     simulation.apply(SetParameter(key="model.stabilised_repose_angle", value=30.0))
     assert simulation.model.slope_limits()["stabilised"] == simulation.model.slope_limits()["bare"]
@@ -141,7 +141,7 @@ def heaped(**changes):
     return Simulation(tiny(model=model, sand=sand, lattice__slab_aspect=0.1))
 
 
-def test_sand_slides_where_plants_are_told_to_hold_it_no_more():
+def test_sand_slides_where_plants_are_set_to_hold_it_no_more():
     simulation = heaped()
     before = simulation.bed.sand.copy()
     simulation.apply(SetParameter(key="model.stabilised_cover", value=0.9))

@@ -85,9 +85,9 @@ def test_grains_slow_the_wind_where_they_land():
     near = wind.near_bed_ustar(0.4)
     assert near[8, 32] == near.min() < 0.399
     assert near[8, 0] == pytest.approx(0.4)
-    alike = WindFeedback(Feedback(length=None), ripples.Parameters(), lattice)
-    alike.update(lost, 0.025, 270.0)
-    assert float(alike.stress) == pytest.approx(wind.stress.mean())
+    uniform = WindFeedback(Feedback(length=None), ripples.Parameters(), lattice)
+    uniform.update(lost, 0.025, 270.0)
+    assert float(uniform.stress) == pytest.approx(wind.stress.mean())
 
 
 @pytest.mark.parametrize("direction", [270.0, 0.0, 225.0])
@@ -129,7 +129,7 @@ def test_wind_by_place_survives_a_checkpoint():
     assert np.ptp(simulation.model.feedback.stress) > 0
 
 
-def test_nothing_moves_below_the_threshold_and_the_user_is_told():
+def test_nothing_moves_below_the_threshold_and_a_remark_says_so():
     simulation = run(5, model__wind_speed=8.0)
     assert simulation.tally.moved == 0
     assert any("nothing moves" in remark for remark in simulation.scenario.remarks())
@@ -147,7 +147,7 @@ def test_other_winds_near_the_bed_run_too(near_bed):
     assert np.isfinite(simulation.model.pool.motion).all()
 
 
-def test_all_winds_are_alike_near_the_bed_at_the_impact_threshold():
+def test_all_winds_are_uniform_near_the_bed_at_the_impact_threshold():
     ripples = model("ripples")
     flight = ripples(ripples.Parameters(feedback={"near_bed": "threshold"}), barchan.load(SMALL).lattice)
     height = np.array([1e-4, 1e-3, 9e-3])

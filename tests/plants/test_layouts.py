@@ -51,7 +51,7 @@ def curve(*balances):
         (curve(0.0), {"curve": 'is [{"balance": 0.0, "change": 0.0}]; allowed: list of group { … }'}),
     ],
 )
-def test_every_mistake_of_a_species_is_told_on_its_own_key(species, said):
+def test_every_mistake_of_a_species_is_reported_on_its_own_key(species, said):
     with pytest.raises(ScenarioError) as caught:
         tiny(model={"name": "nield_baas", "grass": species})
     found = {problem.key: problem.message for problem in caught.value.problems}

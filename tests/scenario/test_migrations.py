@@ -31,3 +31,25 @@ def test_a_format_of_the_future_is_refused(third_format):
 @pytest.mark.parametrize("version", [0, -1, 1.0, "1", True, None, [1]])
 def test_a_version_is_a_whole_number_from_one(version):
     assert "allowed: a format version" in migrate({"barchan": version})[1]
+
+
+def test_each_regime_of_format_1_keeps_its_ramp_under_the_name_of_today():
+    bend = {"kind": "points", "points": [{"time": 0.5, "value": 0.1}]}
+    regimes = [{"direction": 270, "steps": 3, "course": bend}, {"direction": 90, "steps": 5}]
+    wind = {"kind": "regimes", "regimes": regimes}
+    data, trouble = migrate({"barchan": 1, "wind": wind})
+    assert trouble == ""
+    assert data["wind"]["regimes"] == [
+        {"direction": 270, "steps": 3, "speed_ramp": bend},
+        {"direction": 90, "steps": 5},
+    ]
+
+
+def test_mixed_axes_of_format_1_keep_the_number_of_their_alternations():
+    data, _ = migrate({"barchan": 1, "wind": {"kind": "mixed_axes", "turns": 3}})
+    assert data["wind"] == {"kind": "mixed_axes", "alternations": 3}
+
+
+def test_a_wind_of_an_unknown_form_is_left_to_the_validation():
+    for wind in (None, "west", {"kind": "regimes", "regimes": "none"}, {"kind": "regimes", "regimes": [1]}):
+        assert migrate({"barchan": 1, "wind": wind})[0]["wind"] == wind

@@ -1,4 +1,4 @@
-"""What tests of the simulation share."""
+"""Fixtures of the tests of the simulation."""
 
 from dataclasses import asdict
 

@@ -192,3 +192,11 @@ def test_a_record_that_cannot_be_read_is_refused_and_the_wind_stays(tmp_path):
     assert simulation.wind.kind == "steady"
     assert simulation.events == []
     simulation.advance(2)
+
+
+def test_a_wind_that_was_changed_in_an_archive_of_format_1_has_the_keys_of_today():
+    regime = {"direction": 270.0, "steps": 3, "speed": 1.0, "final_speed": 2.0}
+    bend = {"kind": "bezier", "time_1": 0.1, "value_1": 0.0, "time_2": 0.2, "value_2": 1.0}
+    wind = {"kind": "regimes", "regimes": [{**regime, "course": bend}]}
+    record = Record.from_data({"step": 4, "kind": "wind", "wind": wind})
+    assert record.event.wind.regimes[0].speed_ramp.time_1 == 0.1

@@ -22,7 +22,7 @@ def test_steps_are_the_same_in_one_call_and_in_many(changes, cuts):
     assert in_one.steps_done == in_many.steps_done == sum(cuts)
 
 
-def test_what_a_call_tells_adds_up_to_what_happened():
+def test_tallies_of_calls_add_up_to_that_of_the_run():
     simulation = Simulation(tiny(lattice__boundary_x="open"))
     parts = [simulation.advance(steps) for steps in (3, 1, 9)]
     for name in ("steps", "polls", "moved", "left", "capped", "travel_x", "travel_y"):

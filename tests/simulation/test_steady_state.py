@@ -26,7 +26,7 @@ def show(condition, surface, direction=270.0):
 
 
 def looks_until_steady(condition, surfaces):
-    """How many looks it takes until a condition is met, and what it says then."""
+    """The number of looks until a condition is met, and the reason it gives."""
     for count, surface in enumerate(surfaces, start=1):
         reason = show(condition, surface)
         if reason:
@@ -35,7 +35,7 @@ def looks_until_steady(condition, surfaces):
 
 
 def drifting(speeds, height=1.0):
-    """Waves that move on by so many cells from look to look, over random relief that moves with them."""
+    """Waves that move on by a number of cells from look to look, over random relief that moves with them."""
     place = 0.0
     for speed in speeds:
         place += speed

@@ -135,7 +135,7 @@ def test_rock_that_a_model_cannot_count_is_refused_and_leaves_the_ground_alone()
 
 
 def test_the_wind_meets_painted_rock_at_once():
-    """Walls that slabs stop at are looked for anew: the run goes on as one taken up from its state."""
+    """Walls that slabs stop at are searched again: the run goes on as one taken up from its state."""
     simulation = Simulation(
         tiny(ground={"kind": "bump", "height": 3.0, "radius": 6.0}, model__path_test="hard")
     )

@@ -1,4 +1,4 @@
-"""What ends a run before its last step, and what is recorded of it."""
+"""Conditions that end a run before its last step, and their record."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""A model of snow that falls and packs, and says when nothing more can happen: what the core offers it."""
+"""A model of snow that falls and packs, on the weather, layers and reasons to finish of the core."""
 
 import numpy as np
 import pytest

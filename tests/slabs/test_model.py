@@ -1,4 +1,4 @@
-"""What a slab model tells its user about a choice of parameters."""
+"""The facts and remarks of a slab model about a choice of parameters."""
 
 import pytest
 
@@ -25,7 +25,7 @@ def test_a_wind_that_states_its_speed_is_the_one_that_counts():
     assert len(remarks(5, 270.0, speed=20)) == 1
 
 
-def test_the_angles_that_slabs_really_hold_are_told():
+def test_the_facts_state_the_angles_that_slabs_really_hold():
     facts = Werner(WernerParameters(neighbourhood="moore", corner_limit=3), LATTICE).facts()
     assert facts == {
         "effective repose angle": "33.7° towards faces (2 slabs), 43.3° towards corners (4 slabs)"

@@ -1,4 +1,4 @@
-"""What is kept of the ways over one ground never outlives that ground, its limits or the wind."""
+"""Distances kept for one ground never outlive that ground, its limits or the wind."""
 
 import numpy as np
 

@@ -47,7 +47,7 @@ def chromium():
 
 
 class Studio:
-    """A page, and what a test asks of it."""
+    """A page, and the questions of tests to it."""
 
     def __init__(self, page, process, folder: Path) -> None:
         self.page, self.process, self.folder = page, process, folder
@@ -124,7 +124,7 @@ def server(tmp_path_factory):
 
 @pytest.fixture
 def studio(chromium, server):
-    """A fresh page that begins the same small field anew."""
+    """A fresh page that restarts the same small field."""
     process, address, folder = server
     page = chromium.new_page(viewport={"width": 1000, "height": 640})
     studio = Studio(page, process, folder)
@@ -189,7 +189,19 @@ def test_a_live_parameter_changes_at_once_and_another_restarts(studio):
     assert studio.ask("window.barchan.app.runs[0].description.scenario.model.hop_length") == 3
 
 
-def test_a_wrong_value_is_told_beside_its_row(studio):
+def test_the_page_names_the_material_that_the_model_declares(studio):
+    studio.step_beyond(0)
+    studio.pause()
+    studio.ask("window.barchan.app.runs[0].description.materials.werner = 'snow'")
+    studio.ask("window.barchan.app.described.send(window.barchan.app.runs[0])")
+    studio.ask("window.barchan.app.changed.send()")
+    page = studio.page
+    assert page.locator("summary", has_text="Snow at the start").count() == 1
+    assert page.locator("[data-look=field] option").first.inner_text() == "snow, as it looks"
+    assert page.locator("[data-status=volume]").locator("xpath=preceding-sibling::dt").inner_text() == "snow"
+
+
+def test_a_wrong_value_is_reported_beside_its_row(studio):
     box = studio.page.locator("[data-path='model.p_s']")
     box.fill("5")
     box.press("Enter")
@@ -214,15 +226,15 @@ def test_winds_in_turn_with_a_curve(studio):
     page.mouse.down()
     page.mouse.move(box["x"] + 40, box["y"] - 20, steps=4)
     page.mouse.up()
-    studio.until(f"{wind}.regimes?.[1]?.course.kind === 'bezier'")
+    studio.until(f"{wind}.regimes?.[1]?.speed_ramp.kind === 'bezier'")
     moved = float(re.search(r"time ([0-9.]+)", grip.get_attribute("aria-valuetext"))[1])
     assert moved > 0.4
-    studio.until(f"Math.abs({wind}.regimes[1].course.time_1 - {moved}) < 0.006")
+    studio.until(f"Math.abs({wind}.regimes[1].speed_ramp.time_1 - {moved}) < 0.006")
     grip.focus()
     page.keyboard.press("ArrowLeft")
-    studio.until(f"{wind}.regimes[1].course.time_1 < {moved - 0.01}")
+    studio.until(f"{wind}.regimes[1].speed_ramp.time_1 < {moved - 0.01}")
     page.get_by_label("Up: regime 2").click()
-    studio.until(f"{wind}.regimes[0].course.kind === 'bezier'")
+    studio.until(f"{wind}.regimes[0].speed_ramp.kind === 'bezier'")
     page.get_by_label("Remove: regime 2").click()
     studio.until(f"{wind}.regimes.length === 1")
 
@@ -330,7 +342,7 @@ def test_a_reload_in_mid_run_goes_on_with_the_same_run(studio):
     assert children_of(studio.process.pid) == workers
 
 
-def test_a_killed_worker_is_told_of_and_restarted(studio):
+def test_a_killed_worker_is_reported_and_restarted(studio):
     studio.page.reload()
     studio.step_beyond(5)
     worker = next(
@@ -438,7 +450,7 @@ def test_an_image_dropped_onto_the_scene_is_the_ground(studio):
     assert (studio.folder / "studio-uploads" / "plateau.png").is_file()
 
 
-def test_an_elevation_model_brings_its_own_lattice_and_its_holes_are_told(studio):
+def test_an_elevation_model_brings_its_own_lattice_and_its_holes_are_reported(studio):
     """Heights of 0.05 m a column; the hole of -9999 in the middle of the slope is filled with the slope."""
     rows = [[f"{0.05 * column:.2f}" for column in range(40)] for _ in range(20)]
     rows[9][20] = rows[10][20] = "-9999"
@@ -455,7 +467,7 @@ def test_an_elevation_model_brings_its_own_lattice_and_its_holes_are_told(studio
     assert studio.ask(told)
 
 
-def test_what_is_dropped_and_cannot_be_used_is_told(studio):
+def test_a_dropped_file_that_cannot_be_used_is_reported(studio):
     dropped(studio, "tune.mp3", "audio/mpeg", b"0")
     studio.until("window.barchan.app.log.some((entry) => entry.text.startsWith('tune.mp3: not'))")
 

@@ -49,5 +49,5 @@ def test_the_winds_of_a_scenario_weigh_by_steps_and_hops():
 @pytest.mark.parametrize(
     ("preset", "steadiness"), [("barchans", 1.0), ("star", 0.0), ("linear", 0.5), ("opposite-winds", 0.0)]
 )
-def test_presets_have_the_winds_that_they_tell_of(preset, steadiness):
+def test_presets_have_the_winds_that_they_mention(preset, steadiness):
     assert scenario_drift(load_scenario(preset)).steadiness == pytest.approx(steadiness, abs=0.01)

@@ -1,4 +1,4 @@
-"""Roses add up to what went into them."""
+"""Roses add up to the record they were made from."""
 
 import numpy as np
 import pytest
@@ -23,7 +23,7 @@ def test_a_sand_rose_holds_all_the_drift(count):
     assert rose[count // 2] == 4
 
 
-def test_a_wind_rose_tells_shares_of_the_time_by_speed_and_the_calms():
+def test_a_wind_rose_gives_shares_of_the_time_by_speed_and_the_calms():
     winds = record([0.0, 3.0, 5.0, 20.0], [0.0, 90.0, 90.0, 180.0], hours=[4, 3, 2, 1])
     table, calms = wind_rose(winds, (5.0, 10.0))
     assert calms == pytest.approx(0.4)

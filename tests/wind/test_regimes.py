@@ -85,7 +85,7 @@ def test_a_course_bends_the_change_over_the_regimes_own_duration():
     course = Bezier(kind="bezier", time_1=0.5, value_1=0.0, time_2=0.5, value_2=1.0)
     bent = winds(
         {"direction": 270.0, "steps": 50},
-        {"direction": 0.0, "steps": 4, "speed": 2.0, "final_speed": 10.0, "course": course},
+        {"direction": 0.0, "steps": 4, "speed": 2.0, "final_speed": 10.0, "speed_ramp": course},
     )
     early, late = ([speed for _, _, speed in blown(bent, step, 1)] for step in (50, 53))
     assert 2.0 < min(early) < max(early) < 4.0
@@ -112,12 +112,13 @@ def test_sand_is_kept_when_the_wind_turns_at_every_step():
 
 
 def test_a_calm_moves_nothing_and_time_passes():
+    points = [{"time": 0.01, "value": 9.0}, {"time": 0.99, "value": 9.0}]
     fade = {
         "direction": 270.0,
         "steps": 2,
         "speed": 1.0,
         "final_speed": 0.5,
-        "course": {"kind": "points", "points": [{"time": 0.01, "value": 9.0}, {"time": 0.99, "value": 9.0}]},
+        "speed_ramp": {"kind": "points", "points": points},
     }
     simulation = Simulation(tiny(wind={"kind": "regimes", "regimes": [fade]}))
     assert simulation.advance(4).moved == 0

@@ -32,7 +32,7 @@ BAGNOLD: dict[str, float] = {"uniform": 1.5, "dune": 1.8, "poor": 2.8}
 
 @dataclass(frozen=True)
 class Sand:
-    """What flux laws ask of sand and air."""
+    """The properties of sand and air that flux laws take."""
 
     diameter: float = REFERENCE_DIAMETER
     """Of the grains (m)."""

@@ -49,7 +49,7 @@ def focused_wind(
 ) -> NDArray:
     """Wind speed (m/s) in a layer of grains: below ``focus`` (m) that of the friction velocity ``least``.
 
-    The grains take up what the wind exceeds the impact threshold by, so near the bed all winds are alike and
+    The grains take up what the wind exceeds the impact threshold by, so near the bed all winds are equal and
     their profiles meet at the focus (Bagnold 1941; Ungar & Haff 1987).
     """
     near = log_wind(height, min(least, friction), roughness, displacement)

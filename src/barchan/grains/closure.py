@@ -1,7 +1,7 @@
 """Closures: the parts that a model of grains is composed of.
 
 A closure is a group of parameters, under a key of its own, beside the code that turns them into what kernels
-take. A model names its closures; what it does not name does not happen.
+take. A model names its closures; a process without a closure does not happen.
 """
 
 from collections.abc import Iterable, Iterator

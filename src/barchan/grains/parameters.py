@@ -1,67 +1,20 @@
 """The parameters of grains in flight that every model of grains has, beside its closures."""
 
-from collections.abc import Sequence
-from typing import Literal, Self
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
-from pydantic import model_validator
 
-from barchan.aeolian.flux import IMPACT_RATIO
-from barchan.aeolian.grains import GRAVITY, VISCOSITY, drag_rate, natural_drag, shao_lu, terminal_speed
-from barchan.aeolian.sand import Air, Sand
 from barchan.aeolian.wall import REFERENCE_HEIGHT, friction_velocity, grain_roughness
-from barchan.grains.closure import Composition
-from barchan.grains.sizes import SizeClass, Sizes, mean_diameter
+from barchan.grains.medium import GrainInAir
 from barchan.grains.wind_feedback import Feedback
 from barchan.kernels.grains.state import PATCH
-from barchan.parameters import parameter, redeclared
+from barchan.parameters import parameter
 
 
-class GrainFlight(Composition, Air, Sand):
+class GrainFlight(GrainInAir):
     """Sand, air, wind, time, and the bed."""
 
-    grain_diameter: float = redeclared(
-        Sand, "grain_diameter", 0.15e-3, "Szabó 2019, §4.2; Prague thesis, §4.3 (printed there as 15 mm)"
-    )
-    grain_density: float = redeclared(Sand, "grain_density", 2655.0, "Prague thesis, §4.3")
-    porosity: float = redeclared(Sand, "porosity", 0.40, "Szabó 2019, Table 4.1")
-    air_density: float = redeclared(Air, "air_density", 1.1644, "Prague thesis, §4.3: at 30 °C")
-
-    viscosity: float = parameter(
-        VISCOSITY,
-        unit="Pa s",
-        gt=0,
-        le=1e-2,
-        group="air",
-        meaning="Dynamic viscosity of the air, for drag that depends on the Reynolds number.",
-        source="air at 15 to 20 °C",
-    )
-    gravity: float = parameter(
-        9.81,
-        unit="m/s²",
-        gt=0,
-        le=100,
-        group="air",
-        meaning="Acceleration of gravity.",
-        source="Prague thesis, §4.3",
-    )
-    drag: Literal["constant", "reynolds"] = parameter(
-        "constant",
-        unit="-",
-        group="air",
-        meaning="Drag coefficient: one for all, or that of natural sand by its Reynolds number.",
-        source="constant: Prague thesis, eq. 4.9; reynolds: Cheng 1997",
-    )
-    drag_coefficient: float = parameter(
-        0.5,
-        unit="-",
-        gt=0,
-        le=10,
-        group="air",
-        meaning="The constant drag coefficient.",
-        source="Prague thesis, §4.3: a rough sphere",
-    )
     wind_speed: float = parameter(
         10.0,
         unit="m/s",
@@ -150,7 +103,7 @@ class GrainFlight(Composition, Air, Sand):
         group="bed",
         meaning="A grain takes one parcel along, from the stack below it, or sixteen, from a patch: four "
         "from that stack, two from each neighbour at its faces, one from those at its corners; it lays them "
-        "down alike.",
+        "down in the same way.",
         source="stack: Szabó 2019, §5.1.2, the nearest vertex; patch: ours, for sand of many grains does not "
         "start and land as one",
     )
@@ -209,32 +162,6 @@ class GrainFlight(Composition, Air, Sand):
         source="ours: T of Szabó 2019, eq. 3.10, has no value there",
     )
 
-    @model_validator(mode="after")
-    def _heavier_than_air(self) -> Self:
-        if self.grain_density <= 2.0 * self.air_density:
-            raise ValueError(
-                f"grain_density {self.grain_density:g} kg/m³ is not twice air_density "
-                f"{self.air_density:g} kg/m³; allowed: grains that fall"
-            )
-        return self
-
-    @property
-    def size_classes(self) -> list[SizeClass]:
-        """The size classes of the sand, finest first; none: all grains have one size."""
-        sizes = self.part(Sizes)
-        return [] if sizes is None else sizes.of(self.grain_diameter)
-
-    @property
-    def diameters(self) -> Sequence[float]:
-        """Diameters (m) of the size classes, finest first; of sand of one size its diameter."""
-        return [one.diameter for one in self.size_classes] or [self.grain_diameter]
-
-    @property
-    def diameter(self) -> float:
-        """Mean diameter (m) of the grains, by volume."""
-        classes = self.size_classes
-        return mean_diameter(classes) if classes else self.grain_diameter
-
     @property
     def carried(self) -> int:
         """Parcels that a simulated grain takes along."""
@@ -264,37 +191,7 @@ class GrainFlight(Composition, Air, Sand):
         moving = max(speed - self.stability, 0.0)
         return friction_velocity(moving, REFERENCE_HEIGHT, self.roughness_length, self.displacement)
 
-    def threshold(self, diameter: float | None = None) -> float:
-        """Friction velocity (m/s) at which the wind begins to lift grains, by default of mean diameter."""
-        weight = self.grain_density * self.gravity / GRAVITY
-        return float(shao_lu(self.diameter if diameter is None else diameter, weight, self.air_density))
-
-    def impact_threshold(self, diameter: float | None = None) -> float:
-        """Friction velocity (m/s) at which impacts keep grains going."""
-        return IMPACT_RATIO * self.threshold(diameter)
-
-    def too_heavy(self, ustar: float) -> NDArray[np.bool_]:
-        """Whether the wind cannot keep each size class in the air: it is below its impact threshold.
-
-        Sand of one size splashes under any wind.
-        """
-        if not self.size_classes:
-            return np.zeros(1, np.bool_)
-        return np.array([self.impact_threshold(one) > ustar for one in self.diameters])
-
-    def drag_rate(self, speed: NDArray[np.float64], diameter: float | None = None) -> NDArray[np.float64]:
-        """Rate (1/s) at which drag takes a velocity difference ``speed`` (m/s) away."""
-        size = self.diameter if diameter is None else diameter
-        coefficient: NDArray | float = self.drag_coefficient
-        if self.drag == "reynolds":
-            coefficient = natural_drag(speed, size, self.viscosity / self.air_density)
-        return drag_rate(speed, coefficient, size, self.grain_density, self.air_density)
-
     def drag_share(self, speed: NDArray[np.float64], diameter: float | None = None) -> NDArray[np.float64]:
         """Share of a velocity difference ``speed`` (m/s) that drag takes away in a time step."""
         share = self.drag_rate(speed, diameter) * self.time_step
         return share if self.scheme == "euler" else -np.expm1(-share)
-
-    def settling_speed(self, diameter: float | None = None) -> float:
-        """Speed (m/s) of steady fall in still air."""
-        return terminal_speed(lambda speed: self.drag_rate(speed, diameter), self.gravity)

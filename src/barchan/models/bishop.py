@@ -19,7 +19,7 @@ class Bishop(SpeedupModel):
 
         h_ref(t) = h_mean - ½ mean abs(h - h_mean)
 
-    which follows every slab that moves and is taken anew from the whole bed at the start of each step.
+    which follows every slab that moves and is computed again from the whole bed at the start of each step.
 
     Known deviations: the wind blows from any direction, where the paper turns the field of sand about a
     pivot and loses slabs; for the rest see Momiji's model. The paper's neighbourhood is Moore's as Elder 2009

@@ -24,7 +24,7 @@ class Momiji(SpeedupModel):
     the mean the hop is zero; deeper cells send sand against the wind, as the eddy in a deep trough does.
     A hop is at most as long as the field.
 
-    Known deviations: what the paper does with fractions of cells, with hops of zero and after a bounce was
+    Known deviations: the paper's rules for fractions of cells, for hops of zero and after a bounce were
     not found; see ``hop_rounding`` and ``hop_from``. Over ground that is not flat h is the height of the
     surface.
     """

@@ -1,4 +1,4 @@
-"""Nield and Baas's model: slabs of sand among plants that grow with what the wind brings and takes."""
+"""Nield and Baas's model: slabs of sand among plants whose growth follows erosion and deposition."""
 
 import math
 from typing import Literal
@@ -163,11 +163,11 @@ class NieldBaas(SlabModel):
         bed.arrays["year_start"][...] = bed.sand
 
     def effectiveness(self, bed: Bed) -> NDArray[np.float64]:
-        """What all plants of a cell come to: rho."""
+        """Sum of the effectiveness of all plants of each cell: rho."""
         return np.sum([bed.arrays[name] for name in SPECIES], axis=0)
 
     def mobility(self, bed: Bed, direction: float) -> NDArray[np.float64]:
-        """What plants leave to the wind."""
+        """The share of each cell that no plant covers."""
         return 1.0 - self.effectiveness(bed)
 
     def rules(self) -> Rules:
@@ -179,7 +179,7 @@ class NieldBaas(SlabModel):
         )
 
     def problems(self, step_seconds: float | None) -> list[tuple[str, str]]:
-        """A year that is not a calendar year's where a clock tells how long that is."""
+        """Refuse a year of growth other than the calendar year where a clock defines its duration."""
         if step_seconds is None:
             return []
         if step_seconds > YEAR:

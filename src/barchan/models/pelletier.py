@@ -86,8 +86,9 @@ class Pelletier(SlabModel):
     ``p_ns``. Cells in shadow give none and keep every slab.
 
     Known deviations: the paper's rule of probabilities, its slab size and its fitted function of slope are
-    not published in what we could read; the two probabilities above are ours. What the model does with z0 is
-    a test, not a promise: see the page on validation. Over open edges the surface is continued to its mean.
+    not in the parts that we could read; the two probabilities above are ours. The effect of z0 in this
+    model is a test, not a promise: see the page on validation. Over open edges the surface is continued
+    to its mean.
     """
 
     name = "pelletier"
@@ -127,7 +128,7 @@ class Pelletier(SlabModel):
         return Rules(erosion=ErosionChance(factor=self.parameters.erosion_chance))
 
     def steps_until_update(self, segment: Segment) -> int:
-        """The stress is sought anew before each step."""
+        """The stress is computed again before each step."""
         return 1
 
     def mobility(self, bed: Bed, direction: float) -> NDArray[np.float64]:

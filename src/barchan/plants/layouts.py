@@ -50,7 +50,7 @@ class Layout(Parameters):
         return {name: getattr(self, name) * share for name in SPECIES}
 
     def share(self, lattice: Lattice) -> NDArray[np.float64]:
-        """What share of the stated effectiveness each cell has."""
+        """The share of the stated effectiveness that each cell has."""
         return np.ones(lattice.shape)
 
 

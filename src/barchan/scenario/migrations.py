@@ -1,7 +1,9 @@
 """Configuration files of earlier formats, brought up to date on reading."""
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from copy import deepcopy
+from itertools import takewhile
 from typing import Any
 
 from barchan.scenario.definition import FORMAT
@@ -53,8 +55,10 @@ RENAMED_SINCE_1: dict[str, str] = {
     "model.release_angle": "model.static_repose_angle",
     "model.firm_repose_angle": "model.stabilised_repose_angle",
     "model.firm_cover": "model.stabilised_cover",
+    "wind.regimes[].course": "wind.regimes[].speed_ramp",
+    "wind.turns": "wind.alternations",
 }
-"""Keys of format 1 and what they are called now."""
+"""Keys of format 1 and what they are called now; ``[]`` stands for each member of a list."""
 
 RENAMED_VALUES_SINCE_1: dict[str, dict[str, str]] = {}
 """By keys as they are called now: words of format 1 that a parameter took, and what they are called now."""
@@ -91,15 +95,23 @@ def current_key(key: str) -> str:
     return RENAMED_SINCE_1.get(key, key)
 
 
+def current_wind(wind: Data) -> Data:
+    """A wind of any earlier format with the keys of today."""
+    data = {"wind": deepcopy(wind)}
+    for old, new in RENAMED_SINCE_1.items():
+        _move(data, old.split("."), new.split("."))
+    return data["wind"]
+
+
 def _to_2(data: Data) -> Data:
     """Standard words for keys, and one group of keys for each closure of a grain model."""
     for old, new in RENAMED_SINCE_1.items():
         _move(data, old.split("."), new.split("."))
     for key in (*RENAMED_VALUES_SINCE_1, *CONVERTED_SINCE_1):
-        *groups, last = key.split(".")
-        group = _group(data, groups)
-        if group is not None and last in group:
-            group[last] = current_value(key, group[last])
+        *path, last = key.split(".")
+        for group in _groups(data, path):
+            if last in group:
+                group[last] = current_value(key, group[last])
     return data
 
 
@@ -123,19 +135,28 @@ def migrate(data: Data) -> tuple[Data, str]:
     return data, ""
 
 
-def _group(data: Any, groups: list[str]) -> Data | None:
-    """The group of keys at a path; None where there is none."""
-    for name in groups:
-        data = data.get(name) if isinstance(data, dict) else None
-    return data if isinstance(data, dict) else None
+def _groups(data: Any, path: list[str]) -> Iterator[Data]:
+    """The groups of keys at a path; ``name[]`` stands for the members of a list."""
+    if path and isinstance(data, dict):
+        name = path[0].removesuffix("[]")
+        found = data.get(name)
+        several = found if name != path[0] and isinstance(found, list) else [found]
+        for one in several:
+            yield from _groups(one, path[1:])
+    elif isinstance(data, dict):
+        yield data
 
 
 def _move(data: Data, old: list[str], new: list[str]) -> None:
     """Move the value of one key to another, whose groups are made as needed."""
-    group = _group(data, old[:-1])
-    if group is None or old[-1] not in group:
-        return
-    value = group.pop(old[-1])
-    for name in new[:-1]:
+    same = len([*takewhile(lambda names: names[0] == names[1], zip(old[:-1], new[:-1], strict=False))])
+    for group in _groups(data, old[:same]):
+        for holder in _groups(group, old[same:-1]):
+            if old[-1] in holder:
+                _put(group, new[same:], holder.pop(old[-1]))
+
+
+def _put(data: Data, path: list[str], value: Any) -> None:
+    for name in path[:-1]:
         data = data.setdefault(name, {})
-    data[new[-1]] = value
+    data[path[-1]] = value

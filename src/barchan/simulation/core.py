@@ -17,8 +17,9 @@ from barchan.scenario.summary import html_table, summary
 from barchan.simulation.events import AnyEvent, Record
 from barchan.simulation.frame import Frame
 from barchan.simulation.ledger import Ledger
+from barchan.simulation.progress import progress
 from barchan.simulation.state import State
-from barchan.simulation.stop import stop_conditions
+from barchan.simulation.stop import StopConditions
 from barchan.streams import Stream
 from barchan.wind import Segment, Wind
 
@@ -56,30 +57,16 @@ class Simulation:
         self.finished: str | None = None
         self.tally = Tally()
         self.events: list[Record] = []
-        self.stop_conditions = stop_conditions(scenario)
+        self.stop_conditions = StopConditions(scenario)
         self._framed = -1
 
     def __repr__(self) -> str:
         named = f" of '{self.scenario.title}'" if self.scenario.title else ""
-        return f"<Simulation{named}: {', '.join(self._progress().values())}>"
+        return f"<Simulation{named}: {', '.join(progress(self).values())}>"
 
     def _repr_html_(self) -> str:
-        rows = {**summary(self.scenario), **self._progress()}
+        rows = {**summary(self.scenario), **progress(self)}
         return html_table(self.scenario.title or "Simulation", rows)
-
-    def _progress(self) -> dict[str, str]:
-        """The model, how far the run is, and the bed, in few words."""
-        bed = self.bed
-        amounts = ", ".join(
-            f"{bed.arrays[layer.name].sum()} {layer.unit} of {layer.name}" for layer in bed.layers
-        )
-        relief = f"elevation {self.elevation.min():.3g} to {self.elevation.max():.3g} m"
-        ended = "" if self.finished is None else f" ({self.finished})"
-        return {
-            "model": self.model.name,
-            "step": f"step {self.steps_done} of {self.scenario.run.steps}{ended}",
-            "bed": f"{amounts}, {relief}",
-        }
 
     @property
     def lattice(self) -> Lattice:
@@ -119,15 +106,15 @@ class Simulation:
         total = Tally()
         end = self.steps_done + steps
         while self.steps_done < end and self.finished is None:
-            looks = [c.every - self.steps_done % c.every for c in self.stop_conditions.values()]
+            count = self.stop_conditions.steps_to_next(self.steps_done, end - self.steps_done)
             since = Tally()
-            for segments in self.forcing.segments(self.steps_done, min([end - self.steps_done, *looks])):
+            for segments in self.forcing.segments(self.steps_done, count):
                 since.add(self._blow(segments))
                 if since.finished is not None:
                     break
             self.steps_done += since.steps
             total.add(since)
-            self._check_ends(since)
+            self.finished = since.finished or self.stop_conditions.check(self, since)
         self._book(total)
         return total
 
@@ -141,13 +128,6 @@ class Simulation:
             if total.finished is not None:
                 break
         return replace(total, steps=1)
-
-    def _check_ends(self, tally: Tally) -> None:
-        """Find out whether the model, or else a stop condition, ends the run after some steps."""
-        self.finished = tally.finished
-        for condition in self.stop_conditions.values():
-            if self.finished is None and self.steps_done % condition.every == 0:
-                self.finished = condition.check(self, tally)
 
     def _book(self, tally: Tally) -> None:
         self.tally.add(tally)
@@ -223,6 +203,8 @@ class Simulation:
         """Everything it takes to go on from here with the same bits."""
         arrays = {f"bed/{name}": array.copy() for name, array in self.bed.arrays.items()}
         arrays |= {f"model/{name}": np.asarray(value) for name, value in self.model.state().items()}
+        conditions, seen = self.stop_conditions.state()
+        arrays |= {f"stop/{name}": array for name, array in seen.items()}
         now = self.current_data()
         data: dict[str, Any] = {
             "scenario": self.scenario.data(),
@@ -234,12 +216,8 @@ class Simulation:
             "ledger": asdict(self.ledger),
             "tally": asdict(self.tally),
             "events": [record.data() for record in self.events],
-            "stop_conditions": {},
+            "stop_conditions": conditions,
         }
-        for name, condition in self.stop_conditions.items():
-            seen = condition.state()
-            data["stop_conditions"][name] = {k: v for k, v in seen.items() if not isinstance(v, np.ndarray)}
-            arrays |= {f"stop/{name}/{k}": v for k, v in seen.items() if isinstance(v, np.ndarray)}
         return State(data, arrays)
 
     @classmethod
@@ -264,7 +242,6 @@ class Simulation:
         simulation.ledger = Ledger(**data["ledger"])
         simulation.tally = Tally(**data["tally"])
         simulation.events = [Record.from_data(record) for record in data["events"]]
-        for name, condition in simulation.stop_conditions.items():
-            condition.restore({**data["stop_conditions"][name], **state.group(f"stop/{name}/")})
+        simulation.stop_conditions.restore(data["stop_conditions"], state.group("stop/"))
         simulation.ledger.check(bed)
         return simulation

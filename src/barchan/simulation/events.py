@@ -12,7 +12,7 @@ from pydantic import Field, TypeAdapter, ValidationError, field_validator
 from barchan.errors import Problem, ScenarioError
 from barchan.parameters import declarations, parameter
 from barchan.scenario import Scenario, nearest, validate
-from barchan.scenario.migrations import current_key, current_value
+from barchan.scenario.migrations import current_key, current_value, current_wind
 from barchan.simulation.change import Change, wrong
 from barchan.simulation.strokes import PlantStroke, RockStroke, Stroke
 from barchan.wind import Wind
@@ -97,6 +97,8 @@ class Record:
         if data.get("kind") == "set" and current_key(data["key"]) != data["key"]:
             data["key"] = current_key(data["key"])
             data["value"] = current_value(data["key"], data["value"])
+        if data.get("kind") == "wind":
+            data["wind"] = current_wind(data["wind"])
         return cls(data.pop("step"), event_from(data))
 
 

@@ -10,7 +10,7 @@ from barchan.simulation.ledger import Ledger
 
 @dataclass(frozen=True)
 class Frame:
-    """The bed at one moment, with what had happened until then."""
+    """The bed at one moment, with the counts up to then."""
 
     step: int
     direction: float

@@ -16,7 +16,7 @@ class State:
     data: dict[str, Any]
     """Everything but the arrays, as JSON can hold it."""
     arrays: dict[str, NDArray]
-    """The bed's fields as ``bed/<name>``, what the model remembers as ``model/<name>`` and so on."""
+    """The bed's fields as ``bed/<name>``, arrays that the model remembers as ``model/<name>`` and so on."""
 
     def up_to_date(self) -> "State":
         """The same state as this version of the program writes it, whatever format it was written in."""
@@ -48,7 +48,7 @@ _RENAMED_SINCE_1 = {
     "model/kinds": "model/size_class",
     "model/stress": "model/grain_stress",
 }
-"""Arrays of format 1 that models remember, and what they are called now."""
+"""Arrays of format 1 that models remember, and their names of today."""
 
 
 def _current_name(name: str) -> str:

@@ -70,7 +70,7 @@ class SteadyBedforms:
         )
 
     def state(self) -> dict[str, Any]:
-        """What was seen so far."""
+        """The observations up to now."""
         return {"seen": self.seen, "previous": self.previous}
 
     def restore(self, state: dict[str, Any]) -> None:

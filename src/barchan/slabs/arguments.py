@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,6 +20,7 @@ from barchan.kernels.bed.state import (
     new_levels,
     relaxation_orders,
     repose_rule,
+    unstable_cells,
 )
 from barchan.kernels.core.state import SIMD_WIDTH
 from barchan.kernels.slabs.state import (
@@ -27,9 +29,12 @@ from barchan.kernels.slabs.state import (
     AxisShadow,
     ObstacleRule,
     RayShadow,
+    Schedule,
     SlabRules,
     Speedup,
     Wind,
+    Work,
+    prepared_polls,
 )
 from barchan.lattice import Lattice
 from barchan.slabs.parameters import SlabParameters
@@ -52,6 +57,7 @@ class SlabArguments:
     """The arrays whose addresses the shadow structs hold."""
 
 
+@lru_cache(maxsize=64)
 def build(
     parameters: SlabParameters, rules: Rules, lattice: Lattice, frame: WindFrame, hop: float, flat: bool
 ) -> SlabArguments:
@@ -88,6 +94,14 @@ def build(
 def levels_over(flat: bool) -> Levels:
     """Room for the mean height of the surface, over flat ground or not."""
     return new_levels(LEVEL_BITS if flat else LEVEL_BITS - FRACTION_BITS)
+
+
+def work_space(rules: SlabRules, schedule: Schedule) -> Work:
+    """Work space of the kernel for these rules."""
+    grid, repose = rules.grid, rules.repose
+    avalanches = repose.static_face or repose.static_corner
+    unstable = unstable_cells(grid.rows * grid.cols) if avalanches else None
+    return Work(prepared_polls(grid.rows, grid.cols, schedule), unstable)
 
 
 def _wind(parameters: SlabParameters, erosion: ErosionChance, frame: WindFrame, hop: float) -> Wind:
@@ -149,8 +163,8 @@ def order_table(angle: float, moore: bool, upwind: bool) -> NDArray[np.int64]:
     """Codes of the neighbours, in the order in which a wind at ``angle`` has them checked.
 
     A slab slides down to the downwind side first and slides in from the upwind side first, faces before
-    corners; of two neighbours that lie alike to the wind the one on its left comes first. Without ``upwind``
-    nothing slides against the wind.
+    corners; of two neighbours at the same angle to the wind the one on its left comes first. Without
+    ``upwind`` nothing slides against the wind.
     """
     downwind = [c * math.cos(angle) + a * math.sin(angle) for a, c in _DIRECTIONS]
     left = [a * math.cos(angle) - c * math.sin(angle) for a, c in _DIRECTIONS]

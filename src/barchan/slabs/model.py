@@ -1,44 +1,37 @@
-"""What all slab models share: one transport kernel, told by data."""
+"""The base class of slab models: one transport kernel, configured by data."""
 
 from collections.abc import Hashable
-from functools import lru_cache
 from typing import Any
 
 import numpy as np
-from numpy.typing import DTypeLike, NDArray
+from numpy.typing import NDArray
 
 from barchan.bed import Bed
-from barchan.heights import FRACTION_BITS, above_lowest, check_heights
-from barchan.kernels.bed.state import Stacks, relaxation_orders, unstable_cells
-from barchan.kernels.core.state import SIMD_WIDTH, TRAVEL_UNIT
+from barchan.heights import check_heights
+from barchan.kernels.bed.state import Stacks, relaxation_orders
+from barchan.kernels.core.state import TRAVEL_UNIT
 from barchan.kernels.slabs.state import (
     CAPPED,
     ENTERED,
     EXHAUSTED,
     LEFT,
-    MOBILE,
     MOVED,
     TALLY_SIZE,
     TRAVEL_ACROSS,
     TRAVEL_ALONG,
     Schedule,
-    SlabRules,
-    Work,
-    prepared_polls,
 )
 from barchan.lattice import Lattice
 from barchan.model import Derived, Model, Tally
-from barchan.slabs.arguments import SlabArguments, build, levels_over
+from barchan.slabs.arguments import SlabArguments, build, levels_over, work_space
 from barchan.slabs.influx import INFLUX, edge_influx
 from barchan.slabs.obstacles import ClearDistances
 from barchan.slabs.parameters import SlabParameters
 from barchan.slabs.rules import Rules
+from barchan.slabs.stacks import is_flat, stacks_of, write_back
 from barchan.streams import Stream, derive
 from barchan.wind.frame import WindFrame
 from barchan.wind.segment import Segment
-
-_MOST_MOBILE = 2**30
-"""Bound of mobilities in whole numbers, so that chances in proportion to them do not overflow."""
 
 
 class SlabModel(Model):
@@ -70,7 +63,7 @@ class SlabModel(Model):
         check_heights(bed, self.rules().hop is not None)
 
     def rules(self) -> Rules:
-        """What the model adds to slab transport."""
+        """The rules that the model adds to slab transport."""
         return Rules()
 
     def mobility(self, bed: Bed, direction: float) -> NDArray[np.float64] | None:
@@ -127,7 +120,7 @@ class SlabModel(Model):
                 key = np.uint64(derive(derive(derive(stream.key, step), INFLUX), segment.first))
                 let_enter(stacks, rules, work, influx, key, counts)
                 run_steps(stacks, rules, work, schedule, np.uint64(stream.key), step, 1, *polls, counts)
-        self._leave(bed, frame, stacks)
+        write_back(bed, frame, stacks)
         return _tally(counts, segment, frame)
 
     def hop_length(self, segment: Segment) -> float:
@@ -182,7 +175,7 @@ class SlabModel(Model):
         orders = relaxation_orders(self.parameters.neighbourhood == "moore")
         changed = np.ones(bed.sand.size, np.bool_) if where is None else where.ravel().copy()
         moved = int(relax_field(stacks, changed, orders, rules.grid, rules.repose, None))
-        self._leave(bed, frame, stacks)
+        write_back(bed, frame, stacks)
         return moved
 
     def shadow_zone(self, bed: Bed, direction: float) -> NDArray[np.bool_]:
@@ -230,32 +223,9 @@ class SlabModel(Model):
     def _enter(
         self, bed: Bed, frame: WindFrame, hop: float, mobility: NDArray[np.float64] | None
     ) -> tuple[SlabArguments, Stacks]:
-        """Arguments and stacks in the wind's frame; the surface has room before it for the shadow test."""
-        flat = bool((bed.ground == bed.ground.flat[0]).all())
-        arguments = _arguments(self.parameters, self.rules(), self.lattice, frame, hop, flat)
-        mobile = None
-        if mobility is not None:
-            whole = np.clip(np.rint(mobility * MOBILE), -_MOST_MOBILE, _MOST_MOBILE).astype(np.int32)
-            mobile = np.ascontiguousarray(frame.enter(whole)).ravel()
-        sand = frame.enter(bed.sand)
-        if flat:
-            return arguments, Stacks(_with_room(sand, np.int32), None, mobile)
-        surface = frame.enter(above_lowest(bed.ground, self.lattice.thickness))
-        surface = surface + (sand.astype(np.int64) << FRACTION_BITS)
-        sand = np.ascontiguousarray(sand).ravel().copy()
-        return arguments, Stacks(_with_room(surface, np.int64), sand, mobile)
-
-    def _leave(self, bed: Bed, frame: WindFrame, stacks: Stacks) -> None:
-        sand = stacks.surface if stacks.sand is None else stacks.sand
-        bed.sand[...] = frame.leave(sand.reshape(frame.enter(bed.sand).shape))
-
-
-def work_space(rules: SlabRules, schedule: Schedule) -> Work:
-    """Work space of the kernel for these rules."""
-    grid, repose = rules.grid, rules.repose
-    avalanches = repose.static_face or repose.static_corner
-    unstable = unstable_cells(grid.rows * grid.cols) if avalanches else None
-    return Work(prepared_polls(grid.rows, grid.cols, schedule), unstable)
+        """Arguments and stacks in the wind's frame."""
+        arguments = build(self.parameters, self.rules(), self.lattice, frame, hop, is_flat(bed.ground))
+        return arguments, stacks_of(bed, frame, mobility)
 
 
 def _tally(counts: NDArray[np.int64], segment: Segment, frame: WindFrame) -> Tally:
@@ -272,17 +242,3 @@ def _tally(counts: NDArray[np.int64], segment: Segment, frame: WindFrame) -> Tal
         entered=int(counts[ENTERED]),
         exhausted=int(counts[EXHAUSTED]),
     )
-
-
-def _with_room(field: NDArray, dtype: DTypeLike) -> NDArray:
-    """A flat copy of a field with as much memory before it as one vector read may touch."""
-    buffer = np.zeros(SIMD_WIDTH + field.size, dtype)
-    buffer[SIMD_WIDTH:] = field.ravel()
-    return buffer[SIMD_WIDTH:]
-
-
-@lru_cache(maxsize=64)
-def _arguments(
-    parameters: SlabParameters, rules: Rules, lattice: Lattice, frame: WindFrame, hop: float, flat: bool
-) -> SlabArguments:
-    return build(parameters, rules, lattice, frame, hop, flat)

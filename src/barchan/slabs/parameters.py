@@ -136,7 +136,7 @@ class SlabParameters(Parameters):
         live=True,
         group="avalanches",
         meaning="Which of equally steep neighbours comes first: downwind for a slab that slides and upwind "
-        "for one that falls in, or a sequence drawn anew each time; faces come before corners.",
+        "for one that falls in, or a sequence drawn each time; faces come before corners.",
         source="wind: Prague thesis, Fig. 5.5; random: Elder 2009",
     )
     upwind_avalanches: bool = parameter(
@@ -178,8 +178,8 @@ class SlabParameters(Parameters):
         ge=1,
         le=65536,
         group="polling",
-        meaning="The polls of a step go through the field band by band, the bands in random order; a band "
-        "is so many cells wide across the wind's nearer axis. The field's width or more means no bands.",
+        meaning="Width of a band across the wind's nearer axis. The polls of a step go through the field "
+        "band by band, the bands in random order; the field's width or more means no bands.",
     )
 
     @model_validator(mode="after")

@@ -122,8 +122,8 @@ class SpeedupModel(SlabModel):
     def open_hops(self, bed: Bed, wind: Segment) -> NDArray[np.float64]:
         """Hop length (cells) of slabs that the wind takes: 0 in shadow, unless ``lee_erosion`` is on.
 
-        The law of hops knows only heights, so just behind a crest it still gives long hops; what keeps
-        slabs there is the shadow. Together they are the wind as the model has it: fast on the crest, gone
+        The law of hops knows only heights, so just behind a crest it still gives long hops; the shadow
+        keeps slabs there. Together they are the wind as the model has it: fast on the crest, gone
         in the lee.
         """
         return self.unsheltered(self.hops(bed, self.hop_length(wind)), bed, wind.direction)

@@ -1,7 +1,7 @@
 """Messages and frames between browser, server and workers.
 
-Control messages are JSON objects: a request names its ``command`` (see ``commands``), what comes back its
-``type``. A request with an ``id`` is answered by a message with the same ``id``.
+Control messages are JSON objects: a request names its ``command`` (see ``commands``), a message from the
+server its ``type``. A request with an ``id`` is answered by a message with the same ``id``.
 Frames are binary: ``MAGIC``, the length of a JSON header (32 bits, little-endian), the header padded to four
 bytes, then the numbers of the fields that it lists as ``encoded``, each padded likewise.
 """

@@ -38,8 +38,8 @@ class MixedAxes(Parameters):
         meaning="Share of the polls under the first wind.",
         source="Nield & Baas 2008: a third and two thirds",
     )
-    turns: int = parameter(
-        8, unit="-", ge=1, le=64, meaning="How many times within a step both winds blow in turn."
+    alternations: int = parameter(
+        8, unit="-", ge=1, le=64, meaning="Number of times within a step that each of the two winds blows."
     )
     speed: float | None = parameter(
         None,
@@ -74,8 +74,8 @@ class MixedAxes(Parameters):
         shares = self.share, 1.0 - self.share
         axes = self.first, self.second
         return [
-            WindInterval(share / self.turns, float(axis), self.speed)
-            for _ in range(self.turns)
+            WindInterval(share / self.alternations, float(axis), self.speed)
+            for _ in range(self.alternations)
             for axis, share in zip(axes, shares, strict=True)
         ]
 

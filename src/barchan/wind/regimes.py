@@ -56,7 +56,7 @@ class Regime(Blowing):
         source="Prague thesis, §5.3",
         **SPEED,
     )
-    course: AnySpeedRamp = Field(
+    speed_ramp: AnySpeedRamp = Field(
         default_factory=Linear, description="How the speed changes from the first to the last."
     )
 
@@ -92,7 +92,7 @@ class Regime(Blowing):
         """The mean speed after a share of the regime's duration; not below zero."""
         if self.speed is None or self.final_speed is None:
             return self.speed
-        return max(self.speed + (self.final_speed - self.speed) * self.course.share(time), 0.0)
+        return max(self.speed + (self.final_speed - self.speed) * self.speed_ramp.share(time), 0.0)
 
     @property
     def changes(self) -> bool:

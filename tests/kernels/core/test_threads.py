@@ -85,7 +85,7 @@ def test_a_forked_process_has_workers_of_its_own():
     assert results.get() == 1
 
 
-@pytest.mark.skipif(sys.platform != "linux", reason="only Linux tells")
+@pytest.mark.skipif(sys.platform != "linux", reason="only Linux reports it")
 def test_a_worker_stays_off_the_callers_processor_and_the_caller_goes_where_it_likes():
     allowed = os.sched_getaffinity(0)
     if len(allowed) == 1:

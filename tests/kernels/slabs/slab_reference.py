@@ -259,7 +259,7 @@ class Field:
         return self.rules.lee_erosion or not self.in_shadow(row, col)
 
     def start_of_slice(self):
-        """Take the mean height anew."""
+        """Compute the mean height again."""
         heights = [self.height(row, col) for row in range(self.rows) for col in range(self.cols)]
         self.mean = sum(heights) // len(heights)
 

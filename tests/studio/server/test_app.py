@@ -70,25 +70,33 @@ def test_a_live_parameter_changes_during_the_run(served):
     with served.browser() as browser:
         browser.until_frame()
         browser.send("set", key="model.hop_length", value=3.0, id=1, run="a")
-        told = browser.until(lambda told, _: told.get("type") == "scenario" and told["events"] == 1)[0]
-        assert told["scenario"]["model"]["hop_length"] == 3.0
+        message = browser.until(
+            lambda message, _: message.get("type") == "scenario" and message["events"] == 1
+        )[0]
+        assert message["scenario"]["model"]["hop_length"] == 3.0
         browser.until_message("done", id=1)
 
 
-def test_rock_and_plants_are_painted_and_the_ground_is_sent_anew(served):
+def test_rock_and_plants_are_painted_and_the_ground_is_sent_again(served):
     place = {"x": 20.0, "y": 12.0, "radius": 6.0}
     with served.browser() as browser:
         browser.send("create", scenario=small(model={"name": "nield_baas"}).data(), running=False)
-        told = browser.until(lambda told, _: len(told.get("brushes", [])) == 5)[0]
-        assert [brush["title"] for brush in told["brushes"]] == ["sand", "rock", "grass", "mesquite", "shrub"]
+        message = browser.until(lambda message, _: len(message.get("brushes", [])) == 5)[0]
+        assert [brush["title"] for brush in message["brushes"]] == [
+            "sand",
+            "rock",
+            "grass",
+            "mesquite",
+            "shrub",
+        ]
         browser.send("view", fields=["grass"])
-        rock = {**told["brushes"][1]["stroke"], **place, "amount": 6}
+        rock = {**message["brushes"][1]["stroke"], **place, "amount": 6}
         browser.send("stroke", begin=True, end=True, stroke=rock)
         risen = browser.until(
             lambda _, fields: fields is not None and fields.get("ground", np.zeros(1)).any()
         )
         assert risen[1]["ground"].max() == pytest.approx(2.0, abs=0.4)
-        grass = {**told["brushes"][2]["stroke"], **place, "amount": 0.5}
+        grass = {**message["brushes"][2]["stroke"], **place, "amount": 0.5}
         browser.send("stroke", begin=True, end=True, stroke=grass)
         browser.until(lambda _, fields: fields is not None and fields["grass"].max() > 0.4)
         assert "ground" not in browser.frames[-1][1]
@@ -117,15 +125,15 @@ def test_paths_of_grains_come_with_frames_as_many_as_asked_for(served):
     with served.browser() as browser:
         browser.send("paths", count=6)
         browser.send("create", scenario=grains.data(), running=False)
-        told = browser.until(lambda told, _: told.get("paths") is True)[0]
-        assert told["model"]["name"] == "wang_hu"
-        paths = browser.until(lambda told, fields: fields is not None and told.get("paths"))[0]["paths"]
+        message = browser.until(lambda message, _: message.get("paths") is True)[0]
+        assert message["model"]["name"] == "wang_hu"
+        paths = browser.until(lambda message, fields: fields is not None and message.get("paths"))[0]["paths"]
         points = [np.reshape(path, (-1, 3)) for path in paths]
         assert len(points) >= 6
         assert all((point >= 0).all() and (point[:, :2] <= (0.32, 0.16)).all() for point in points)
         assert max(np.abs(np.diff(point[:, 0])).max() for point in points) < 0.16
         browser.send("paths", count=0)
-        browser.until(lambda told, fields: fields is not None and told.get("paths") == [])
+        browser.until(lambda message, fields: fields is not None and message.get("paths") == [])
 
 
 def test_a_model_without_grains_has_no_paths(served):
@@ -171,7 +179,7 @@ def test_a_flood_of_messages_closes_the_line(served):
         browser.flood(20_000)
 
 
-def test_a_killed_worker_is_told_of_and_replaced(served):
+def test_a_killed_worker_is_message_of_and_replaced(served):
     with served.browser() as browser:
         browser.until_frame(lambda status: status["step"] > 5)
         os.kill(served.session.workers["a"].process.pid, signal.SIGKILL)
@@ -214,8 +222,10 @@ def test_two_models_run_step_by_step_on_the_same_ground(served):
     with served.browser() as browser:
         browser.until_frame()
         browser.send("compare", model="momiji")
-        browser.until(lambda told, _: told.get("run") == "b" and told.get("type") == "scenario")
-        browser.until(lambda told, _: told.get("run") == "b" and told.get("status", {}).get("step", 0) > 40)
+        browser.until(lambda message, _: message.get("run") == "b" and message.get("type") == "scenario")
+        browser.until(
+            lambda message, _: message.get("run") == "b" and message.get("status", {}).get("step", 0) > 40
+        )
         browser.send("pause")
         browser.until_message("lockstep", running=False)
         # Each shows every meeting: the last frame of one that waits there may have come before the pause did.
@@ -294,7 +304,7 @@ def test_a_recorded_wind_has_its_roses(served):
         browser.send("rose", run="a", id=1)
         assert browser.until_message("done", id=1)["rose"] is None
         browser.send("create", scenario=recorded.data(), running=False)
-        browser.until(lambda told, _: told.get("scenario", {}).get("wind", {}).get("kind") == "record")
+        browser.until(lambda message, _: message.get("scenario", {}).get("wind", {}).get("kind") == "record")
         browser.send("rose", run="a", id=2)
         rose = browser.until_message("done", id=2)["rose"]
     record = recorded.wind.record
@@ -338,6 +348,6 @@ def test_a_scenario_can_start_with_a_ground_of_its_own_file(tmp_path):
     np.save(path, np.zeros((32, 48)))
     mine = small(ground={"kind": "file", "path": str(path)})
     with serving(tmp_path / "folder", mine) as server, server.browser() as browser:
-        told = browser.until_message("scenario")
-        browser.send("create", scenario=told["scenario"], id=1)
+        message = browser.until_message("scenario")
+        browser.send("create", scenario=message["scenario"], id=1)
         browser.until_message("scenario")

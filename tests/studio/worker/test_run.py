@@ -99,7 +99,7 @@ def test_looking_back_changes_nothing_of_the_run(scenario):
     assert np.array_equal(run.live.bed.sand, before)
 
 
-def test_a_run_that_comes_to_rest_tells_why_and_stops():
+def test_a_run_that_comes_to_rest_states_why_and_stops():
     run = started(small(sand={"mean": 0}, run={"steps": 100, "seed": 1, "until": {"idle_steps": 5}}))
     run_to(run, 50)
     assert not run.busy

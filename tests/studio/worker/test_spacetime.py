@@ -10,28 +10,28 @@ from tests.studio.conftest import small
 from tests.studio.worker.test_run import run_to
 
 
-def heights_of(told):
-    numbers = np.frombuffer(base64.b64decode(told["values"]), "<u2").reshape(-1, told["columns"])
-    return told["low"] + told["scale"] * numbers
+def heights_of(diagram):
+    numbers = np.frombuffer(base64.b64decode(diagram["values"]), "<u2").reshape(-1, diagram["columns"])
+    return diagram["low"] + diagram["scale"] * numbers
 
 
-def test_the_section_of_every_remembered_state_and_of_now_is_told(scenario):
+def test_the_section_of_every_remembered_state_and_of_now_is_diagram(scenario):
     run = started(scenario)
     run_to(run, 25)
-    told = space_time(run, [0.5, 16.5, 47.5, 16.5])
-    assert told["steps"] == [0, 10, 20, 25]
+    diagram = space_time(run, [0.5, 16.5, 47.5, 16.5])
+    assert diagram["steps"] == [0, 10, 20, 25]
     places = np.linspace(0.5, 47.5, COLUMNS)
     centres = run.live.lattice.x
     expected = np.interp(places, centres, run.live.elevation[16])
-    assert np.allclose(heights_of(told)[-1], expected, atol=2 * told["scale"])
+    assert np.allclose(heights_of(diagram)[-1], expected, atol=2 * diagram["scale"])
 
 
 def test_a_section_across_a_plane_is_straight_whatever_its_direction():
     run = started(small(ground={"kind": "ramp", "height": 4.0}, sand={"kind": "flat", "mean": 0}))
     elevation = run.live.elevation
-    told = space_time(run, [10.0, 5.0, 40.0, 25.0])
-    row = heights_of(told)[0]
-    assert np.abs(np.diff(row, 2)).max() < 4 * told["scale"]
+    diagram = space_time(run, [10.0, 5.0, 40.0, 25.0])
+    row = heights_of(diagram)[0]
+    assert np.abs(np.diff(row, 2)).max() < 4 * diagram["scale"]
     assert elevation.min() <= row.min() < row.max() <= elevation.max()
 
 

@@ -1,4 +1,4 @@
-/** What a section shows of a run: surface, ground, shadow and slope along a line. */
+/** The profile of a run along a section: surface, ground, shadow and slope along a line. */
 
 import type { Run } from "./run";
 import { type SectionLine, along, samples } from "./section";

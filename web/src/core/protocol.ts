@@ -48,7 +48,7 @@ export interface Measure {
   reference: string;
 }
 
-/** Something that a brush paints: what a stroke says of it, and how strong it may be. */
+/** Something that a brush paints: the keys of its strokes, and how strong it may be. */
 export interface Brush {
   title: string;
   stroke: JsonObject;
@@ -64,7 +64,7 @@ export interface Description {
   lattice: Lattice;
   model: { name: string; title: string; citation: string };
   models: Record<string, string>;
-  /** What each model is made for, by its name: sand, for instance. */
+  /** The material that each model moves, by the model's name: sand, for instance. */
   materials: Record<string, string>;
   fields: Field[];
   layers: { field: string; title: string; colours: string }[];
@@ -75,9 +75,9 @@ export interface Description {
   repose: number | null;
   facts: Record<string, string>;
   remarks: string[];
-  /** The ways that the run went; the step where each began, and its last one. */
+  /** The branches of the run; the step where each began, and its last one. */
   branches: { number: number; began: number; step: number }[];
-  /** The number of the one that it is on. */
+  /** The number of the present branch. */
   branch: number;
   events: number;
 }

@@ -19,6 +19,12 @@ export class Run {
 
   constructor(readonly name: RunName) {}
 
+  /** The material that the model moves: sand, unless the model declares another. */
+  get material(): string {
+    const { description } = this;
+    return description?.materials[description.model.name] ?? "sand";
+  }
+
   get ready(): boolean {
     return this.description !== null && this.status !== null && this.surface.length > 0 && this.fits;
   }

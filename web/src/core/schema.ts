@@ -36,7 +36,7 @@ export interface Entry {
   /** Whether it may be left out. */
   nullable: boolean;
   choices: Json[];
-  /** The key that tells variants apart, and the variants by its values. */
+  /** The key that distinguishes variants, and the variants by its values. */
   key: string;
   variants: Record<string, Schema>;
 }

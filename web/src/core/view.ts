@@ -1,11 +1,11 @@
-/** What is shown and how; kept in the browser from one visit to the next. */
+/** The settings of the view; kept in the browser from one visit to the next. */
 
 import { Signal } from "./signal";
 
 export type Theme = "system" | "light" | "dark";
 
 export interface Look {
-  /** Which field colours the surface: sand (natural), elevation, depth, slope, or one that the model has. */
+  /** Which field colours the surface: natural (the material's own colour), elevation, depth, slope, or one that the model has. */
   field: string;
   map: "perceptual" | "grey" | "red-green";
   /** Fixed ends of the colour scale; null: those of the field as it is. */
@@ -31,7 +31,7 @@ export interface Look {
 const KEY = "barchan-look";
 
 export const LOOK: Look = {
-  field: "sand",
+  field: "natural",
   map: "perceptual",
   limits: null,
   contours: "off",

@@ -15,11 +15,14 @@ export interface Colouring {
   choice: boolean;
 }
 
+/** The choice that shows a surface in its material's own colour. */
+const NATURAL = "natural";
+
 /** Fields that every run has, which the page computes itself. */
-export const PLAIN: Field[] = [
-  { name: "sand", unit: "", meaning: "sand, as it looks", centre: null, choice: false },
+export const plainFields = (material: string): Field[] => [
+  { name: NATURAL, unit: "", meaning: `${material}, as it looks`, centre: null, choice: false },
   { name: "elevation", unit: "m", meaning: "elevation of the surface", centre: null, choice: false },
-  { name: "depth", unit: "m", meaning: "depth of the sand", centre: null, choice: false },
+  { name: "depth", unit: "m", meaning: `depth of the ${material}`, centre: null, choice: false },
   { name: "slope", unit: "degrees", meaning: "slope of the surface", centre: null, choice: false },
 ];
 
@@ -32,7 +35,8 @@ export function colouring(app: App, run: Run, surface: Float32Array): Colouring 
   if (look.side === "difference" && other?.ready && other.surface.length === surface.length) {
     return difference(run, other, app);
   }
-  const field = [...PLAIN, ...fields].find((one) => one.name === look.field) ?? PLAIN[0]!;
+  const plain = plainFields(run.material);
+  const field = [...plain, ...fields].find((one) => one.name === look.field) ?? plain[0]!;
   const values = valuesOf(field.name, run, surface) ?? surface;
   const layer = layers.find((one) => one.field === field.name);
   const usual = field.centre !== null || field.choice || layer !== undefined;
@@ -43,12 +47,12 @@ export function colouring(app: App, run: Run, surface: Float32Array): Colouring 
     map: look.map === "perceptual" || (usual && look.map !== "grey") ? own : look.map,
     title: field.meaning,
     unit: field.unit === "1" || field.unit === "-" ? "" : field.unit,
-    natural: field.name === "sand",
+    natural: field.name === NATURAL,
     choice: field.choice,
   };
 
   function valuesOf(name: string, of: Run, height: Float32Array): Float32Array | undefined {
-    if (name === "sand" || name === "elevation") return height;
+    if (name === NATURAL || name === "elevation") return height;
     if (name === "depth") return of.depth;
     if (name === "slope") return slopes(height, of.rows, of.columns, lattice.cell_size, lattice.periodic);
     return of.fields.get(name);

@@ -33,17 +33,17 @@ uniform vec2 cells;
 uniform vec2 extent;
 uniform float exaggeration;
 uniform vec2 limits;
-uniform float natural;      // 1: colour of sand instead of the map
+uniform float natural;      // 1: colour of the material instead of the map
 uniform vec3 sun;           // towards the sun: x east, y up, z south
 uniform float shadows;
-uniform float bare;         // 1: show ground without sand apart
+uniform float bare;         // 1: show ground without cover apart
 uniform float thickness;
 uniform float contour;      // metres from one contour to the next, 0: none
 uniform float wire;
 uniform vec3 tints[4];
 uniform vec4 section;       // from and to, 0 to 1; x below -1: none
 uniform vec3 brush;         // centre (0 to 1) and radius (m), radius 0: none
-uniform vec3 sandColour;
+uniform vec3 materialColour;
 uniform vec3 groundColour;
 uniform float isWall;
 varying vec2 place;
@@ -100,7 +100,7 @@ void main() {
   vec4 here = texture2D(heights, texel);
   vec3 ground = groundColour;
   if (isWall > 0.5) {
-    vec3 colour = height > here.g ? sandColour * 0.66 : ground * 0.55;
+    vec3 colour = height > here.g ? materialColour * 0.66 : ground * 0.55;
     gl_FragColor = vec4(colour, 1.0);
     #include <colorspace_fragment>
     return;
@@ -109,14 +109,14 @@ void main() {
   float value = (texture2D(values, texel).r - limits.x) / max(limits.y - limits.x, 1e-9);
   vec3 mapped = texture2D(map, vec2(clamp(value, 0.0, 1.0) * 63.0 / 64.0 + 0.5 / 64.0, 0.5)).rgb;
   mapped = pow(mapped, vec3(2.2));
-  vec3 colour = mix(mapped, sandColour, natural);
+  vec3 colour = mix(mapped, materialColour, natural);
   float covered = smoothstep(0.05, 0.6, (here.r - here.g) / thickness);
   vec2 beside = 1.0 / cells;
   vec2 rise = vec2(
     texture2D(heights, texel + vec2(beside.x, 0.0)).g - texture2D(heights, texel - vec2(beside.x, 0.0)).g,
     texture2D(heights, texel + vec2(0.0, beside.y)).g - texture2D(heights, texel - vec2(0.0, beside.y)).g
   ) * cells / extent / 2.0;
-  covered *= 1.0 - smoothstep(0.9, 1.6, length(rise)); // sand does not lie on walls of rock
+  covered *= 1.0 - smoothstep(0.9, 1.6, length(rise)); // loose material does not lie on walls of rock
   if (bare > 0.5) colour = mix(ground, colour, covered);
   vec4 shares = texture2D(overlay, texel);
   for (int i = 0; i < 4; i++) {

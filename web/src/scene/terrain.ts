@@ -6,6 +6,7 @@ import { ends } from "../core/profile";
 import type { Run } from "../core/run";
 import { type Colouring, colouring } from "./colouring";
 import { FRAGMENT, VERTEX } from "./shaders";
+import { grid, skirt } from "./block";
 import { PathLines } from "./paths";
 import { smoothed } from "./smooth";
 
@@ -17,7 +18,9 @@ const FOOT = 0.03;
 /** Relief, as it is drawn, that heights are not exaggerated beyond unless one asks for it. */
 const MOST_RELIEF = 0.2;
 const TINTS = ["#4c8a3a", "#8aa83c", "#2f6b4f", "#7d7a2c"];
-const SAND = new THREE.Color("#dcb981");
+/** Own colours of materials; any other one is nearly white. */
+const MATERIALS: Record<string, string> = { sand: "#dcb981" };
+const OTHER = "#e8ebee";
 const GROUND = new THREE.Color("#8f8a84");
 
 export class Terrain {
@@ -67,7 +70,7 @@ export class Terrain {
       tints: { value: TINTS.map((tint) => new THREE.Color(tint)) },
       section: { value: new THREE.Vector4(-2, 0, 0, 0) },
       brush: { value: new THREE.Vector3(0, 0, 0) },
-      sandColour: { value: SAND },
+      materialColour: { value: new THREE.Color(OTHER) },
       groundColour: { value: GROUND },
     };
     const material = (isWall: number) =>
@@ -100,6 +103,7 @@ export class Terrain {
     this.fillMap(this.colouring.map);
     const { uniforms } = this;
     uniforms.limits!.value.set(...this.colouring.limits);
+    uniforms.materialColour!.value.set(MATERIALS[run.material] ?? OTHER);
     uniforms.natural!.value = this.colouring.natural ? 1 : 0;
     uniforms.bare!.value = look.bare && look.side === "surface" ? 1 : 0;
     uniforms.thickness!.value = lattice.thickness;
@@ -157,7 +161,7 @@ export class Terrain {
     return this.usual;
   }
 
-  /** Where the block's foot is: below the ground, or within deep sand, and as long there as it can be. */
+  /** Where the block's foot is: below the ground, or within a deep layer, and as long there as it can be. */
   private cutFrom(ground: number, surface: number): void {
     const thick = Math.max(...this.extent) / this.exaggeration;
     const below = ground - FOOT * thick;
@@ -224,41 +228,8 @@ export class Terrain {
   }
 }
 
-export function sunAt(azimuth: number, height: number): THREE.Vector3 {
+function sunAt(azimuth: number, height: number): THREE.Vector3 {
   const a = (azimuth * Math.PI) / 180;
   const h = (height * Math.PI) / 180;
   return new THREE.Vector3(Math.sin(a) * Math.cos(h), Math.sin(h), -Math.cos(a) * Math.cos(h));
-}
-
-function grid(across: number, along: number): THREE.BufferGeometry {
-  const geometry = new THREE.PlaneGeometry(1, 1, Math.max(across, 1), Math.max(along, 1));
-  geometry.setAttribute("wall", new THREE.BufferAttribute(new Float32Array(geometry.attributes.uv!.count), 1));
-  return geometry;
-}
-
-/** The four side walls of the block that the field is cut from. */
-function skirt(across: number, along: number): THREE.BufferGeometry {
-  const uv: number[] = [];
-  const wall: number[] = [];
-  const index: number[] = [];
-  const side = (from: [number, number], to: [number, number], parts: number) => {
-    for (let i = 0; i <= parts; i++) {
-      const t = i / parts;
-      const at = [from[0] + (to[0] - from[0]) * t, from[1] + (to[1] - from[1]) * t];
-      const first = wall.length;
-      uv.push(...at, ...at);
-      wall.push(0, 1);
-      if (i < parts) index.push(first, first + 1, first + 2, first + 2, first + 1, first + 3);
-    }
-  };
-  side([0, 0], [1, 0], across);
-  side([1, 0], [1, 1], along);
-  side([1, 1], [0, 1], across);
-  side([0, 1], [0, 0], along);
-  const geometry = new THREE.BufferGeometry();
-  geometry.setAttribute("uv", new THREE.Float32BufferAttribute(uv, 2));
-  geometry.setAttribute("wall", new THREE.Float32BufferAttribute(wall, 1));
-  geometry.setAttribute("position", new THREE.Float32BufferAttribute(new Float32Array(wall.length * 3), 3));
-  geometry.setIndex(index);
-  return geometry;
 }

@@ -1,4 +1,4 @@
-/** The bar at the top: what runs, how it is run, what it has come to. */
+/** The bar at the top: the scenario, its controls, and the status of the run. */
 
 import type { App } from "../core/app";
 import { button, duration, h, metres, short } from "./dom";
@@ -85,7 +85,7 @@ export class Bar {
       ["rate", "steps/s"],
       ["clock", "time"],
       ["highest", "highest stack"],
-      ["volume", "sand"],
+      ["volume", "volume"],
     ];
     return names.map(([name, text]) => {
       const value = h("dd", { "data-status": name });
@@ -108,6 +108,7 @@ export class Bar {
     this.play.setAttribute("aria-label", this.play.title);
     this.play.setAttribute("aria-pressed", String(running));
     if (!status || !description) return;
+    this.numbers.volume!.previousElementSibling!.textContent = run!.material;
     const { thickness } = description.lattice;
     const texts: Record<string, string> = {
       step: short(status.step, 9),

@@ -1,4 +1,4 @@
-/** An editor for a course in time: a cubic Bézier curve from its first to its last value.
+/** An editor for a ramp in time: a cubic Bézier curve from its first to its last value.
 
 Time runs from 0 to 1 along the curve, values from 0 (the first) to 1 (the last). Anything that goes
 from one value to another over a time can use it.
@@ -6,14 +6,14 @@ from one value to another over a time can use it.
 
 import { h, svg } from "./dom";
 
-export interface Course {
+export interface Ramp {
   time_1: number;
   value_1: number;
   time_2: number;
   value_2: number;
 }
 
-export const STRAIGHT: Course = { time_1: 0.33, value_1: 0.33, time_2: 0.67, value_2: 0.67 };
+export const STRAIGHT: Ramp = { time_1: 0.33, value_1: 0.33, time_2: 0.67, value_2: 0.67 };
 
 const W = 240;
 const H = 130;
@@ -29,18 +29,18 @@ export class CurveEditor {
   private readonly grips: SVGElement[];
   private readonly drawing: SVGElement;
   private readonly showGuides: HTMLInputElement;
-  private course: Course;
+  private ramp: Ramp;
 
   constructor(
-    course: Course,
+    ramp: Ramp,
     labels: { from: string; to: string; duration: string },
-    private readonly take: (course: Course) => void,
+    private readonly take: (ramp: Ramp) => void,
   ) {
-    this.course = { ...course };
+    this.ramp = { ...ramp };
     this.grips = [1, 2].map((number) => this.grip(number as 1 | 2));
     this.drawing = svg(
       "svg",
-      { viewBox: `0 0 ${W} ${H}`, class: "curve-editor", role: "group", "aria-label": "Course of the speed" },
+      { viewBox: `0 0 ${W} ${H}`, class: "curve-editor", role: "group", "aria-label": "Ramp of the speed" },
       svg("rect", { x: MARGIN, y: this.y(1), width: W - 2 * MARGIN, height: this.y(0) - this.y(1), class: "frame" }),
       svg("text", { x: MARGIN + 3, y: this.y(0) - 4 }, labels.from),
       svg("text", { x: W - MARGIN - 3, y: this.y(1) + 11, class: "end" }, labels.to),
@@ -101,26 +101,26 @@ export class CurveEditor {
     if (!by) return;
     event.preventDefault();
     event.stopPropagation();
-    this.move(number, this.course[`time_${number}`] + by[0]!, this.course[`value_${number}`] + by[1]!);
+    this.move(number, this.ramp[`time_${number}`] + by[0]!, this.ramp[`value_${number}`] + by[1]!);
   }
 
   private move(number: 1 | 2, time: number, value: number): void {
     const rounded = (x: number) => Math.round(x * 1000) / 1000;
     this.put({
-      ...this.course,
+      ...this.ramp,
       [`time_${number}`]: rounded(Math.min(Math.max(time, 0), 1)),
       [`value_${number}`]: rounded(Math.min(Math.max(value, LOW), HIGH)),
     });
   }
 
-  private put(course: Course): void {
-    this.course = { ...course };
+  private put(ramp: Ramp): void {
+    this.ramp = { ...ramp };
     this.draw();
-    this.take(this.course);
+    this.take(this.ramp);
   }
 
   private draw(): void {
-    const { time_1, value_1, time_2, value_2 } = this.course;
+    const { time_1, value_1, time_2, value_2 } = this.ramp;
     const points: [number, number][] = [
       [this.x(0), this.y(0)],
       [this.x(time_1), this.y(value_1)],
@@ -140,9 +140,9 @@ export class CurveEditor {
       guide.setAttribute("visibility", this.showGuides?.checked === false ? "hidden" : "visible");
       this.grips[at]!.setAttribute("cx", String(x2));
       this.grips[at]!.setAttribute("cy", String(y2));
-      const course = this.course[at ? "value_2" : "value_1"];
-      this.grips[at]!.setAttribute("aria-valuenow", course.toFixed(2));
-      this.grips[at]!.setAttribute("aria-valuetext", `time ${[time_1, time_2][at]!.toFixed(2)}, value ${course.toFixed(2)}`);
+      const value = this.ramp[at ? "value_2" : "value_1"];
+      this.grips[at]!.setAttribute("aria-valuenow", value.toFixed(2));
+      this.grips[at]!.setAttribute("aria-valuetext", `time ${[time_1, time_2][at]!.toFixed(2)}, value ${value.toFixed(2)}`);
     });
   }
 }

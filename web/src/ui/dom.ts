@@ -70,7 +70,7 @@ export function metres(value: number | undefined, digits = 4): string {
   return `${short(value === undefined ? value : factor * value, digits)} ${unit}`;
 }
 
-/** A duration in the units that people would tell it in. */
+/** A duration in the units that people would state it in. */
 export function duration(seconds: number): string {
   const two = (value: number) => String(Math.floor(value)).padStart(2, "0");
   const [days, day] = [Math.floor(seconds / 86_400), seconds % 86_400];

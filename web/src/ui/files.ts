@@ -76,7 +76,7 @@ export class Files {
     download(`${name}.json`, `${JSON.stringify(scenario, null, 2)}\n`);
   }
 
-  /** Load a scenario; a broken one tells every bad key, and is only used in part when asked. */
+  /** Load a scenario; of a broken one every bad key is listed, and is only used in part when asked. */
   async load(name: string, text: string): Promise<void> {
     const answer = await this.app.ask({ command: "check", name, text });
     if (!answer) return;

@@ -1,4 +1,4 @@
-/** The presets: a picture, what it is, what to look for. */
+/** The presets: a picture, its title, and its features to look for. */
 
 import type { App } from "../core/app";
 import type { JsonObject } from "../core/protocol";

@@ -42,7 +42,7 @@ export function help(shortcuts: Shortcut[]): void {
     ["drag", "turn the view"],
     ["right drag, or Shift drag", "move the view"],
     ["wheel", "come nearer, go back"],
-    ["point", "read position, elevation, slope and depth of sand"],
+    ["point", "read position, elevation, slope and depth of the material"],
     ["drop a file", "load a scenario (.json) or use an image, array or elevation model as ground"],
   ];
   const rows = [...shortcuts.map((one) => [one.keys, one.does]), ...mouse];

@@ -1,4 +1,4 @@
-/** What lies over the scene: compass with the wind, scale bar, colour bar, what is under the mouse, notices. */
+/** The display over the scene: compass with the wind, scale bar, colour bar, values under the mouse, notices. */
 
 import type { App } from "../core/app";
 import type { Stage } from "../scene/stage";
@@ -59,7 +59,7 @@ export class Hud {
     stage.onDrawn = () => this.draw();
   }
 
-  /** Tell what is at a place of the page. */
+  /** Show position, elevation, slope and depth at a place of the page. */
   pointAt(event: { clientX: number; clientY: number } | null): void {
     const found = event && this.stage.pick(event);
     if (!found) {
@@ -75,7 +75,7 @@ export class Hud {
     const extra = named && colouring ? ` · ${named.meaning} ${colouring.choice ? (colouring.values[at]! > 0.5 ? "yes" : "no") : short(colouring.values[at])} ${colouring.unit}` : "";
     this.under.textContent =
       `x ${short(place.x)} m, y ${short(place.y)} m · elevation ${metres(run.surface[at])} · ` +
-      `slope ${slope.toFixed(1)}° · sand ${metres(run.depth[at])}${extra}`;
+      `slope ${slope.toFixed(1)}° · ${run.material} ${metres(run.depth[at])}${extra}`;
   }
 
   private notify(): void {

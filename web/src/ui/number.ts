@@ -52,7 +52,7 @@ export function numberControl(
   return [slider, mark(input)];
 }
 
-/** What a slider covers: the bounds, or a factor of ten around the default of what may be anything. */
+/** The range of a slider: the bounds, or without any a factor of ten around the default. */
 function sliderRange(schema: Schema, value: Json): { from: number; to: number; log: boolean } | null {
   const [low, high] = bounds(schema);
   const usual = typeof schema.default === "number" ? schema.default : null;

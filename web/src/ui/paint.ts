@@ -1,4 +1,4 @@
-/** The brush: sand, rock or plants added or taken away where it is drawn over the surface. */
+/** The brush: the model's material, rock or plants added or taken away where it is drawn over the surface. */
 
 import type { App } from "../core/app";
 import type { Brush } from "../core/protocol";
@@ -11,7 +11,7 @@ export class Paint {
   active = false;
   onActive: (active: boolean) => void = () => {};
   private brushes: Brush[] = [];
-  private painted = "sand";
+  private painted = "";
   private erases = false;
   private radius = 8;
   private readonly strengths = new Map<string, number>();

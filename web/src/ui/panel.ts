@@ -7,6 +7,8 @@ import { h, id, later } from "./dom";
 import { type FormContext, type Path, field, group, variantField } from "./form";
 import { RefreshGuard } from "./refresh_guard";
 
+/** The key of the loose layer at the start, which is named after the model's material. */
+const LOOSE = "sand";
 /** Keys of a scenario that are shown elsewhere, or are no groups. */
 const ELSEWHERE = new Set(["barchan", "note", "title", "citation", "look_for", "wind", "model"]);
 
@@ -32,7 +34,7 @@ export class Panel {
   private show(): void {
     const description = this.app.current?.description;
     if (!description || !this.app.schema.properties || this.guard.busy || this.unsent) return;
-    const text = JSON.stringify([description.scenario, description.facts, this.app.selected, this.app.runs.map((run) => run.description?.model.title)]);
+    const text = JSON.stringify([description.scenario, description.materials, description.facts, this.app.selected, this.app.runs.map((run) => run.description?.model.title)]);
     if (text === this.shown) return;
     this.shown = text;
     this.scenario = description.scenario;
@@ -108,6 +110,7 @@ export class Panel {
     const known = Object.entries(facts).map(([name, text]) => h("div", {}, h("dt", {}, name), h("dd", {}, text)));
     return details(
       "model",
+      "Model",
       this.material(material, materials),
       h("div", { className: "row" }, h("label", { for: label }, "model", h("span", { className: "restarts" }, "↺")), h("div", { className: "control" }, choice)),
       h("p", { className: "source" }, own.citation),
@@ -116,7 +119,7 @@ export class Panel {
     );
   }
 
-  /** What the model moves: a choice as soon as models of several materials are there. */
+  /** The material that the model moves: a choice if there are models of several materials. */
   private material(material: string, materials: Record<string, string>): HTMLElement {
     const label = id("material");
     const all = [...new Set(Object.values(materials))];
@@ -136,9 +139,10 @@ export class Panel {
     const schema: Schema = root.properties![name]!;
     const entry = entryOf(schema, root);
     const value = (this.scenario[name] ?? {}) as JsonObject;
-    if (entry.nullable) return details(name, field(context, name, schema, this.scenario[name] ?? null, [name]));
-    if (entry.kind === "variant") return details(name, ...unwrapped(variantField(context, name, schema, value, [name])));
-    return details(name, ...group(context, entry.schema, value, [name]));
+    const title = name === LOOSE ? `${capital(this.app.current!.material)} at the start` : capital(name);
+    if (entry.nullable) return details(name, title, field(context, name, schema, this.scenario[name] ?? null, [name]));
+    if (entry.kind === "variant") return details(name, title, ...unwrapped(variantField(context, name, schema, value, [name])));
+    return details(name, title, ...group(context, entry.schema, value, [name]));
   }
 
   private change(path: Path, value: Json, live: boolean): void {
@@ -183,11 +187,14 @@ export class Panel {
   }
 }
 
-function details(name: string, ...children: (Node | false | null)[]): HTMLElement {
-  const title = name === "sand" ? "Sand at the start" : name.charAt(0).toUpperCase() + name.slice(1);
+function details(name: string, title: string, ...children: (Node | false | null)[]): HTMLElement {
   return h("details", { id: `group-${name}` }, h("summary", {}, title), ...children);
 }
 
 function unwrapped(fieldset: HTMLElement): HTMLElement[] {
   return ([...fieldset.children] as HTMLElement[]).filter((child) => child.tagName !== "LEGEND");
+}
+
+function capital(name: string): string {
+  return name.charAt(0).toUpperCase() + name.slice(1);
 }

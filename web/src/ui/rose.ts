@@ -1,9 +1,9 @@
-/** The roses of a recorded wind: how long it blows from each side, and what sand it moves. */
+/** The roses of a recorded wind: how long it blows from each side, and how much sand it moves. */
 
 import type { JsonObject } from "../core/protocol";
 import { h, short, svg } from "./dom";
 
-/** What the server tells of a record; directions in degrees clockwise from north. */
+/** The roses that the server computes of a record; directions in degrees clockwise from north. */
 export interface Rose {
   source: string;
   days: number;

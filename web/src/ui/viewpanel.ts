@@ -1,8 +1,8 @@
-/** What is shown and how. */
+/** The panel of the view: colours, layers, lines, light and camera. */
 
 import type { App } from "../core/app";
 import { LOOK, type Look } from "../core/view";
-import { PLAIN } from "../scene/colouring";
+import { plainFields } from "../scene/colouring";
 import type { Stage } from "../scene/stage";
 import { h, id } from "./dom";
 import { labelOf } from "./labels";
@@ -25,7 +25,7 @@ export class ViewPanel {
 
   private draw(): void {
     const run = this.app.current;
-    const text = JSON.stringify([run?.description?.fields, run?.description?.paths, run?.description?.layers, this.app.runs.length]);
+    const text = JSON.stringify([run?.material, run?.description?.fields, run?.description?.paths, run?.description?.layers, this.app.runs.length]);
     if (text === this.shown) return;
     this.shown = text;
     this.redraw();
@@ -43,7 +43,7 @@ export class ViewPanel {
 
   private redraw(): void {
     const description = this.app.current?.description;
-    const fields = [...PLAIN, ...(description?.fields ?? [])];
+    const fields = [...plainFields(this.app.current?.material ?? "sand"), ...(description?.fields ?? [])];
     const layers = description?.layers ?? [];
     const two = this.app.runs.length > 1;
     const named = fields.map((field) => [field.name, field.meaning] as [string, string]);

@@ -3,7 +3,7 @@
 import type { App } from "../core/app";
 import type { Json, JsonObject } from "../core/protocol";
 import { entryOf, replaced } from "../core/schema";
-import { type Course, CurveEditor, STRAIGHT } from "./curve";
+import { type Ramp, CurveEditor, STRAIGHT } from "./curve";
 import { Dial } from "./dial";
 import { h, later } from "./dom";
 import { type FormContext, field, group } from "./form";
@@ -158,26 +158,26 @@ export class WindPanel {
       {},
       h("legend", {}, `regime ${number + 1}`),
       dial.element,
-      ...group(this.context(), schema, regime, path, ["direction", "course"]),
-      ...this.course(regime, path),
+      ...group(this.context(), schema, regime, path, ["direction", "speed_ramp"]),
+      ...this.speedRamp(regime, path),
     );
   }
 
-  private course(regime: JsonObject, path: (string | number)[]): HTMLElement[] {
+  private speedRamp(regime: JsonObject, path: (string | number)[]): HTMLElement[] {
     if (regime.speed === null || regime.speed === undefined) {
       return [h("p", { className: "hint" }, "Give a speed and a final speed to let the wind rise or fall along a curve.")];
     }
     if (regime.final_speed === null || regime.final_speed === undefined) return [];
-    const course = (regime.course ?? { kind: "linear" }) as JsonObject;
-    if (course.kind !== "linear" && course.kind !== "bezier") {
+    const ramp = (regime.speed_ramp ?? { kind: "linear" }) as JsonObject;
+    if (ramp.kind !== "linear" && ramp.kind !== "bezier") {
       const root = this.app.schema;
       const entry = entryOf(root.properties!.wind!, root);
       const regimeSchema = entryOf(entry.variants[this.kind]!.properties!.regimes!.items!, root).schema;
-      return [field(this.context(), "course", regimeSchema.properties!.course!, course, [...path, "course"])];
+      return [field(this.context(), "speed_ramp", regimeSchema.properties!.speed_ramp!, ramp, [...path, "speed_ramp"])];
     }
-    const start = course.kind === "bezier" ? (course as unknown as Course) : STRAIGHT;
+    const start = ramp.kind === "bezier" ? (ramp as unknown as Ramp) : STRAIGHT;
     const labels = { from: String(regime.speed), to: String(regime.final_speed), duration: lasting(regime) };
-    const editor = new CurveEditor(start, labels, (next) => this.put([...path, "course"], { kind: "bezier", ...next }));
+    const editor = new CurveEditor(start, labels, (next) => this.put([...path, "speed_ramp"], { kind: "bezier", ...next }));
     return [editor.element];
   }
 

@@ -1,4 +1,4 @@
-/** What happened, by level. */
+/** The log of events, by level. */
 
 import type { App, Level } from "../core/app";
 import { h } from "../ui/dom";

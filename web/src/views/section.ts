@@ -8,7 +8,7 @@ import type { Stage } from "../scene/stage";
 import { button, download, fitCanvas, h, lengthUnit, metres, short, themeColour, ticks } from "../ui/dom";
 
 const MARGIN = { left: 54, right: 14, top: 12, bottom: 30 };
-/** Sand deeper than this multiple of its relief is not shown down to the ground. */
+/** A layer deeper than this multiple of its relief is not shown down to the ground. */
 const DEEP = 3;
 
 export class SectionView {
@@ -123,7 +123,7 @@ export class SectionView {
       c.fill();
     };
     if (p.shadow) this.shadows(c, p, x, y(high), y(low));
-    area(p.surface, themeColour("sand"));
+    area(p.surface, themeColour("loose"));
     area(p.ground, themeColour("rock"));
     this.crest(c, p, x, y, run.description!.repose);
     this.legend(c, width, p.shadow !== null, run.description!.repose);
@@ -173,7 +173,7 @@ export class SectionView {
     });
   }
 
-  /** The surface's line, marked where it is about as steep as sand can stand. */
+  /** The surface's line, marked where it is about as steep as the material can stand. */
   private crest(c: CanvasRenderingContext2D, p: Profile, x: (d: number) => number, y: (z: number) => number, repose: number | null): void {
     c.lineWidth = 1.4;
     c.lineJoin = "round";
@@ -201,9 +201,10 @@ export class SectionView {
     if (shadow) items.push(["shadow", "shadow zone"]);
     if (repose !== null) items.push(["steep", `near repose (${repose.toFixed(1)}°)`]);
     let right = width - MARGIN.right - 4;
+    const wide = items.reduce((sum, [, text]) => sum + c.measureText(text).width + 30, 0);
     c.globalAlpha = 0.85;
     c.fillStyle = themeColour("card");
-    c.fillRect(right - 280, MARGIN.top - 10, 284, 20);
+    c.fillRect(right - wide + 8, MARGIN.top - 10, wide - 4, 20);
     c.globalAlpha = 1;
     c.textAlign = "right";
     for (const [colour, text] of items) {
@@ -239,6 +240,6 @@ export class SectionView {
     const lee = p.shadow && p.shadow[i]! > 0.5 ? ", in shadow" : "";
     this.readout.textContent =
       `${short(p.distance[i])} m: elevation ${metres(p.surface[i])}, ` +
-      `sand ${metres(p.surface[i]! - p.ground[i]!)}, slope ${p.slope[i]!.toFixed(1)}°${lee}`;
+      `${run.material} ${metres(p.surface[i]! - p.ground[i]!)}, slope ${p.slope[i]!.toFixed(1)}°${lee}`;
   }
 }

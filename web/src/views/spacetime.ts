@@ -8,7 +8,7 @@ import type { SectionView } from "./section";
 
 const COLUMNS = 512;
 const MOST_ROWS = 512;
-/** Milliseconds after which the server is asked again for what the page has not seen. */
+/** Milliseconds after which the server is asked again for steps that the page has not seen. */
 const RECALL = 4000;
 const MARGIN = { left: 62, right: 14, top: 8, bottom: 28 };
 
@@ -72,7 +72,7 @@ export class SpaceTimeView {
     this.draw();
   }
 
-  /** Let the server tell the section over the run's past. */
+  /** Ask the server for the section over the run's past. */
   private async recall(run: Run, line: SectionLine, key: string): Promise<void> {
     this.recalled = performance.now();
     const answer = await this.app.ask({ command: "space_time", run: run.name, line });

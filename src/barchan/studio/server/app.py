@@ -1,4 +1,4 @@
-"""The server: the client's files, what a page asks for once, uploads, and the connection to the session."""
+"""The server: the client's files, data that a page requests once, uploads, the session's connection."""
 
 import asyncio
 from collections.abc import AsyncIterator, Awaitable, Callable

@@ -1,4 +1,4 @@
-"""What a page asks for once: presets with their pictures, the schema, the colours."""
+"""Data that a page requests once: presets with their pictures, the schema, the colours."""
 
 from functools import cache
 from importlib.resources import files

@@ -53,7 +53,7 @@ class Workspace:
         return path
 
     def run(self, name: str) -> Path:
-        """The folder of the run of that name; raises BarchanError for what is no plain name."""
+        """The folder of the run of that name; raises BarchanError for any other than a plain name."""
         if not is_plain_name(name):
             raise BarchanError(f"'{name}' cannot be a run's name; allowed: letters, digits, dots, dashes")
         return self.folder / name

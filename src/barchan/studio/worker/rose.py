@@ -11,7 +11,7 @@ from barchan.wind import Recorded
 
 
 def rose_of(simulation: Simulation) -> dict[str, Any] | None:
-    """How often the wind blows from each side and what sand it moves; None for winds that are no record."""
+    """How often the wind blows from each side and how much sand it moves; None unless it is a record."""
     if not isinstance(simulation.wind, Recorded):
         return None
     record = simulation.wind.record

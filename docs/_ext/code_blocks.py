@@ -1,9 +1,11 @@
-"""The code blocks of a page of Markdown."""
+"""The code blocks of a page of Markdown, and how tests and tutorials run them."""
 
 import re
+import shlex
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 _FENCE = re.compile(r"^(?P<fence>`{3,})(?P<language>[^`]*)$")
 _MARK = re.compile(r"^<!--\s*(?P<text>not run|file:\s*(?P<name>\S+))\s*-->\s*$")
@@ -44,6 +46,35 @@ def blocks(page: Path) -> Iterator[Block]:
 
 
 def commands(block: Block) -> Iterator[str]:
-    """What stands after each ``$`` of a console block; a line that ends in ``\\`` goes on in the next."""
+    """The command after each ``$`` of a console block; a backslash at the end of a line continues it."""
     whole = block.text.replace("\\\n", " ")
     yield from (line[2:].strip() for line in whole.splitlines() if line.startswith("$ "))
+
+
+def run_page(page: Path, folder: Path) -> None:
+    """Run the blocks of a page one after the other in ``folder``, which is the working directory."""
+    names: dict[str, Any] = {"__name__": "__main__"}
+    for block in blocks(page):
+        if block.file:
+            (folder / block.file).write_text(block.text, "utf-8")
+        elif block.run and block.language == "python":
+            run_python(block, page, names)
+        elif block.run and block.language == "console":
+            run_console(block, page)
+
+
+def run_python(block: Block, page: Path, names: dict[str, Any]) -> None:
+    """Run a block so that errors name its page and line."""
+    text = "\n" * (block.line - 1) + block.text
+    exec(compile(text, str(page), "exec"), names)  # noqa: S102
+
+
+def run_console(block: Block, page: Path) -> None:
+    """Run the ``barchan`` commands of a block; others are left alone."""
+    from barchan.cli import app
+
+    for command in commands(block):
+        program, *words = shlex.split(command, comments=True)
+        if program == "barchan":
+            code = app()(words, result_action="return_value")
+            assert code in (None, 0), f"{page.name}:{block.line}: '{command}' returned {code}"
