@@ -128,11 +128,10 @@ the waves travel downwind.
 
 With splash and grains that are pushed along the bed waves of all lengths travel downwind in every wind and
 seed, faster in stronger wind, and of those below 16 cm the shorter ones faster; on a bed that whole parcels
-have roughened to slopes of 13 to 14° too, at less than half the speed. Lester et al. (2025) derive that the
+have roughened to slopes of 14° too, at less than half the speed. Lester et al. (2025) derive that the
 direction hangs on a small difference of what flies, and that ripples turn where hops are short beside the
 wavelength; here pushed grains outweigh it.
 
-These waves are a 40th as high as long. Those of 8 cm neither grow nor shrink much, others shrink: sines are
+These waves are a 40th as high as long. Those of 8 cm shrink slowly, others faster: sines are
 not the shape that ripples take, and a bed that is left to itself has as high ones of 10 to 11 cm.
-All this was measured with coefficients of stress of 4 and 2, before they followed from the roughness.
 """

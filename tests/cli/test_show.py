@@ -10,6 +10,7 @@ from barchan.cli import show, views
 VIEWS = {
     "map": "map-20.png",
     "contours": "contours-20.png",
+    "oblique": "oblique-20.png",
     "profile": "profile-20.png",
     "space-time": "space-time.png",
     "series": "series.png",
@@ -59,6 +60,7 @@ def test_a_picture_is_of_the_kind_of_its_ending(here, finished, barchan, ending)
         ["--view", "contours", "--count", "3", "--smoothing", "0"],
         ["--view", "profile", "--at", "0"],
         ["--view", "space-time", "--at", "1", "--colours", "grey"],
+        ["--view", "oblique", "--angle", "60", "--colours", "perceptual", "--no-bare"],
         ["--no-layers"],
         ["--field", "slope", "--limits", "0", "40", "--smoothing", "1"],
         ["--field", "sand", "--colours", "grey"],
@@ -87,8 +89,14 @@ def test_how_a_picture_is_drawn_can_be_chosen(here, finished, barchan, words):
         (["--field", "slope", "--view", "series"], "--field slope"),
         (["--interval", "2"], "--interval: --view map does not take it; it takes --step, --colours"),
         (["--view", "profile", "--no-layers"], "--layers: --view profile does not take it"),
-        (["--view", "series", "--step", "3"], "--step: --view series does not take it; it takes only --out"),
+        (
+            ["--view", "series", "--step", "3"],
+            "--step: --view series does not take it; it takes --size, --dpi, --out",
+        ),
         (["--field", "slope", "--bare"], "--bare: --view map with --field does not take it"),
+        (["--angle", "30"], "--angle: --view map does not take it"),
+        (["--view", "oblique", "--angle", "2"], "--angle"),
+        (["--size", "1", "9"], "--size"),
         (["--out", "picture.txt"], "cannot write picture.txt"),
         (["--out", "nowhere/picture.png"], "cannot write nowhere/picture.png"),
     ],
@@ -100,3 +108,11 @@ def test_what_cannot_be_drawn_is_a_clear_error(finished, barchan, words, said):
     assert result.out == ""
     assert said in result.err
     assert "Traceback" not in result.err
+
+
+def test_a_picture_is_as_large_as_asked(here, finished, barchan):
+    """12.7 cm are 5 inches and 7.62 cm are 3: 500 and 300 dots."""
+    words = ["--size", "12.7", "7.62", "--dpi", "100", "--out", "picture.png"]
+    assert barchan("show", finished, *words).code == 0
+    with Image.open(here / "picture.png") as picture:
+        assert picture.size == (500, 300)

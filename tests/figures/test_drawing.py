@@ -5,9 +5,11 @@ import io
 import pytest
 
 from barchan.analysis.time_series import measure_series
-from barchan.figures.maps import contour_map, relief_map
-from barchan.figures.sections import profile, space_time
+from barchan.figures.contours import contour_map
+from barchan.figures.maps import relief_map
+from barchan.figures.sections import profile
 from barchan.figures.series import time_series
+from barchan.figures.space_time import space_time
 
 PICTURES = {
     "relief": lambda dataset, scenario: relief_map(dataset.isel(step=-1), scenario),

@@ -138,3 +138,20 @@ def test_the_colours_of_stress_do_not_begin_below_zero():
     colours = bar.collections[-1].get_cmap()
     whole = field_map(stress, frame, scenario, limits=(low, high)).axes[1].collections[-1].get_cmap()
     assert colours((1.0 - 0.0) / high) == pytest.approx(whole(0.5), abs=0.03)
+
+
+def test_a_field_of_yes_and_no_has_two_colours(painted):
+    sand = np.full((ROWS, COLUMNS), 1)
+    sand[:, 4:6] = 12
+    frame, scenario = painted(sand)
+    bar = field_map(field_of(frame, scenario, "shadow"), frame, scenario).axes[1]
+    assert [label.get_text() for label in bar.get_yticklabels()] == ["no", "yes"]
+    (blocks,) = (c for c in bar.collections if c.get_array() is not None)
+    assert blocks.get_array().size == 2
+
+
+@pytest.mark.parametrize("name", ["slope", "depth", "sand"])
+def test_the_scale_of_a_bare_field_begins_at_nothing(painted, name):
+    frame, scenario = painted(0)
+    low, high = field_map(field_of(frame, scenario, name), frame, scenario).axes[1].get_ylim()
+    assert low == 0.0 < high

@@ -8,8 +8,10 @@ from matplotlib.contour import QuadContourSet
 
 from barchan.directions import downwind
 from barchan.errors import BarchanError
-from barchan.figures.maps import contour_map, relief_map, shaded
-from barchan.figures.style import BARE, colour_map
+from barchan.figures.bare import BARE
+from barchan.figures.contours import contour_map, round_interval
+from barchan.figures.maps import relief_map, shaded
+from barchan.figures.style import colour_map
 from tests.tiny import COLUMNS, ROWS
 
 CORNERS = {"south-west": (2, 3), "south-east": (2, 20), "north-west": (13, 3), "north-east": (13, 20)}
@@ -81,11 +83,12 @@ def test_level_ground_has_the_colours_of_the_scale(painted):
 @pytest.mark.parametrize("draw", [relief_map, contour_map])
 def test_a_map_measures_the_field_in_metres(painted, draw):
     frame, scenario = painted(patch(8, 12), lattice__cell_size=10.0)
-    axes = draw(frame, scenario).axes[0]
+    figure = draw(frame, scenario)
+    axes = figure.axes[0]
     assert axes.get_xlim() == (0.0, 240.0)
     assert axes.get_ylim() == (0.0, 160.0)
     assert axes.get_xlabel() == "x (m)"
-    assert axes.get_title("left") == "Tiny, step 0, seed 7"
+    assert figure.get_suptitle() == "Tiny, step 0, seed 7"
 
 
 @pytest.mark.parametrize("draw", [relief_map, contour_map])
@@ -95,7 +98,7 @@ def test_the_colour_scale_follows_the_surface_unless_it_is_fixed(painted, draw, 
     given = {} if draw is relief_map else {"smoothing": 0.0}
     scale = draw(frame, scenario, limits=limits, **given).axes[1]
     assert scale.get_ylim() == pytest.approx(expected)
-    assert scale.get_ylabel() == "elevation (m)"
+    assert scale.get_ylabel().startswith("elevation (m)")
 
 
 def levels_of(figure):
@@ -170,3 +173,70 @@ def test_the_arrow_is_of_the_frames_wind_not_of_the_first(painted):
 def test_more_contours_than_can_be_drawn_are_refused(painted):
     with pytest.raises(BarchanError, match=r"contours every 1e-06 m .* allowed here: an interval of"):
         contour_map(*painted(3), interval=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("span", "interval"), [(10.0, 1.0), (0.03, 0.005), (250.0, 20.0), (3.0, 0.5), (1.7, 0.2)]
+)
+def test_contours_lie_a_round_interval_apart(span, interval):
+    assert round_interval(span) == pytest.approx(interval)
+
+
+def test_contours_carry_their_elevations_and_the_bar_names_the_interval(painted):
+    """A plane from 0 to 23/3 m: contours every metre."""
+    frame, scenario = painted(np.tile(np.arange(COLUMNS), (ROWS, 1)))
+    figure = contour_map(frame, scenario, smoothing=0.0)
+    np.testing.assert_allclose(levels_of(figure), np.arange(8.0))
+    labels = {text.get_text() for text in figure.axes[0].texts} - {"", "wind"}
+    assert labels <= {"0", "1", "2", "3", "4", "5", "6", "7"}
+    assert len(labels) >= 4
+    assert figure.axes[1].get_ylabel().endswith("contours every 1 m")
+
+
+LONG = "The title of a run that somebody wrote with much care and at some length"
+SHAPES = {"tall": (256, 16), "low": (16, 256), "one row": (1, 64), "as high as wide": (64, 64)}
+
+
+@pytest.mark.parametrize("shape", SHAPES.values(), ids=list(SHAPES))
+def test_nothing_is_printed_over_anything_else(painted, shape):
+    rows, columns = shape
+    frame, scenario = painted(3, lattice__rows=rows, lattice__columns=columns)
+    figure = relief_map(frame, scenario.model_copy(update={"title": LONG}))
+    canvas = FigureCanvasAgg(figure)
+    canvas.draw()
+    axes, bar = figure.axes
+    texts = [axes.xaxis.label, axes.yaxis.label, bar.xaxis.label, bar.yaxis.label, figure._suptitle]
+    texts += [text for text in axes.texts if text.get_text() == "wind"]
+    texts += [label for axis in (axes.xaxis, axes.yaxis, long_axis(bar)) for label in marks(axis)]
+    boxes = {(k, t.get_text()): t.get_window_extent() for k, t in enumerate(texts) if t.get_text()}
+    names = list(boxes)
+    over = [(a, b) for k, a in enumerate(names) for b in names[:k] if boxes[a].overlaps(boxes[b])]
+    assert over == []
+    page = figure.bbox.padded(1.0)
+    outside = [n for n, box in boxes.items() if not (page.contains(*box.min) and page.contains(*box.max))]
+    assert outside == []
+
+
+def long_axis(bar):
+    """The axis of a colour bar that carries its scale."""
+    return bar.yaxis if bar.yaxis.label.get_text() else bar.xaxis
+
+
+def marks(axis):
+    """The labels of an axis's marks that lie on it and are shown."""
+    low, high = sorted(axis.get_view_interval())
+    ticks = [tick for tick in axis.get_major_ticks() if low <= tick.get_loc() <= high]
+    return [label for tick in ticks for label in (tick.label1, tick.label2) if label.get_visible()]
+
+
+@pytest.mark.parametrize(
+    ("shape", "labels"),
+    [
+        ((1, 64), ("x (m), y is not to scale", "y (m)")),
+        ((256, 16), ("x (m)", "y (m), x is not to scale")),
+        ((16, 64), ("x (m)", "y (m)")),
+    ],
+)
+def test_a_map_says_where_it_is_not_to_scale(painted, shape, labels):
+    axes = relief_map(*painted(3, lattice__rows=shape[0], lattice__columns=shape[1])).axes[0]
+    assert (axes.get_xlabel(), axes.get_ylabel()) == labels

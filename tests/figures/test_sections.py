@@ -6,12 +6,15 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from matplotlib.backends.backend_agg import FigureCanvasAgg
 
 from barchan.archive import dataset_of
 from barchan.bed import Bed
 from barchan.directions import downwind
 from barchan.entry import simulate
-from barchan.figures.sections import profile, section_along_wind, shadow_line, space_time
+from barchan.figures.section_lines import section_along_wind, shadow_line
+from barchan.figures.sections import profile
+from barchan.figures.space_time import space_time
 from barchan.models import models
 from barchan.simulation import SetParameter, Simulation
 from tests.tiny import COLUMNS, RIDGES, ROWS, tiny
@@ -141,7 +144,7 @@ def test_shadows_in_a_section_are_the_models_shadows(direction, shadow_from, bou
 def test_the_profile_goes_through_the_highest_stack(one_stack, direction, row, col):
     frame, scenario = one_stack(row, col, direction)
     axes = profile(frame, scenario).axes[0]
-    highest = max(path.vertices[:, 1].max() for c in axes.collections for path in c.get_paths())
+    highest = max(patch.get_path().vertices[:, 1].max() for patch in axes.patches)
     assert highest == pytest.approx(9 / 3)
 
 
@@ -168,8 +171,7 @@ def test_a_profile_shows_the_surface_from_the_upwind_edge(painted, direction):
     heap[8, 4] = 6
     frame, scenario = painted(heap, direction)
     axes = profile(frame, scenario).axes[0]
-    sand = next(c for c in axes.collections if c.get_label() == "sand")
-    places = [p for p in sand.get_paths()[0].vertices if p[1] == pytest.approx(2.0)]
+    places = [p for p in patch_of(axes, "sand").get_path().vertices if p[1] == pytest.approx(2.0)]
     centre = np.mean([p[0] for p in places])
     assert centre == pytest.approx(4.0 if direction == 270.0 else 19.0)
     assert axes.get_xlabel() == "distance downwind (m)"
@@ -206,5 +208,78 @@ def test_shadows_in_a_section_follow_the_angle_in_force_at_the_frame():
 
 def shadow_of(figure):
     """The corners of the shadow zones in a picture of a section."""
-    (shade,) = (c for c in figure.axes[0].collections if c.get_label() == "shadow zone")
-    return np.concatenate([path.vertices for path in shade.get_paths()])
+    return patch_of(figure.axes[0], "shadow zone").get_path().vertices
+
+
+def patch_of(axes, name):
+    """What a section draws under a name of its legend."""
+    (found,) = (patch for patch in axes.patches if patch.get_label() == name)
+    return found
+
+
+def test_a_section_of_bare_rock_has_no_sand(painted):
+    axes = profile(*painted(0), at=0.5).axes[0]
+    assert len(axes.patches) == 1  # the ground
+    assert axes.get_legend() is None
+    assert axes.get_ylim()[1] > 0
+
+
+def test_sand_is_drawn_only_where_it_lies_as_wide_as_its_cells(painted):
+    heap = np.zeros((ROWS, COLUMNS), int)
+    heap[8, 4:7] = 6
+    axes = profile(*painted(heap), at=0.5).axes[0]
+    corners = patch_of(axes, "sand").get_path().vertices
+    assert (corners[:, 0].min(), corners[:, 0].max()) == (3.5, 6.5)
+
+
+def test_a_section_says_where_it_lies_and_its_exaggeration(painted):
+    """Row 4 of cells of 10 m has its middle at 45 m; a degree of height is drawn as long as it is said."""
+    frame, scenario = painted(4, lattice__cell_size=10.0)
+    figure = profile(frame, scenario, at=4 / 15)
+    axes = figure.axes[0]
+    first, second = axes.get_title("left").splitlines()
+    assert first == "Tiny, step 0, seed 7"
+    place, factor = second.split(", vertical exaggeration ")
+    assert place == "along y = 45 m"
+    FigureCanvasAgg(figure).draw()
+    (x0, y0), (x1, y1) = axes.transData.transform([(0.0, 0.0), (1.0, 1.0)])
+    assert (y1 - y0) / (x1 - x0) == pytest.approx(float(factor), rel=1e-3)
+
+
+@pytest.mark.parametrize(("direction", "place"), [(180.0, "along x = 12.5 m"), (270.0, "along y = 8.5 m")])
+def test_the_middle_section_lies_in_the_middle(direction, place):
+    assert section_along_wind(tiny(), direction, 0.5).place == place
+
+
+def test_a_section_of_one_cell_has_its_true_width(painted):
+    axes = profile(*painted(3, lattice__rows=1, direction=0.0), at=0.5).axes[0]
+    corners = patch_of(axes, "sand").get_path().vertices[:, 0]
+    assert (corners.min(), corners.max()) == (-0.5, 0.5)
+    assert axes.get_aspect() >= 1.0
+    assert axes.get_xlim()[0] < -0.5
+
+
+def test_of_deep_sand_a_section_shows_the_upper_part(painted):
+    """Sand of 30 m with ridges of 1 m: as much again is shown below them, and an eighth."""
+    sand = np.full((ROWS, COLUMNS), 90)
+    sand[:, ::6] = 93
+    low, high = profile(*painted(sand), at=0.5).axes[0].get_ylim()
+    assert 28.5 < low < 29.0
+    assert 31.0 < high < 31.5
+
+
+def test_a_single_frame_fills_a_band_of_space_and_time():
+    scenario = tiny()
+    axes = space_time(simulate(scenario).isel(step=[-1]), scenario, at=0.0).axes[0]
+    assert axes.get_ylim() == (19.5, 20.5)
+    assert [label.get_text() for label in axes.get_yticklabels()] == ["20"]
+
+
+def test_time_is_that_of_the_clock_where_there_is_one():
+    scenario = tiny()
+    dataset = simulate(scenario)
+    clocked = dataset.assign_coords(time=("step", dataset["step"].values * 43_200.0))
+    axes = space_time(clocked, scenario, at=0.0).axes[0]
+    assert axes.get_ylabel() == "time (days)"
+    (mesh,) = axes.collections
+    np.testing.assert_allclose(mesh.get_coordinates()[:, 0, 1], [-1.25, 1.25, 3.75, 6.25, 8.75, 11.25])

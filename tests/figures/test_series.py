@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 from barchan.analysis.declared_measures import MEASURES
 from barchan.analysis.time_series import measure_series
 from barchan.entry import simulate
-from barchan.figures.series import SHOWN, about_middle, time_series
+from barchan.figures.series import POSSIBLE, SHOWN, about_middle, alone, time_series
 from tests.tiny import tiny
 
 
@@ -68,3 +68,29 @@ def test_measures_of_the_model_have_panels_below():
     scenario = tiny(model={"name": "momiji"})
     (panel,) = time_series(measure_series(simulate(scenario), scenario), scenario).axes[len(SHOWN) :]
     assert panel.get_xlabel() == "step"
+
+
+def test_a_single_frame_is_drawn_as_points():
+    one = measure_series(simulate(tiny()).isel(step=[-1]), tiny())
+    for axes, name in zip(time_series(one, tiny()).axes, SHOWN, strict=True):
+        marked = [line for line in axes.get_lines() if line.get_marker() == "o"]
+        if np.isfinite(one[name].values).any():
+            assert [line.get_xdata().tolist() for line in marked] == [[20.0]]
+        else:
+            assert marked == []
+            assert [text.get_text() for text in axes.texts] == ["no value"]
+
+
+def test_values_between_gaps_are_points():
+    values = np.array([1.0, np.nan, 2.0, 3.0, np.nan, np.nan, 4.0])
+    assert alone(values).tolist() == [True, False, False, False, False, False, True]
+
+
+def test_scales_stay_within_what_is_possible(measured):
+    bare = measured.copy(deep=True)
+    bare["bare_fraction"][:] = 1.0
+    bare["straightness"][:] = [0.0, 0.01, 0.0, 0.01, 0.0]
+    for axes, name in zip(time_series(bare, tiny()).axes, SHOWN, strict=True):
+        low, high = axes.get_ylim()
+        if name in POSSIBLE:
+            assert POSSIBLE[name][0] <= low < high <= max(POSSIBLE[name][1], 1.0)

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from barchan.figures.style import colour_map, extent, smooth, title
+from barchan.figures.style import colour_map, extent, heading, new_figure, smooth, title
 from tests.tiny import tiny
 
 HEIGHTS = np.linspace(0, 1, 101)
@@ -14,7 +14,7 @@ def lightness(colours):
     return colour_map(colours)(HEIGHTS)[:, :3] @ (0.2126, 0.7152, 0.0722)
 
 
-@pytest.mark.parametrize("colours", ["perceptual", "grey"])
+@pytest.mark.parametrize("colours", ["sand", "perceptual", "grey"])
 def test_lightness_changes_one_way_with_height(colours):
     steps = np.diff(lightness(colours))
     assert (steps > -1e-3).all() or (steps < 1e-3).all()
@@ -57,3 +57,13 @@ def test_smoothing_does_not_cross_an_open_edge():
 @pytest.mark.parametrize(("given", "shown"), [("Tiny", "Tiny, step 5, seed 7"), ("", "Run, step 5, seed 7")])
 def test_a_picture_is_called_after_its_scenario(given, shown):
     assert title(tiny().model_copy(update={"title": given}), 5) == shown
+
+
+def test_sand_is_lighter_upwards():
+    assert (np.diff(lightness("sand")) > 0).all()
+
+
+def test_a_long_title_is_broken_into_lines():
+    figure = new_figure(3.0, 3.0)
+    heading(figure, "words " * 20)
+    assert all(len(line) <= 38 for line in figure.get_suptitle().splitlines())

@@ -28,8 +28,8 @@ def _slope(_model: Model, bed: Bed, _wind: Segment) -> NDArray[np.float64]:
 
 
 PLAIN = (
-    Derived("slope", "degrees", "slope of the surface", _slope),
-    Derived("depth", "m", "depth of all layers on the ground", lambda _model, bed, _wind: bed.depth),
+    Derived("slope", "degrees", "slope of the surface", _slope, least=0.0),
+    Derived("depth", "m", "depth of all layers on the ground", lambda _, bed, _wind: bed.depth, least=0.0),
 )
 """Fields that can be derived from every bed, whatever its model."""
 
@@ -68,7 +68,8 @@ def _derived(scenario: Scenario) -> dict[str, Derived]:
 
 def _kept(frame: "xr.Dataset", scenario: Scenario, name: str) -> "xr.DataArray":
     own = {field.name: field.centre for field in models()[scenario.model.name].fields}
-    return _described(frame[name], centre=own.get(name))
+    counted = any(layer.name == name for layer in scenario.layers)
+    return _described(frame[name], centre=own.get(name), least=0.0 if counted else None)
 
 
 def _computed(frame: "xr.Dataset", scenario: Scenario, derived: Derived) -> "xr.DataArray":

@@ -1,12 +1,12 @@
 """``barchan film``: an animated picture of a run."""
 
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import Annotated
 
 from cyclopts import Parameter
 from cyclopts.validators import Number
 
-Colours = Literal["perceptual", "grey", "red-green"]
+from barchan.cli.drawing import Colours
 
 
 def film(
@@ -16,8 +16,8 @@ def film(
     out: Path | None = None,
     frames_per_second: Annotated[float, Parameter(validator=Number(gte=0.1, lte=100))] = 12.0,
     size: Annotated[int, Parameter(validator=Number(gte=16, lte=8192))] = 512,
-    colours: Colours = "perceptual",
-    smoothing: Annotated[float, Parameter(validator=Number(gte=0, lte=1000))] = 0.0,
+    colours: Colours = "sand",
+    smoothing: Annotated[float, Parameter(validator=Number(gte=0, lte=1000))] = 0.8,
     follow: Annotated[bool, Parameter(negative=())] = False,
     layers: bool = True,
 ) -> None:
@@ -34,7 +34,7 @@ def film(
     size
         Pixels on the longer side, about.
     colours
-        Colour map: perceptual, grey, or red-green with red the highest.
+        Colours of elevation: sand, light upwards; perceptual, grey, or red-green with red the highest.
     smoothing
         Width (cells) over which the surface is smoothed before drawing.
     follow

@@ -29,10 +29,13 @@ def print_note(text: str) -> None:
     console.print(Text.assemble(("note:", "yellow"), " ", text))
 
 
-def save_picture(figure: "Figure", path: Path) -> None:
-    """Write a picture and print its name; raises BarchanError where it cannot be written."""
+def save_picture(figure: "Figure", path: Path, dpi: float | None = None) -> None:
+    """Write a picture, at the figure's dots per inch or ``dpi``, and print its name.
+
+    Raises BarchanError where it cannot be written.
+    """
     try:
-        figure.savefig(path)
+        figure.savefig(path, dpi=figure.dpi if dpi is None else dpi)
     except (OSError, ValueError) as error:
         raise BarchanError(f"cannot write {path}: {error}") from None
     console.print(str(path))

@@ -15,6 +15,10 @@ PATHS, HOPS = 20, 1000
 """Grains that are followed for paths and for hops where no number is given."""
 
 
+ANY = ("size", "dpi", "out")
+"""Options that every view takes."""
+
+
 @dataclass(frozen=True)
 class Source:
     """The data of a picture."""
@@ -45,12 +49,15 @@ class View:
         return "step" in self.options
 
     def check(self, given: dict[str, Any]) -> None:
-        """Raise BarchanError for an option that this view does not take."""
-        allowed = ", ".join(f"--{name}" for name in self.options) or "only --out"
+        """Raise BarchanError for an option that this view does not take, or limits the wrong way round."""
+        allowed = ", ".join(f"--{name}" for name in (*self.options, *ANY))
         view = f"--view {self.name}{' with --field' if self.of_field else ''}"
         for name in given:
             if name not in self.options:
                 raise BarchanError(f"--{name}: {view} does not take it; it takes {allowed}")
+        low, high = given.get("limits", (0.0, 1.0))
+        if not low < high:
+            raise BarchanError(f"--limits {low:g} {high:g}: the lowest must be below the highest")
 
 
 def _relief(source: Source, *, bare: bool = True, **options: Any) -> "Figure":
@@ -67,9 +74,15 @@ def _field(source: Source, **options: Any) -> "Figure":
 
 
 def _contours(source: Source, **options: Any) -> "Figure":
-    from barchan.figures.maps import contour_map
+    from barchan.figures.contours import contour_map
 
     return contour_map(source.frame, source.scenario, **options)
+
+
+def _oblique(source: Source, *, bare: bool = True, **options: Any) -> "Figure":
+    from barchan.figures.oblique import oblique_view
+
+    return oblique_view(source.frame, source.scenario, show_bare=bare, **options)
 
 
 def _profile(source: Source, **options: Any) -> "Figure":
@@ -79,7 +92,7 @@ def _profile(source: Source, **options: Any) -> "Figure":
 
 
 def _space_time(source: Source, **options: Any) -> "Figure":
-    from barchan.figures.sections import space_time
+    from barchan.figures.space_time import space_time
 
     return space_time(source.run, source.scenario, **options)
 
@@ -109,6 +122,7 @@ VIEWS = (
     View("map", _relief, ("step", "colours", "limits", "smoothing", "bare", "layers")),
     View("map", _field, ("step", "colours", "limits", "smoothing"), of_field=True),
     View("contours", _contours, ("step", "colours", "limits", "smoothing", "interval", "count")),
+    View("oblique", _oblique, ("step", "angle", "colours", "limits", "smoothing", "bare", "layers")),
     View("profile", _profile, ("step", "smoothing", "at")),
     View("profile", _profile, ("step", "smoothing", "at"), of_field=True),
     View("space-time", _space_time, ("at", "colours")),

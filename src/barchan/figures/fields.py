@@ -6,22 +6,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from barchan.figures.layers import layer_map, layers_of
-from barchan.figures.maps import Limits, lit, map_size
-from barchan.figures.style import (
-    PALE,
-    SHADOW,
-    Colours,
-    colour_map,
-    extent,
-    label_of,
-    map_axes,
-    new_figure,
-    smooth,
-)
+from barchan.figures.light import lit
+from barchan.figures.maps import Limits
+from barchan.figures.panels import colour_bar, map_panel
+from barchan.figures.style import PALE, SHADOW, SMOOTHING, Colours, colour_map, label_of, smooth
 from barchan.scenario import Scenario
 
 if TYPE_CHECKING:
     import xarray as xr
+    from matplotlib.cm import ScalarMappable
     from matplotlib.colors import Colormap
     from matplotlib.figure import Figure
 
@@ -46,26 +39,44 @@ def field_map(
     Without ``limits`` the colours of a field that has a centre lie evenly about it; a few outlying cells
     may lie beyond the scale, which then ends in arrows. A scale begins at the lowest possible value at least.
     """
+    scale, ends = (_choice if field.values.dtype == bool else _scale)(
+        field, scenario, colours, limits, smoothing
+    )
+    shown = smooth(field.values, smoothing, scenario)
+    image = lit(scale.to_rgba(shown)[..., :3], frame, scenario, max(smoothing, SMOOTHING), RELIEF)
+    figure, axes = map_panel(scenario, frame, image)
+    bar = colour_bar(figure, axes, scale, label_of(field), extend=ends)
+    if field.values.dtype == bool:
+        bar.set_ticks([0.0, 1.0], labels=["no", "yes"])
+        bar.ax.tick_params(length=0)
+    return figure
+
+
+def _scale(
+    field: "xr.DataArray", scenario: Scenario, colours: Colours, limits: Limits, smoothing: float
+) -> tuple["ScalarMappable", str]:
+    """The colour scale of a field of numbers, and which of its ends there are values beyond."""
     from matplotlib.cm import ScalarMappable
     from matplotlib.colors import Normalize
 
     shown = smooth(field.values, smoothing, scenario)
-    low, high = limits or limits_of(shown, field.attrs.get("centre"))
     shades = _colours(field, scenario, colours)
+    low, high = limits or limits_of(shown, field.attrs.get("centre"))
     least = field.attrs.get("least", low)
     if limits is None and low < least < high:
         low, shades = least, _upper(shades, (least - low) / (high - low))
-    scale = ScalarMappable(Normalize(low, high), shades)
-    image = lit(scale.to_rgba(shown)[..., :3], frame, scenario, smoothing, RELIEF)
-    figure = new_figure(*map_size(scenario))
-    axes = figure.add_subplot()
-    axes.imshow(image, origin="lower", extent=extent(scenario), interpolation="nearest")
-    map_axes(axes, scenario, frame)
-    ends = _ends(shown, low, high)
-    bar = figure.colorbar(scale, ax=axes, label=label_of(field), extend=ends, shrink=0.85, aspect=30)
-    if field.values.dtype == bool:
-        bar.set_ticks([0.0, 1.0], labels=["no", "yes"])
-    return figure
+    return ScalarMappable(Normalize(low, high), shades), _ends(shown, low, high)
+
+
+def _choice(
+    field: "xr.DataArray", scenario: Scenario, colours: Colours, _limits: Limits, _smoothing: float
+) -> tuple["ScalarMappable", str]:
+    """Two colours, for no and yes; a smoothed field has that of most of its neighbours."""
+    from matplotlib.cm import ScalarMappable
+    from matplotlib.colors import BoundaryNorm, ListedColormap
+
+    two = ListedColormap(_colours(field, scenario, colours)([0.0, 1.0]))
+    return ScalarMappable(BoundaryNorm([-0.5, 0.5, 1.5], 2), two), "neither"
 
 
 def limits_of(values: NDArray, centre: float | None) -> tuple[float, float]:
@@ -74,7 +85,8 @@ def limits_of(values: NDArray, centre: float | None) -> tuple[float, float]:
     if centre is not None:
         reach = max(high - centre, centre - low)
         low, high = centre - reach, centre + reach
-    return (low, high) if high > low else (low - 0.5, high + 0.5)
+    apart = 0.5 * abs(low) or 0.5
+    return (low, high) if high > low else (low - apart, high + apart)
 
 
 def _upper(colours: "Colormap", start: float) -> "Colormap":

@@ -8,8 +8,9 @@ import numpy as np
 from PIL import Image
 
 from barchan.errors import BarchanError
-from barchan.figures.maps import shaded
-from barchan.figures.style import Colours
+from barchan.figures.light import exaggeration
+from barchan.figures.maps import elevation_range, shaded, surface_range
+from barchan.figures.style import SMOOTHING, Colours
 from barchan.scenario import Scenario
 
 if TYPE_CHECKING:
@@ -25,8 +26,8 @@ def film(
     *,
     frames_per_second: float = 12.0,
     size: int = 512,
-    colours: Colours = "perceptual",
-    smoothing: float = 0.0,
+    colours: Colours = "sand",
+    smoothing: float = SMOOTHING,
     follow: bool = False,
     layers: bool = True,
     progress: Callable[[int], None] | None = None,
@@ -72,15 +73,24 @@ def _pictures(
     from matplotlib.colors import Normalize
 
     count = dataset.sizes["step"]
-    surfaces = (dataset["elevation"][k].values for k in range(count))
-    low, high = np.array([(s.min(), s.max()) for s in surfaces]).T
-    norm = Normalize(float(low.min()), float(high.max()))
+    last = dataset.isel(step=-1).load()
+    steeper = None if follow else exaggeration(last["elevation"].values, scenario, smoothing)
+    norm = Normalize(*_range(dataset, scenario))
     scale = max(1, round(size / max(scenario.lattice.shape)))
     for k in range(count):
         frame = dataset.isel(step=k).load()
-        own = Normalize(float(low[k]), float(high[k])) if follow else norm
-        colour = shaded(frame, scenario, norm=own, colours=colours, smoothing=smoothing, layers=layers)[::-1]
+        own = Normalize(*surface_range(frame, scenario)) if follow else norm
+        colour = shaded(
+            frame, scenario, norm=own, colours=colours, smoothing=smoothing, layers=layers, steeper=steeper
+        )[::-1]
         picture = Image.fromarray((colour * 255).round().astype(np.uint8))
         yield picture.resize((picture.width * scale, picture.height * scale), Image.Resampling.BICUBIC)
         if progress is not None:
             progress(k + 1)
+
+
+def _range(dataset: "xr.Dataset", scenario: Scenario) -> tuple[float, float]:
+    """Lowest and highest elevation (m) of the sand in all frames."""
+    ranges = [elevation_range(dataset.isel(step=k)) for k in range(dataset.sizes["step"])]
+    low, high = min(low for low, _ in ranges), max(high for _, high in ranges)
+    return (low, high) if high > low else surface_range(dataset.isel(step=-1), scenario)

@@ -11,17 +11,14 @@ from barchan.scenario import Scenario
 
 if TYPE_CHECKING:
     import xarray as xr
-    from matplotlib.axes import Axes
+    from matplotlib.cm import ScalarMappable
     from matplotlib.colors import Colormap
-    from matplotlib.figure import Figure
 
 VEIL = 0.25
 """Share up to which a layer fades in, so that little of it lets the colours beneath through."""
 
-BAR = 0.9
-"""Width (inches) that the colour bar of a layer takes."""
-
-OPACITY = 0.75
+OPACITY = 0.45
+"""Of a dense layer: the height of the dunes beneath still shows in their colours."""
 
 
 def layers_of(scenario: Scenario) -> tuple[Overlay, ...]:
@@ -38,13 +35,11 @@ def overlaid(base: NDArray[np.float64], frame: "xr.Dataset", scenario: Scenario)
     return base
 
 
-def layer_bars(figure: "Figure", axes: "Axes", scenario: Scenario) -> None:
-    """A colour bar for each layer; drawn before others it stands to their right."""
+def layer_scales(scenario: Scenario) -> list[tuple["ScalarMappable", str]]:
+    """The colour scale of each layer and its title."""
     from matplotlib.cm import ScalarMappable
 
-    for layer in layers_of(scenario):
-        scale = ScalarMappable(cmap=layer_map(layer))
-        figure.colorbar(scale, ax=axes, label=layer.title, shrink=0.85, aspect=30)
+    return [(ScalarMappable(cmap=layer_map(layer)), layer.title) for layer in layers_of(scenario)]
 
 
 def layer_map(layer: Overlay) -> "Colormap":

@@ -5,15 +5,20 @@ from typing import TYPE_CHECKING
 import numpy as np
 from matplotlib.colors import Normalize
 from numpy.typing import NDArray
+from scipy import ndimage
 
 from barchan.errors import BarchanError
 from barchan.figures.maps import Limits, shaded, surface_range
-from barchan.figures.style import Colours, new_figure, smooth, title, wind_arrow
+from barchan.figures.style import SMOOTHING, Colours, heading, new_figure, smooth, title
+from barchan.figures.winds import wind_sign
 from barchan.scenario import Scenario
 
 if TYPE_CHECKING:
     import xarray as xr
     from matplotlib.figure import Figure
+
+FINE = 1024
+"""Cells along the longer side of a picture, about: they are drawn finer until there are as many."""
 
 
 def oblique_view(
@@ -21,9 +26,9 @@ def oblique_view(
     scenario: Scenario,
     *,
     angle: float = 35.0,
-    colours: Colours = "perceptual",
+    colours: Colours = "sand",
     limits: Limits = None,
-    smoothing: float = 0.0,
+    smoothing: float = SMOOTHING,
     show_bare: bool = True,
     layers: bool = True,
 ) -> "Figure":
@@ -33,19 +38,29 @@ def oblique_view(
     BarchanError where the angle is not between 5 and 90.
     """
     surface = smooth(frame["elevation"].values, smoothing, scenario)
-    norm = Normalize(*(limits or surface_range(surface)))
+    norm = Normalize(*(limits or surface_range(frame, scenario, show_bare)))
     base = shaded(
         frame, scenario, norm=norm, colours=colours, smoothing=smoothing, show_bare=show_bare, layers=layers
     )
-    image = seen_obliquely(surface / scenario.lattice.cell_size, base, angle)
+    image = seen_obliquely(*_finer(surface / scenario.lattice.cell_size, base), angle)
     tall = float(np.clip(image.shape[0] / image.shape[1], 0.1, 2.0))
     figure = new_figure(7.2, 7.0 * tall + 0.5)
     axes = figure.add_subplot()
     axes.imshow(image, interpolation="antialiased")
     axes.set_axis_off()
-    axes.set_title(title(scenario, int(frame["step"])), loc="left", fontsize=9)
-    wind_arrow(axes, float(frame["wind_direction"]))
+    heading(figure, title(scenario, int(frame["step"])))
+    wind_sign(axes, scenario, frame)
     return figure
+
+
+def _finer(surface: NDArray[np.float64], colours: NDArray[np.float64]) -> tuple[NDArray, NDArray]:
+    """Heights, in finer cells, and colours between those of the cells, for a picture of ``FINE`` of them."""
+    factor = max(1, round(FINE / max(surface.shape)))
+    zoomed = [
+        ndimage.zoom(layer, factor, order=1, grid_mode=True, mode="nearest")
+        for layer in (surface, *np.moveaxis(colours, -1, 0))
+    ]
+    return zoomed[0] * factor, np.stack(zoomed[1:], axis=-1)
 
 
 def seen_obliquely(
@@ -66,7 +81,8 @@ def seen_obliquely(
     level = np.arange(picture.shape[0])[:, None]
     horizon = np.zeros(cols, np.int64)
     for row in range(rows):
-        seen = (level >= horizon) & (level < ends[row])
-        picture[seen] = np.broadcast_to(colours[row], picture.shape)[seen]
+        part = slice(int(horizon.min()), int(ends[row].max()))
+        seen = (level[part] >= horizon) & (level[part] < ends[row])
+        picture[part][seen] = np.broadcast_to(colours[row], picture[part].shape)[seen]
         horizon = np.maximum(horizon, ends[row])
     return picture[::-1]

@@ -3,12 +3,17 @@
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from matplotlib.colors import Normalize
+from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
 
 from barchan.analysis.grain_paths import broken_at_edges, hops_of
 from barchan.directions import downwind
-from barchan.figures.sections import section_along_wind
-from barchan.figures.style import CURVE, SAND, colour_map, extent, new_figure, title
+from barchan.figures.maps import shaded, surface_range
+from barchan.figures.panels import ROUND
+from barchan.figures.section_lines import section_along_wind
+from barchan.figures.sections import draw_ground, draw_sand, section_heading, shown_heights
+from barchan.figures.style import CURVE, SAND, SMOOTHING, extent, heading, new_figure, title
 from barchan.scenario import Scenario
 
 if TYPE_CHECKING:
@@ -19,6 +24,12 @@ if TYPE_CHECKING:
 MOST_FACETS = 128
 """Facets of the drawn surface in each direction at most."""
 
+MOST_MARKS = 7
+"""Intervals along the longer side of the surface."""
+
+THINNEST = 0.08
+"""Shorter side of the drawn surface over the longer one at least."""
+
 
 def path_view(frame: "xr.Dataset", scenario: Scenario, paths: list[NDArray[np.float64]]) -> "Figure":
     """Paths over the 3-D surface and, below, from the side: along the wind and up."""
@@ -26,36 +37,55 @@ def path_view(frame: "xr.Dataset", scenario: Scenario, paths: list[NDArray[np.fl
     solid = figure.add_subplot(3, 1, (1, 2), projection="3d")
     side = figure.add_subplot(3, 1, 3)
     _draw_solid(solid, frame, scenario, paths)
-    _draw_side(side, frame, scenario, paths)
-    figure.suptitle(f"{title(scenario, int(frame['step']))}, {len(paths)} grains", x=0.01, ha="left")
+    place = _draw_side(side, frame, scenario, paths)
+    text = (
+        f"{title(scenario, int(frame['step']))}, {len(paths)} grains\nfrom the side: sand {place}, all grains"
+    )
+    heading(figure, text)
     return figure
 
 
 def _draw_solid(axes: Any, frame: "xr.Dataset", scenario: Scenario, paths: list[NDArray]) -> None:
     west, east, south, north = extent(scenario)
     surface = frame["elevation"].values * 1e3
-    lattice = scenario.lattice
-    x, y = np.meshgrid(lattice.x, lattice.y)
+    x, y = np.meshgrid(scenario.lattice.x, scenario.lattice.y)
     stride = max(1, -(-max(surface.shape) // MOST_FACETS))
+    colours = shaded(frame, scenario, norm=Normalize(*surface_range(frame, scenario)), smoothing=SMOOTHING)
     axes.computed_zorder = False
     axes.plot_surface(
-        x, y, surface, rstride=stride, cstride=stride, cmap=colour_map("perceptual"), linewidth=0, zorder=1
+        x, y, surface, rstride=stride, cstride=stride, facecolors=colours, shade=False, linewidth=0, zorder=1
     )
     lowest = float(frame["ground"].values.min())
     for path in paths:
         line = broken_at_edges(path, east - west, north - south)
         axes.plot(line[:, 0], line[:, 1], (line[:, 2] + lowest) * 1e3, color=CURVE, linewidth=0.8, zorder=2)
-    axes.set_box_aspect((1, (north - south) / (east - west), 0.25))
-    axes.set_xlabel("x (m)")
-    axes.set_ylabel("y (m)")
-    axes.set_zlabel("elevation (mm)")
+    _solid_axes(axes, east - west, north - south)
 
 
-def _draw_side(axes: "Axes", frame: "xr.Dataset", scenario: Scenario, paths: list[NDArray]) -> None:
+def _solid_axes(axes: Any, width: float, depth: float) -> None:
+    """Axes of a solid view: no more marks than the field's shape has room for, its names clear of them."""
+    longest = max(width, depth)
+    sides = (width / longest, max(depth / longest, THINNEST), 0.25)
+    axes.set_box_aspect(sides, zoom=1.15)
+    names = ("x (m)", "y (m)", "elevation (mm)")
+    for axis, name, side in zip((axes.xaxis, axes.yaxis, axes.zaxis), names, sides, strict=True):
+        axis.set_major_locator(MaxNLocator(max(1, round(MOST_MARKS * side)), steps=ROUND))
+        axis.set_tick_params(labelsize=8, pad=2)
+        axis.set_label_text(name, fontsize=9)
+        axis.labelpad = 12.0 * side + 3.0
+
+
+def _draw_side(axes: "Axes", frame: "xr.Dataset", scenario: Scenario, paths: list[NDArray]) -> str:
+    """The section through the middle and all paths over it; returns where it lies."""
     direction = float(frame["wind_direction"])
     section = section_along_wind(scenario, direction, 0.5)
-    surface = frame["elevation"].values[section.rows, section.cols] * 1e3
-    axes.fill_between(section.distance, surface.min() - 1.0, surface, color=SAND, label="sand, at the middle")
+    edges = section.edges(scenario.lattice.cell_size)
+    surface, ground = (
+        frame[name].values[section.rows, section.cols] * 1e3 for name in ("elevation", "ground")
+    )
+    bottom, _ = shown_heights(ground, surface, 1.0)
+    draw_ground(axes, edges, ground, bottom, scenario, section)
+    draw_sand(axes, edges, ground, surface, np.full(len(surface), -np.inf))
     x, y = downwind(direction)
     west, east, south, north = extent(scenario)
     corner = min(0.0, x * (east - west)) + min(0.0, y * (north - south))
@@ -65,9 +95,11 @@ def _draw_side(axes: "Axes", frame: "xr.Dataset", scenario: Scenario, paths: lis
         along = line[:, 0] * x + line[:, 1] * y - corner
         axes.plot(along, (line[:, 2] + lowest) * 1e3, color=CURVE, linewidth=0.8)
     axes.margins(x=0)
+    axes.set_ylim(bottom=bottom)
     axes.set_xlabel("distance downwind (m)")
     axes.set_ylabel("elevation (mm)")
-    axes.annotate("wind →", (1.0, 1.02), xycoords="axes fraction", ha="right", fontsize=9)
+    section_heading(axes, "", direction)
+    return section.place
 
 
 def hop_histograms(frame: "xr.Dataset", scenario: Scenario, paths: list[NDArray[np.float64]]) -> "Figure":
@@ -82,5 +114,5 @@ def hop_histograms(frame: "xr.Dataset", scenario: Scenario, paths: list[NDArray[
         axes.set_title(f"mean {values.mean():.3g}", loc="right", fontsize=9)
     figure.axes[0].set_ylabel("hops")
     text = f"{title(scenario, int(frame['step']))}: {len(hops)} hops of {len(paths)} grains"
-    figure.suptitle(text, fontsize=10, x=0.01, ha="left")
+    heading(figure, text)
     return figure

@@ -1,30 +1,36 @@
-"""Style of all pictures: colours, the wind's arrow, axes in metres."""
+"""Style of all pictures: colours, sizes, titles and labels."""
 
 import textwrap
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
-from barchan.directions import downwind
 from barchan.measures.filters import smoothed
 from barchan.scenario import Scenario
 from barchan.wind.clock import spoken
 
 if TYPE_CHECKING:
     import xarray as xr
-    from matplotlib.axes import Axes
     from matplotlib.colors import Colormap
     from matplotlib.figure import Figure
 
-Colours = Literal["perceptual", "grey", "red-green"]
+Colours = Literal["sand", "perceptual", "grey", "red-green"]
 
 SAND = "#d9a441"
 GROUND = "#8c8278"
 SHADOW = "#35507a"
 CURVE = "#b3402a"
 PALE = "#f2ead8"
-BARE = (0.80, 0.79, 0.77)
+
+SANDS = ("#b58a50", "#dab678", "#f9e7b9")
+"""Sand from the lowest to the highest: lighter upwards, so that shade alone darkens a crest's lee."""
+
+DPI = 150
+"""Dots per inch of pictures."""
+
+SMOOTHING = 0.8
+"""Cells over which surfaces are smoothed for display: single slabs then do not show as pits and steps."""
 
 
 def colour_map(colours: Colours) -> "Colormap":
@@ -33,16 +39,19 @@ def colour_map(colours: Colours) -> "Colormap":
     from cmcrameri import cm
     from matplotlib.colors import LinearSegmentedColormap
 
+    if colours == "sand":
+        return LinearSegmentedColormap.from_list("sand", SANDS)
     if colours == "perceptual":
-        return LinearSegmentedColormap.from_list("sand", cm.lajolla_r(np.linspace(0.02, 0.8, 256)))
+        return LinearSegmentedColormap.from_list("perceptual", cm.lajolla_r(np.linspace(0.02, 0.8, 256)))
     return mpl.colormaps["gray" if colours == "grey" else "RdYlGn_r"]
 
 
-def new_figure(width: float, height: float) -> "Figure":
-    """An empty figure, sizes in inches."""
+def new_figure(width: float, height: float, *, of_map: bool = False) -> "Figure":
+    """An empty figure, sizes in inches; ``of_map`` keeps colour bars beside panels of a fixed shape."""
     from matplotlib.figure import Figure
 
-    return Figure(figsize=(width, height), dpi=150, layout="constrained")
+    layout: Literal["compressed", "constrained"] = "compressed" if of_map else "constrained"
+    return Figure(figsize=(width, height), dpi=DPI, layout=layout)
 
 
 def smooth(field: NDArray, width: float, scenario: Scenario) -> NDArray[np.float64]:
@@ -63,21 +72,8 @@ def label_of(field: "xr.DataArray") -> str:
     return textwrap.fill(text, MOST_LABEL)
 
 
-def map_axes(axes: "Axes", scenario: Scenario, frame: "xr.Dataset") -> None:
-    """Label a map's axes, name it, and draw the wind."""
-    axes.set_xlabel("x (m)")
-    axes.set_ylabel("y (m)")
-    axes.set_aspect("equal")
-    text = title(scenario, int(frame["step"]))
-    axes.set_title(text, loc="left", fontsize=min(10.0, MOST_TITLE / len(text)))
-    wind_arrow(axes, float(frame["wind_direction"]))
-
-
 MOST_LABEL = 24
 """Letters in a line of a label."""
-
-MOST_TITLE = 550.0
-"""Letters of a title times their size (points) that leave room for the wind's arrow."""
 
 
 def title(scenario: Scenario, step: int) -> str:
@@ -88,29 +84,12 @@ def title(scenario: Scenario, step: int) -> str:
     return f"{name}, step {step}{time}, seed {scenario.run.seed}"
 
 
-def wind_arrow(axes: "Axes", direction: float) -> None:
-    """An arrow that points where the wind blows, above the upper right corner."""
-    from matplotlib.transforms import ScaledTranslation, Transform
+TITLE = 10.0
+"""Size (points) of a title's letters."""
 
-    def from_corner(right: float, up: float) -> Transform:
-        """So many points (1/72 inch) from the map's upper right corner."""
-        return axes.transAxes + ScaledTranslation(right / 72, up / 72, axes.figure.dpi_scale_trans)
 
-    x, y = downwind(direction)
-    style: dict[str, Any] = {
-        "arrowstyle": "-|>",
-        "color": "black",
-        "linewidth": 1.4,
-        "shrinkA": 0,
-        "shrinkB": 0,
-    }
-    axes.annotate(
-        "",
-        xy=(1, 1),
-        xycoords=from_corner(9 * x - 12, 9 * y + 12),
-        xytext=(1, 1),
-        textcoords=from_corner(-9 * x - 12, -9 * y + 12),
-        arrowprops=style,
-        annotation_clip=False,
-    )
-    axes.text(1, 1, "wind", transform=from_corner(-26, 12), ha="right", va="center", fontsize=9)
+def heading(figure: "Figure", text: str) -> None:
+    """A title at the upper left of the whole figure, in lines that it is wide enough for."""
+    letters = max(16, int(figure.get_figwidth() * 72 / (0.56 * TITLE)) - 2)
+    lines = "\n".join(textwrap.fill(line, letters) for line in text.splitlines())
+    figure.suptitle(lines, x=0.01, ha="left", fontsize=TITLE)

@@ -47,7 +47,7 @@ def _share(_model: Any, bed: Bed, _wind: Any) -> NDArray[np.float64]:
     return np.asarray(height / max(float(height.max()), 1e-12))
 
 
-PLANT_SHARE = Derived("plant_share", "1", "height of plants over that of the tallest", _share)
+PLANT_SHARE = Derived("plant_share", "1", "height of plants over that of the tallest", _share, least=0.0)
 
 PLANTS = Overlay(PLANT_SHARE.name, "plants, over the tallest", "Greens")
 

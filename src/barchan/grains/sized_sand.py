@@ -112,6 +112,7 @@ SURFACE_DIAMETER = Derived(
     "m",
     "mean diameter of the grains at the surface",
     lambda model, bed, _: surface_diameter(model, bed),
+    least=0.0,
 )
 
 COARSE_CRESTS = ModelMeasure(

@@ -1,6 +1,6 @@
 """Upright cylinders in the wind's way: stems, posts, tufts of plants."""
 
-from typing import Literal
+from typing import ClassVar, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -39,6 +39,7 @@ def _one() -> list[Cylinder]:
 class Cylinders(Terrain):
     """Upright cylinders on level ground, bare at the start; where two overlap the higher one stands."""
 
+    standing: ClassVar[str] = "stem"
     kind: Literal["cylinders"] = parameter(
         "cylinders", unit="-", meaning="Upright cylinders on level ground, without sand at the start."
     )

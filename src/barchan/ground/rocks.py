@@ -1,6 +1,6 @@
 """Rocks and hills that stand in the wind's way."""
 
-from typing import Literal
+from typing import ClassVar, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -30,6 +30,7 @@ def _three() -> list[Rock]:
 class ThreeRocks(Terrain):
     """Rectangular rocks of one height on level ground, bare at the start; three unless stated."""
 
+    standing: ClassVar[str] = "rock"
     kind: Literal["three_rocks"] = parameter(
         "three_rocks", unit="-", meaning="Rectangular rocks on level ground, without sand at the start."
     )

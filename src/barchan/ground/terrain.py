@@ -35,6 +35,8 @@ class Terrain(Parameters):
     """A shape of the non-erodible ground."""
 
     kind_key: ClassVar[str] = "kind"
+    standing: ClassVar[str] = ""
+    """What stands on the cells that ``bare`` gives, for pictures: ``rock``, ``stem`` or nothing."""
 
     def elevation(self, lattice: Lattice, stream: Stream) -> NDArray[np.float64]:
         """Elevation (m) on the lattice; random numbers come from ``stream``."""

@@ -73,6 +73,7 @@ class SpeedupModel(SlabModel):
             lambda model, bed, wind: model.open_hops(bed, wind),
             centred=True,
             sheltered=True,
+            least=0.0,
         ),
         Derived(
             "speedup",
@@ -81,6 +82,7 @@ class SpeedupModel(SlabModel):
             lambda model, bed, wind: model.open_hops(bed, wind) / model.hop_length(wind),
             centred=True,
             sheltered=True,
+            least=0.0,
         ),
     )
 
