@@ -185,7 +185,7 @@ class Scenario(Parameters):
         """The wind over this scenario's lattice, with its clock; the scenario must have a seed."""
         clock, model = self.clock, self.new_model()
         if clock is None:
-            step_clock = StepClock(self.seed, model.step_seconds)
+            step_clock = StepClock(self.seed, model.step_seconds, model.strength)
             return Forcing(self.wind, step_clock, self.lattice.cells, self.influx)
         volume = model.step_volume()
         step_clock = StepClock(
