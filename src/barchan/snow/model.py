@@ -85,7 +85,7 @@ class SnowModel(Model):
         """Turn the quanta of the start into layers."""
         lay_first_snow(bed, self.parameters, seed)
 
-    def problems(self, step_seconds: float | None) -> list[tuple[str, str]]:
+    def problems(self, _step_seconds: float | None) -> list[tuple[str, str]]:
         """A reference wind that moves nothing gives steps no duration."""
         if self.step_seconds is not None:
             return []
