@@ -107,14 +107,13 @@ def rows():
 
 
 READING = """
-Coarse grains gather at crests where the wind cannot make them fly: the surface of the upper third is 1.17
+Coarse grains gather at crests where the wind cannot make them fly: the surface of the upper third is 1.18
 times as coarse as that of the lower one with grains of 1 mm at 12 m/s, in 3 of 3 seeds. Creep takes them up
 to the brink and leaves them there; fine grains fly over it, and land in the lee and in the trough. It does
-not come out where coarse grains fly too: with 0.40 mm crests and troughs hardly differ at 12 m/s (1 of 3
+not come out where coarse grains fly too: with 0.40 mm crests and troughs hardly differ at 12 m/s (0 of 3
 seeds above 1), and at 15 m/s crests are finer with either size. There the wind keeps pushed fine grains
 going over crests, and troughs lose their fine sand first: our explanation, not a test of it. Nor does it
 come out where the active layer is as thick as two coarse grains: on ripples some 6 mm high such a layer
 mixes a third of the height. So thick it was by default until this came out. In the air coarse grains of
 0.40 mm are a seventh of the sand, of three tenths in the bed.
-All this was measured with coefficients of stress of 4 and 2, before they followed from the roughness.
 """

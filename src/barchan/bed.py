@@ -52,6 +52,8 @@ class Bed:
         """The bed that a frame shows: ground, layers and those of the ``declared`` fields that it carries."""
         counts = [fields[layer.name] for layer in layers]
         bed = cls(lattice, fields[GROUND.name], *counts, layers=layers)
+        for name in (layer.height_field for layer in layers if layer.height_field):
+            bed.add(FieldInfo(name, "int32", "0.1 mm", "thickness of the layer"), fields[name])
         for field in declared:
             if field.in_frames:
                 bed.add(field, fields[field.name])

@@ -201,6 +201,11 @@ class Model(ABC):
         """Memory (bytes) that its work takes at most beside the bed: an estimate, made before the work is."""
         return 0
 
+    @property
+    def strength(self) -> Callable[[NDArray[np.float64]], NDArray[np.float64]] | None:
+        """From wind speeds (m/s at 10 m) to polls over those of a step, of a model whose rules tell it."""
+        return None
+
     def step_volume(self) -> float:
         """Volume of sand (m² per step: per width across the wind) that a step moves on a flat bed.
 

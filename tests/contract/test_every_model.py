@@ -61,7 +61,7 @@ def test_sand_is_conserved_exactly_and_no_stack_is_negative(name, boundary, dire
         simulation.advance(4)
         ledger = simulation.ledger
         assert simulation.bed.units + ledger.airborne == before + ledger.entered - ledger.left
-        assert simulation.bed.sand.min() >= 0
+        assert simulation.bed.stack.min() >= 0
     np.testing.assert_array_equal(simulation.bed.ground, rock)
     if boundary == "periodic":
         assert simulation.ledger.left == 0
@@ -77,7 +77,7 @@ def test_no_slope_exceeds_the_limit_that_the_model_states(name, direction):
     face, *corner = np.max(limits, axis=0)
     for _ in range(4):
         simulation.advance(3)
-        sand = simulation.bed.sand
+        sand = simulation.bed.stack
         for shift in ((0, 1), (1, 0)):
             assert np.abs(sand - np.roll(sand, shift, (0, 1))).max() <= face
         for shift in ((1, 1), (1, -1)):
@@ -90,8 +90,8 @@ def test_same_seed_same_bits_and_another_seed_others(name):
     other = Simulation(scenario(name, run={"seed": 6}))
     for simulation in (first, again, other):
         simulation.advance(10)
-    np.testing.assert_array_equal(first.bed.sand, again.bed.sand)
-    assert (first.bed.sand != other.bed.sand).any()
+    np.testing.assert_array_equal(first.bed.stack, again.bed.stack)
+    assert (first.bed.stack != other.bed.stack).any()
 
 
 @EVERY_MODEL
@@ -100,7 +100,7 @@ def test_bits_do_not_depend_on_how_a_run_is_cut_into_calls(name):
     whole.advance(12)
     for steps in (1, 5, 2, 4):
         pieces.advance(steps)
-    np.testing.assert_array_equal(whole.bed.sand, pieces.bed.sand)
+    np.testing.assert_array_equal(whole.bed.stack, pieces.bed.stack)
     assert whole.tally == pieces.tally
 
 
@@ -151,7 +151,8 @@ def test_a_model_says_what_it_is(name):
 @EVERY_MODEL
 def test_a_model_declares_its_fields_on_the_bed(name):
     simulation = Simulation(scenario(name))
-    declared = {"ground", "sand"} | {field.name for field in models()[name].fields}
+    model = simulation.model
+    declared = {"ground"} | {field.name for field in (*model.layers, *model.fields)}
     assert set(simulation.bed.arrays) == declared
     assert isinstance(simulation.bed, Bed)
     for field in simulation.bed.declared.values():

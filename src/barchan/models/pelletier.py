@@ -1,16 +1,12 @@
 """A model after Pelletier (2009): slabs that follow the shear stress over the present surface."""
 
-import math
-from functools import lru_cache
 from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
-from barchan.aeolian.edges import ramped_to_mean
-from barchan.aeolian.flow_over_relief import stress_coefficients
+from barchan.aeolian.bed_stress import bed_stress
 from barchan.bed import Bed
-from barchan.directions import downwind
 from barchan.model import Derived, ModelMeasure
 from barchan.parameters import parameter
 from barchan.slabs.model import SlabModel
@@ -144,34 +140,12 @@ class Pelletier(SlabModel):
 
     def stress(self, bed: Bed, direction: float) -> NDArray[np.float64]:
         """Shear stress over that on a flat bed, for a wind from ``direction`` (degrees)."""
-        from scipy.fft import irfft2, rfft2
-
-        surface, inside = ramped_to_mean(bed.elevation, self.lattice)
-        size = self.lattice.cell_size
-        response, slope = _response(surface.shape, size, direction, self.parameters)
-        spectrum = rfft2(surface)
-        change = irfft2(spectrum * response, s=surface.shape)[inside]
-        rise = irfft2(spectrum * slope, s=surface.shape)[inside]
-        steepest = math.tan(math.radians(self.parameters.saturation_angle))
-        stress: NDArray[np.float64] = 1.0 + change * steepest / np.maximum(rise, steepest)
-        return np.maximum(stress, 0.0, out=stress)
-
-
-@lru_cache(maxsize=16)
-def _response(
-    shape: tuple[int, int], cell_size: float, direction: float, parameters: PelletierParameters
-) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
-    """Factors from a surface's spectrum (m) to those of the stress's change and of the streamwise slope."""
-    ky = 2 * np.pi * np.fft.fftfreq(shape[0], cell_size)[:, None]
-    kx = 2 * np.pi * np.fft.rfftfreq(shape[1], cell_size)[None, :]
-    x, y = downwind(direction)
-    along = kx * x + ky * y
-    k = np.hypot(kx, ky)
-    k[0, 0] = 1.0
-    a, b = stress_coefficients(2 * np.pi / (k * parameters.roughness))
-    smooth = np.exp(-0.5 * (k * parameters.smoothing * cell_size) ** 2)
-    shortest = 0.999999 * np.pi / cell_size
-    smooth = smooth * (np.abs(kx) < shortest) * (np.abs(ky) < shortest)
-    response = k * (a + 1j * b * np.sign(along)) * (along / k) ** 2 * smooth
-    response[0, 0] = 0.0
-    return response, 1j * along * smooth
+        found: NDArray[np.float64] = bed_stress(
+            bed.elevation,
+            self.lattice,
+            direction,
+            roughness=self.parameters.roughness,
+            saturation_angle=self.parameters.saturation_angle,
+            smoothing=self.parameters.smoothing,
+        )
+        return found

@@ -123,7 +123,8 @@ def _unclocked(scenario: "Scenario", model: Model) -> list[Found]:
     if scenario.clock is not None:
         return []
     own_steps = model.step_seconds is not None
-    found = list(_unclocked_speeds(scenario, model, own_steps)) if model.takes_hops else []
+    by_speed = not model.takes_hops or model.strength is not None
+    found = [] if by_speed else list(_unclocked_speeds(scenario, model, own_steps))
     if own_steps:
         return found
     for path, seconds in _durations(scenario):

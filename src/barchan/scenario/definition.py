@@ -194,7 +194,7 @@ class Scenario(Parameters):
     def _step_clock(self) -> StepClock:
         clock, model = self.clock, self.new_model()
         if clock is None:
-            return StepClock(self.seed, model.step_seconds)
+            return StepClock(self.seed, model.step_seconds, model.strength)
         volume = model.step_volume()
         return StepClock(
             self.seed,

@@ -64,7 +64,7 @@ def _bring_in(stacks, rules, work, along, across, state, peak, tally):
 
 
 @njit(cache=True)
-def _first_landing(edge, cell, state, rules):
+def first_landing(edge, cell, state, rules):
     """Where a slab first lands that enters at a cell of one of the two upwind edges (fixed-point cells)."""
     wind, grid = rules.wind, rules.grid
     inside = draw(state, 1)
@@ -101,5 +101,5 @@ def let_enter(stacks, rules, work, influx, key, tally):
             count = np.int64(means[cell] + draw(start, 1))
             for number in range(count):
                 state = derive(start, number + 1)
-                along, across = _first_landing(edge, cell, state, rules)
+                along, across = first_landing(edge, cell, state, rules)
                 peak = _bring_in(stacks, rules, work, along, across, state, peak, tally)

@@ -1,0 +1,195 @@
+"""Polls of snow: may a cell give a quantum, where is it carried, and where does it come to rest.
+
+The rules are numbered as in ``docs/snow.md``. Everything is done in the wind's frame, on flat arrays of whole
+numbers; with all closures off the same random numbers are drawn for the same questions as for slabs of sand.
+"""
+
+import numpy as np
+
+from barchan.kernels.bed.grid import neighbour
+from barchan.kernels.core.borrow import borrowed
+from barchan.kernels.core.inlining import never_inline
+from barchan.kernels.core.internal import internal
+from barchan.kernels.core.random import GOLDEN, below, high, low, mix
+from barchan.kernels.slabs.carry import has_fractions
+from barchan.kernels.slabs.hop import wrapped
+from barchan.kernels.slabs.shadow import in_shadow
+from barchan.kernels.slabs.state import CAPPED, LEFT, MOVED, TRAVEL_ACROSS, TRAVEL_ALONG
+from barchan.kernels.snow.layers import pop, state_class
+from barchan.kernels.snow.slopes import feed, lay_down
+
+_ALL = 1 << 32
+"""A chance of one."""
+
+_UPWIND, _UPPER, _LOWER, _LEFT, _RIGHT = 2, 5, 6, 1, 3
+"""Directions of the neighbours upwind, upwind to either side, and beside a cell, in the wind's frame."""
+
+
+@internal()
+def exposure(giving, pack, grid, row, col, here, state):
+    """How far (0 to 1) a cell stands out of the bed upwind, over the saltation layer's height.
+
+    Grains do not come along one line: of ten comparisons eight are with the cell upwind, one each with those
+    upwind to either side or, as often, beside it.
+    """
+    pack = borrowed(pack)
+    side = below(high(mix(state)), 20)
+    direction = _UPWIND
+    if side == 0:
+        direction = _UPPER
+    elif side == 1:
+        direction = _LOWER
+    elif side == 2:
+        direction = _LEFT
+    elif side == 3:
+        direction = _RIGHT
+    r, c = neighbour(row, col, direction, grid)
+    rise = np.int64(here) - np.int64(pack.surface[np.uint64(r * grid.cols + c)])
+    return min(max(rise, 0), giving.exposure_height) / giving.exposure_height
+
+
+@internal(forceinline=True)
+def _chance_allows(giving, stress, pack, rules, row, col, cell, here, state):
+    """Whether the wind's excess over the threshold, or abrasion, takes a quantum; the random state."""
+    if giving is None:
+        return True, state
+    state += GOLDEN
+    kind = state_class(pack.top[cell], rules.epoch, rules.tables.age_class)
+    felt = np.float64(1.0)
+    if stress is not None:
+        felt = np.float64(stress[cell])
+    excess = felt - np.float64(rules.tables.threshold[kind])
+    chance = max(excess, 0.0) * np.float64(rules.tables.yields[kind])
+    draw = np.float64(high(mix(state))) * 2.0**-32
+    if giving.abrades:
+        wears = np.float64(rules.tables.wears[kind])
+        if wears > 0.0 and draw < chance + wears:
+            chance += wears * exposure(giving, pack, rules.slabs.grid, row, col, here, state + GOLDEN)
+        state += GOLDEN
+    return draw < chance, state
+
+
+@internal(forceinline=True)
+def may_give(pack, rules, heights, row, col, state, peak):
+    """Whether a polled cell gives a quantum, and the random state after it was asked."""
+    slabs = rules.slabs
+    cell = np.uint64(row * slabs.grid.cols + col)
+    here = pack.surface[cell]
+    gives = pack.quanta[cell] > 0
+    if gives:
+        allowed, state = _chance_allows(rules.giving, rules.stress, pack, rules, row, col, cell, here, state)
+        gives = allowed and not in_shadow(heights, row, col, here, peak, slabs.grid, slabs.axis, slabs.ray)
+    return gives, state
+
+
+@internal(forceinline=True)
+def _stays_by_chance(stress, pack, rules, cell, chance):
+    """Whether a quantum comes to rest where it landed: the more likely the weaker the stress there."""
+    wind = rules.slabs.wind
+    deposit = wind.deposit_on_ground
+    if pack.quanta[cell] > 0:
+        kind = state_class(pack.top[cell], rules.epoch, rules.tables.age_class)
+        if rules.tables.bonded[kind] == 0:
+            deposit = wind.deposit_on_sand
+    if stress is None:
+        return chance < deposit
+    excess = (np.float64(stress[cell]) - rules.impact_threshold) / (1.0 - rules.impact_threshold)
+    goes_on = np.float64(_ALL - np.int64(deposit)) * min(max(excess, 0.0), 1.0)
+    return np.int64(chance) < _ALL - np.int64(goes_on)
+
+
+@internal(forceinline=True)
+def carry(pack, rules, heights, along, across, travelled, state, peak):
+    """Carry a quantum hop by hop until it rests or leaves the field.
+
+    ``travelled`` says whether it has just come down from a first hop. Returns its last row and column, the
+    random state, whether it is still in the field, whether it stays by itself, and the distances travelled.
+    """
+    slabs = rules.slabs
+    grid, wind = slabs.grid, slabs.wind
+    way_along, way_across = np.int64(0), np.int64(0)
+    row, col = across >> 32, along >> 32
+    hops, stays = 0, False
+    while not stays and hops < wind.max_hops:
+        if hops > 0 or not travelled:
+            along = wrapped(along + wind.hop_along, grid.cols, grid.wrap_along)
+            if wind.hop_across != 0:
+                across = wrapped(across + wind.hop_across, grid.rows, grid.wrap_across)
+            way_along += wind.hop_along >> 16
+            way_across += wind.hop_across >> 16
+        hops += 1
+        if along < 0 or across < 0:
+            return row, col, state, False, False, way_along, way_across
+        row, col = across >> 32, along >> 32
+        state += GOLDEN
+        cell = np.uint64(row * grid.cols + col)
+        here = pack.surface[cell]
+        stays = _stays_by_chance(rules.stress, pack, rules, cell, high(mix(state)))
+        stays = stays or in_shadow(heights, row, col, here, peak, grid, slabs.axis, slabs.ray)
+    return row, col, state, True, stays, way_along, way_across
+
+
+@internal(forceinline=True)
+def _roll(creep, pack, grid, row, col, state):
+    """The cell where a quantum lies after it has rolled, by chance, to the lowest face neighbour."""
+    if creep is None:
+        return row, col, state
+    state += GOLDEN
+    if high(mix(state)) >= creep.chance:
+        return row, col, state
+    lowest = pack.surface[np.uint64(row * grid.cols + col)]
+    to_row, to_col = row, col
+    for direction in range(4):
+        r, c = neighbour(row, col, direction, grid)
+        there = pack.surface[np.uint64(r * grid.cols + c)]
+        if there < lowest:
+            lowest, to_row, to_col = there, r, c
+    return to_row, to_col, state
+
+
+@internal(forceinline=True)
+def settle(pack, rules, row, col, state):
+    """Let a quantum that has landed roll, slide and lie; the random state and the height it reaches."""
+    row, col, state = _roll(rules.creep, pack, rules.slabs.grid, row, col, state)
+    return state, lay_down(pack, rules, row, col, rules.density)
+
+
+@internal()
+def run_polls(pack, rules, work, count, peak, tally):
+    """Run ``count`` prepared polls, one after the other; returns a height that no cell exceeds now."""
+    never_inline()
+    pack, rules, work = borrowed((pack, rules, work))
+    heights = pack.surface.ctypes.data
+    grid, wind, polls = rules.slabs.grid, rules.slabs.wind, work.polls
+    fractions = has_fractions(None, wind.hop_along, wind.hop_across)
+    for k in range(count):
+        # 1 choose a cell
+        row, col, state = polls.rows[np.uint64(k)], polls.cols[np.uint64(k)], polls.states[np.uint64(k)]
+        # 2 does it give a quantum?
+        gives, state = may_give(pack, rules, heights, row, col, state, peak)
+        if not gives:
+            continue
+        tally[MOVED] += 1
+        # 3 take it, and let the slope above feed its cell
+        pop(pack, rules.tables.thickness, np.uint64(row * grid.cols + col))
+        feed(pack, rules, row, col)
+        # 4 hop, 5 rest?
+        along, across = col << 32, row << 32
+        if fractions:
+            state += GOLDEN
+            draw = mix(state)
+            along |= np.int64(high(draw))
+            across |= np.int64(low(draw))
+        row, col, state, inside, stays, way_along, way_across = carry(
+            pack, rules, heights, along, across, False, state, peak
+        )
+        tally[TRAVEL_ALONG] += way_along
+        tally[TRAVEL_ACROSS] += way_across
+        if not inside:
+            tally[LEFT] += 1
+            continue
+        # 6 roll, slide, and lie there as drift
+        tally[CAPPED] += not stays
+        state, height = settle(pack, rules, row, col, state)
+        peak = max(peak, height)
+    return peak

@@ -1,0 +1,65 @@
+"""Steps of snow: the polls of a step band by band, and snow that enters across open edges."""
+
+import numpy as np
+from numba import njit
+
+from barchan.kernels.core.borrow import borrowed
+from barchan.kernels.core.random import derive, draw
+from barchan.kernels.slabs.influx import first_landing
+from barchan.kernels.slabs.polling import count_polls_by_row, draw_cells, polls_in_band, shuffle_bands
+from barchan.kernels.slabs.state import BLOCK, CAPPED, ENTERED, LEFT, TRAVEL_ACROSS, TRAVEL_ALONG, Band
+from barchan.kernels.snow.poll import carry, run_polls, settle
+
+
+@njit(cache=True)
+def run_steps(pack, rules, work, schedule, key, step, steps, first, count, tally):
+    """Run the polls ``first`` to ``first + count`` of each of ``steps`` steps from ``step`` on.
+
+    The pack is changed in place; its surface has room for ``SIMD_WIDTH`` numbers before it. Polls and their
+    random numbers are those of slabs of sand. Moved quanta, travel and the rest are added to ``tally``.
+    """
+    grid, polls = rules.slabs.grid, work.polls
+    for now in range(step, step + steps):
+        step_key = derive(key, now)
+        poll_key = derive(step_key, 0)
+        count_polls_by_row(polls, first, count, derive(step_key, 1))
+        shuffle_bands(polls, derive(step_key, 2))
+        peak = np.int64(pack.surface.max())
+        poll = first
+        for number in polls.band_order:
+            first_row = number * schedule.band_rows
+            band = Band(first_row, min(schedule.band_rows, grid.rows - first_row))
+            at, end = 0, polls_in_band(polls, band)
+            while at < end:
+                n = min(BLOCK, end - at)
+                draw_cells(polls, poll, n, band, grid.cols, poll_key)
+                peak = run_polls(pack, rules, work, n, peak, tally)
+                poll += n
+                at += n
+
+
+@njit(cache=True)
+def let_enter(pack, rules, influx, key, tally):
+    """Let a step's quanta enter across the upwind edges, as ``kernels.slabs.influx.let_enter`` does."""
+    pack, rules, influx = borrowed((pack, rules, influx))
+    heights = pack.surface.ctypes.data
+    peak = np.int64(pack.surface.max())
+    for edge in range(2):
+        means = influx.along if edge == 0 else influx.across
+        for cell in range(means.size):
+            start = derive(derive(key, edge), cell)
+            for number in range(np.int64(means[cell] + draw(start, 1))):
+                state = derive(start, number + 1)
+                along, across = first_landing(edge, cell, state, rules.slabs)
+                tally[ENTERED] += 1
+                row, col, state, inside, stays, way_along, way_across = carry(
+                    pack, rules, heights, along, across, True, state, peak
+                )
+                tally[TRAVEL_ALONG] += way_along
+                tally[TRAVEL_ACROSS] += way_across
+                if not inside:
+                    tally[LEFT] += 1
+                    continue
+                tally[CAPPED] += not stays
+                state, height = settle(pack, rules, row, col, state)
+                peak = max(peak, height)

@@ -1,0 +1,327 @@
+"""Closures of snow: groups of parameters, each a part of the physics that can be changed or switched off."""
+
+from typing import Literal, Self
+
+from pydantic import model_validator
+
+from barchan.aeolian.snow.bonding import weight_threshold
+from barchan.aeolian.snow.density import FRESH_DENSITIES, GREATEST_DENSITY, LEAST_DENSITY, drift_density
+from barchan.aeolian.snow.drift import FLUX_LAWS, FRICTION_LAWS
+from barchan.aeolian.wall import KARMAN
+from barchan.parameters import Parameters, parameter
+
+
+class Drift(Parameters):
+    """Drifting snow: how hard the wind pulls, how much it carries, and how dense it lays it down."""
+
+    friction: Literal["log", "saltating"] = parameter(
+        "log",
+        unit="-",
+        meaning="Friction velocity of a wind: by the law of the wall, or 0.02264 U^1.295, which holds the "
+        "roughness that saltation adds.",
+        source="log: law of the wall; saltating: Pomeroy & Gray 1990",
+    )
+    roughness: float = parameter(
+        2.4e-4,
+        unit="m",
+        gt=0,
+        le=0.1,
+        meaning="Roughness length of flat snow.",
+        source="measured at Niwot Ridge, as used in rescal-snow",
+    )
+    flux: Literal["sorensen", "pomeroy_gray"] = parameter(
+        "sorensen",
+        unit="-",
+        meaning="Law of the saturated flux, which gives a step its duration.",
+        source="sorensen: Sørensen 2004, Vionnet et al. 2014; pomeroy_gray: Pomeroy & Gray 1990",
+    )
+    density: float | None = parameter(
+        None,
+        unit="kg/m³",
+        ge=LEAST_DENSITY,
+        le=GREATEST_DENSITY,
+        live=True,
+        meaning="Density of snow that the wind lays down; by the wind where it is not given.",
+        source="33 + 361 log10 U at 3 m: Groot Zwaaftink et al. 2013",
+    )
+    least_density: float = parameter(
+        150.0,
+        unit="kg/m³",
+        ge=LEAST_DENSITY,
+        le=GREATEST_DENSITY,
+        meaning="Least density of drift that follows the wind.",
+        source="ours",
+    )
+    greatest_density: float = parameter(
+        400.0,
+        unit="kg/m³",
+        ge=LEAST_DENSITY,
+        le=GREATEST_DENSITY,
+        meaning="Greatest density of drift that follows the wind.",
+        source="ours: dunes of 380 to 500 kg/m³ (Birnbaum et al. 2010) have packed further",
+    )
+
+    @model_validator(mode="after")
+    def _ordered(self) -> Self:
+        if self.least_density > self.greatest_density:
+            raise ValueError(
+                f"least_density is {self.least_density:g} kg/m³, above greatest_density, "
+                f"{self.greatest_density:g} kg/m³"
+            )
+        return self
+
+    def friction_velocity(self, wind: float) -> float:
+        """Friction velocity (m/s) of a wind (m/s at 10 m)."""
+        return FRICTION_LAWS[self.friction](wind, self.roughness)
+
+    def laid_density(self, wind: float) -> float:
+        """Density (kg/m³) of drift that a wind (m/s at 10 m) lays down."""
+        if self.density is not None:
+            return self.density
+        import math
+
+        at_3m = wind * math.log(3.0 / self.roughness) / math.log(10.0 / self.roughness)
+        return drift_density(at_3m, self.least_density, self.greatest_density)
+
+    def mass_flux(self, ustar: float, threshold: float, air_density: float) -> float:
+        """Saturated flux (kg/m/s)."""
+        return float(FLUX_LAWS[self.flux](ustar, threshold, air_density))  # type: ignore[arg-type]
+
+    def speed_of(self, ustar: float) -> float:
+        """Wind (m/s at 10 m) of a friction velocity (m/s)."""
+        import math
+
+        if self.friction == "saltating":
+            return float((ustar / 0.02264) ** (1.0 / 1.295))
+        return ustar * math.log(10.0 / self.roughness) / KARMAN
+
+
+class Threshold(Parameters):
+    """The stress that snow withstands by the weight of its grains."""
+
+    grain_radius: float = parameter(
+        1.5e-4,
+        unit="m",
+        ge=1e-5,
+        le=2e-3,
+        meaning="Radius of the grains.",
+        source="Lehning et al. 2000: grains of 0.3 mm",
+    )
+    sphericity: float = parameter(
+        0.5,
+        unit="-",
+        ge=0,
+        le=1,
+        meaning="Roundness of the grains: 0.5 fallen, 0.75 broken by the wind.",
+        source="Lehning et al. 2000",
+    )
+
+    @property
+    def weight(self) -> float:
+        """Shear stress (Pa) that the weight of loose grains withstands."""
+        return weight_threshold(self.grain_radius, self.sphericity)
+
+
+class Bonding(Parameters):
+    """Bonds that grow between grains at rest."""
+
+    grows: bool = parameter(
+        True,
+        unit="-",
+        live=True,
+        meaning="Whether bonds grow; without, all snow stays as loose as after six minutes at -10 °C.",
+    )
+    exponent: float = parameter(
+        0.27,
+        unit="-",
+        ge=0,
+        le=1,
+        live=True,
+        meaning="Exponent of time in the growth of bonds.",
+        source="between 0.18 (strength) and 0.36 (area of bonds) of van Herwijnen & Miller 2013, fixed on "
+        "the medians of Li & Pomeroy 1997",
+    )
+    activation_energy: float = parameter(
+        41_000.0,
+        unit="J/mol",
+        ge=0,
+        le=200_000,
+        live=True,
+        meaning="Activation energy of bonding: how much faster warm snow bonds.",
+        source="Bahaloo et al. 2022; 38.8 kJ/mol in SNOWPACK, 51 through the vapour",
+    )
+    loose_hours: float = parameter(
+        3.0,
+        unit="h",
+        ge=0.1,
+        le=240,
+        live=True,
+        meaning="Age, in hours at -10 °C, from which snow counts as bonded.",
+        source="ours",
+    )
+    detachment: float = parameter(
+        2.0,
+        unit="-",
+        ge=0,
+        le=10,
+        live=True,
+        meaning="Exponent of the detachment factor: bonded snow yields less by the threshold of fresh drift "
+        "over its own, to this power.",
+        source="ours: 0.05 after five days, the rate of rescal-snow",
+    )
+
+
+class Relief(Parameters):
+    """The wind over relief: shear stress by linear theory."""
+
+    acts: bool = parameter(
+        True, unit="-", live=True, meaning="Whether relief changes the stress; without, it is uniform."
+    )
+    every: int = parameter(
+        5,
+        unit="steps",
+        ge=1,
+        le=1000,
+        meaning="Steps after which the stress is computed again.",
+        source="ours: less than a hundredth of a dune's turnover",
+    )
+    smoothing: float = parameter(
+        2.0,
+        unit="cells",
+        ge=0,
+        le=100,
+        live=True,
+        meaning="Width over which the surface is smoothed before its stress is computed.",
+        source="ours",
+    )
+    saturation_angle: float = parameter(
+        20.0,
+        unit="degrees",
+        ge=1,
+        le=89,
+        live=True,
+        meaning="Windward slope above which the stress no longer grows.",
+        source="Pelletier 2009, abstract: about 20 degrees",
+    )
+
+
+class SnowCreep(Parameters):
+    """Grains that roll down before they rest, the more the nearer the wind is to its threshold."""
+
+    strength: float = parameter(
+        0.8,
+        unit="-",
+        ge=0,
+        le=10,
+        live=True,
+        meaning="Chance to roll times the excess of the stress over its impact threshold, over that "
+        "threshold; 0: nothing rolls.",
+        source="ours, from the effect of slope on the threshold",
+    )
+    greatest: float = parameter(
+        0.8, unit="-", ge=0, le=1, live=True, meaning="Greatest chance to roll.", source="ours"
+    )
+
+
+class Abrasion(Parameters):
+    """Bonded snow worn by drift where it stands out of the bed."""
+
+    rate: float = parameter(
+        0.02,
+        unit="-",
+        ge=0,
+        le=1,
+        live=True,
+        meaning="Mass worn off an exposed face for each mass of drift that hits it, of snow that withstands "
+        "0.09 Pa; 0: no abrasion.",
+        source="ours, within a factor 3: steps retreat 0.1 to 0.3 m/h at a friction velocity of 1 m/s",
+    )
+    height: float = parameter(
+        0.03,
+        unit="m",
+        gt=0,
+        le=10,
+        live=True,
+        meaning="Height of the saltation layer, above which faces are worn no faster.",
+        source="ours: mass decays within centimetres of the bed",
+    )
+
+
+class Snowfall(Parameters):
+    """Snow that falls."""
+
+    density_law: Literal["hedstrom_pomeroy", "clm5", "pahaut"] = parameter(
+        "hedstrom_pomeroy",
+        unit="-",
+        live=True,
+        meaning="Density of fresh snow by air temperature and wind; snow that falls in drift lands as drift.",
+        source="Hedstrom & Pomeroy 1998; van Kampenhout et al. 2017; Pahaut 1976",
+    )
+    density: float | None = parameter(
+        None,
+        unit="kg/m³",
+        ge=LEAST_DENSITY,
+        le=GREATEST_DENSITY,
+        live=True,
+        meaning="Density of fresh snow; by density_law where it is not given.",
+    )
+
+    def fresh_density(self, temperature: float, wind: float) -> float:
+        """Density (kg/m³) of snow that falls at an air temperature (°C) in a wind (m/s at 10 m)."""
+        if self.density is not None:
+            return self.density
+        found = FRESH_DENSITIES[self.density_law](temperature, wind)
+        return min(max(found, LEAST_DENSITY), GREATEST_DENSITY)
+
+
+class Packing(Parameters):
+    """Snow that packs under its own weight; masses do not change."""
+
+    law: Literal["vionnet", "anderson", "none"] = parameter(
+        "vionnet",
+        unit="-",
+        live=True,
+        meaning="Law of the viscosity of snow under load; none: densities do not change.",
+        source="Vionnet et al. 2012; Anderson 1976",
+    )
+
+
+class Repose(Parameters):
+    """How steep snow stands."""
+
+    drift: float = parameter(
+        38.0,
+        unit="degrees",
+        ge=5,
+        le=89,
+        live=True,
+        meaning="Angle of repose of loose drift.",
+        source="rescal-snow: 35 to 38 degrees",
+    )
+    fallen: float = parameter(
+        60.0,
+        unit="degrees",
+        ge=5,
+        le=89,
+        live=True,
+        meaning="Angle of repose of dry fallen snow.",
+        source="ours, between that of drift and of fresh crystals",
+    )
+    wet: float = parameter(
+        25.0,
+        unit="degrees",
+        ge=5,
+        le=89,
+        live=True,
+        meaning="Angle of repose of loose snow above 0 °C.",
+        source="between dry snow and slush, 15 degrees",
+    )
+    fallen_below: float = parameter(
+        150.0,
+        unit="kg/m³",
+        ge=0,
+        le=917,
+        live=True,
+        meaning="Density below which loose snow counts as fallen, not drifted.",
+        source="ours",
+    )

@@ -1,0 +1,176 @@
+"""Snow under one wind and weather: stresses, thresholds, and the tables that kernels read."""
+
+import math
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+from barchan.aeolian.snow.bonding import LOOSEST_BONDS, bonding_rate, threshold_stress
+from barchan.aeolian.snow.drift import IMPACT_STRESS
+from barchan.kernels.snow.state import (
+    AGE_CLASSES,
+    DENSITY_CLASSES,
+    LayerTables,
+    age_classes,
+)
+from barchan.snow.parameters import HEIGHT_STEPS, SnowParameters
+
+EPOCH_SECONDS = 600.0
+"""Duration (s at -10 °C) of an epoch of bonding."""
+
+_HOUR = 3600.0
+_ABRADED = 0.09
+"""Threshold stress (Pa) of the snow that the rate of abrasion is stated for."""
+_NEVER = np.int32(2**30)
+"""A step (0.1 mm) that no snow reaches."""
+_ANY_DENSITY = 1024
+
+
+@dataclass(frozen=True)
+class Conditions:
+    """A wind (m/s at 10 m) and a temperature (°C), and what follows from them."""
+
+    parameters: SnowParameters
+    wind: float
+    temperature: float
+
+    @property
+    def stress(self) -> float:
+        """Shear stress (Pa) on flat snow."""
+        return self.parameters.air_density * self.parameters.drift.friction_velocity(self.wind) ** 2
+
+    @property
+    def drift_density(self) -> float:
+        """Density (kg/m³) of what the wind lays down."""
+        return self.parameters.drift.laid_density(self.wind)
+
+    def threshold(self, density: NDArray | float, hours: NDArray | float) -> NDArray[np.float64]:
+        """Threshold stress (Pa) of snow at rest, by density (kg/m³) and age (h at -10 °C)."""
+        bonding = self.parameters.bonding
+        return threshold_stress(
+            density,
+            hours if bonding.grows else np.full(np.shape(hours), LOOSEST_BONDS),
+            self.temperature,
+            air_density=self.parameters.air_density,
+            weight=self.parameters.threshold.weight,
+            exponent=bonding.exponent,
+        )
+
+    @property
+    def fresh_threshold(self) -> float:
+        """Threshold stress (Pa) that starts fresh drift."""
+        return float(self.threshold(self.drift_density, LOOSEST_BONDS))
+
+    @property
+    def impact_threshold(self) -> float:
+        """Stress (Pa) at which drift over fresh drift dies out."""
+        return IMPACT_STRESS * self.fresh_threshold
+
+    @property
+    def flux(self) -> float:
+        """Saturated flux (kg/m/s) over fresh drift; 0 for a wind that cannot start the loosest snow."""
+        air = self.parameters.air_density
+        loosest = min(float(self.threshold(100.0, LOOSEST_BONDS)), self.fresh_threshold)
+        if self.stress <= loosest:
+            return 0.0
+        ustar = math.sqrt(self.stress / air)
+        return self.parameters.drift.mass_flux(ustar, math.sqrt(self.impact_threshold / air), air)
+
+    @property
+    def supply(self) -> float:
+        """Saturated flux over that at the temperature for which winds have their polls."""
+        usual = Conditions(self.parameters, self.wind, self.parameters.temperature).flux
+        return self.flux / usual if usual > 0.0 else 1.0
+
+    @property
+    def creep_chance(self) -> float:
+        """Chance that a quantum that has landed rolls."""
+        creep, excess = self.parameters.creep, self.stress - self.impact_threshold
+        return min(creep.greatest, creep.strength * self.impact_threshold / max(excess, 1e-12))
+
+    @property
+    def rate(self) -> float:
+        """How fast bonds grow, over -10 °C."""
+        cold = min(self.temperature, 0.0)
+        return float(bonding_rate(cold, self.parameters.bonding.activation_energy))
+
+
+def relative_flux(parameters: SnowParameters, winds: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Saturated fluxes of winds (m/s at 10 m) at the model's temperature, over the reference wind's."""
+    reference = max(Conditions(parameters, parameters.reference_wind, parameters.temperature).flux, 1e-300)
+    fluxes = [Conditions(parameters, float(wind), parameters.temperature).flux for wind in winds.ravel()]
+    return np.array(fluxes).reshape(winds.shape) / reference
+
+
+def step_seconds(parameters: SnowParameters) -> float:
+    """Duration of a step (s): flat, fresh drift gives what the reference wind carries at saturation.
+
+    Infinite where the reference wind carries nothing.
+    """
+    flux = Conditions(parameters, parameters.reference_wind, parameters.temperature).flux
+    moved = parameters.erosion_chance * parameters.hop * parameters.quantum / parameters.p_s
+    return moved / flux if flux > 0.0 else math.inf
+
+
+@lru_cache(maxsize=32)
+def layer_tables(now: Conditions, drifting: bool, flux_share: float, cell_size: float) -> LayerTables:
+    """What layers do under these conditions, by class of density and age.
+
+    ``drifting``: whether grains in the air keep loose snow moving below its threshold; ``flux_share``: drift
+    in the air over saturation.
+    """
+    parameters, stress = now.parameters, max(now.stress, 1e-12)
+    bonding = parameters.bonding
+    density, hours = _classes(now.drift_density)
+    static = now.threshold(density, hours)
+    bonded = np.broadcast_to((hours >= bonding.loose_hours) & bonding.grows, static.shape)
+    threshold = np.where(drifting & ~bonded, IMPACT_STRESS * static, static)
+    detached = np.where(bonded, (now.fresh_threshold / static) ** bonding.detachment, 1.0)
+    excess = max(1.0 - now.impact_threshold / stress, 1e-12)
+    hops = parameters.hop / cell_size / parameters.p_s
+    wears = now.supply * parameters.abrasion.rate * _ABRADED / static * hops * flux_share
+    return LayerTables(
+        thickness=quantum_heights(parameters.quantum),
+        age_class=_AGES,
+        threshold=(threshold / stress).astype(np.float32).ravel(),
+        yields=(parameters.erosion_chance * now.supply * detached / excess).astype(np.float32).ravel(),
+        wears=np.where(bonded, wears, 0.0).astype(np.float32).ravel(),
+        bonded=bonded.astype(np.uint8).ravel(),
+        face_limit=_limits(now, density, bonded, cell_size).ravel(),
+    )
+
+
+def _limits(
+    now: Conditions, density: NDArray[np.float64], bonded: NDArray[np.bool_], cell_size: float
+) -> NDArray[np.int32]:
+    """Largest steps (0.1 mm) to a face neighbour that stand."""
+    repose = now.parameters.repose
+    wet = now.temperature > 0.0
+    angle = np.where(density < repose.fallen_below, repose.fallen, repose.drift)
+    angle = np.where(wet, repose.wet, angle)
+    steps = np.floor(np.tan(np.radians(angle)) * cell_size / HEIGHT_STEPS + 1e-6)
+    return np.where(bonded, _NEVER, np.clip(steps, 1, _NEVER)).astype(np.int32)
+
+
+_AGES = age_classes()
+
+
+def _classes(drift: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Density (kg/m³, column) and age (h, row) in the middle of each class; that of ``drift`` is exact."""
+    ages = np.arange(_AGES.size)
+    means = np.bincount(_AGES, ages, AGE_CLASSES) / np.maximum(np.bincount(_AGES, minlength=AGE_CLASSES), 1)
+    means[_AGES[-1] + 1 :] = ages[-1]
+    width = _ANY_DENSITY / DENSITY_CLASSES
+    density = (np.arange(DENSITY_CLASSES, dtype=np.float64) + 0.5) * width
+    density[min(int(drift / width), DENSITY_CLASSES - 1)] = drift
+    hours: NDArray[np.float64] = np.maximum(means * EPOCH_SECONDS / _HOUR, LOOSEST_BONDS)
+    return density[:, None], hours[None, :]
+
+
+@lru_cache(maxsize=8)
+def quantum_heights(quantum: float) -> NDArray[np.int32]:
+    """Height (0.1 mm) of a quantum (kg/m²) by density in whole kg/m³."""
+    density = np.maximum(np.arange(_ANY_DENSITY), 1)
+    return np.maximum(np.rint(quantum / density / HEIGHT_STEPS), 1).clip(max=2**30).astype(np.int32)

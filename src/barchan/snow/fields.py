@@ -1,0 +1,118 @@
+"""Fields that show the snow of a bed: density, age, what wind it withstands, and how much of it is loose."""
+
+from collections.abc import Iterator
+
+import numpy as np
+from numpy.typing import NDArray
+
+from barchan.bed import Bed
+from barchan.kernels.snow.state import ONE_QUANTUM, density_of, epoch_of, quanta_of
+from barchan.model import Derived
+from barchan.snow.conditions import EPOCH_SECONDS, Conditions, quantum_heights
+from barchan.snow.pack import EPOCH, HEIGHT, SNOW, STRESS, TOP, buried_name
+from barchan.snow.parameters import HEIGHT_STEPS, SnowParameters
+
+Field = NDArray[np.float64]
+
+
+def layers_of(bed: Bed) -> Iterator[NDArray[np.int64]]:
+    """The packed layers of all cells, the uppermost first; 0 where a cell has no such layer."""
+    yield bed.arrays[TOP]
+    number = 1
+    names = []
+    while buried_name(number) in bed.arrays:
+        names.append(buried_name(number))
+        number += 1
+    for name in reversed(names):
+        yield bed.arrays[name]
+
+
+def surface_density(bed: Bed) -> Field:
+    """Density (kg/m³) of the uppermost layer; NaN on bare ground."""
+    return _where_snow(bed, density_of(bed.arrays[TOP]))
+
+
+def surface_age(bed: Bed) -> Field:
+    """Age (h at -10 °C) of the bonds of the uppermost layer; NaN on bare ground."""
+    return _where_snow(bed, age_of(bed, bed.arrays[TOP]))
+
+
+def age_of(bed: Bed, words: NDArray[np.int64]) -> Field:
+    """Age (h at -10 °C) of the bonds of packed layers of a bed."""
+    epochs = bed.arrays[EPOCH].astype(np.int64) - epoch_of(words)
+    return np.maximum(epochs, 0) * (EPOCH_SECONDS / 3600.0)
+
+
+def threshold_wind(bed: Bed, now: Conditions) -> Field:
+    """Wind (m/s at 10 m) above which the uppermost layer gives snow; NaN on bare ground."""
+    stress = now.threshold(density_of(bed.arrays[TOP]), age_of(bed, bed.arrays[TOP]))
+    ustar = np.sqrt(stress / now.parameters.air_density)
+    speed = np.vectorize(now.parameters.drift.speed_of, otypes=[np.float64])
+    return _where_snow(bed, speed(ustar))
+
+
+def loose_depth(bed: Bed, parameters: SnowParameters) -> Field:
+    """Thickness (m) of the snow that has not bonded, down to the first bonded layer."""
+    heights = quantum_heights(parameters.quantum)
+    depth = np.zeros(bed.lattice.shape)
+    above = np.ones(bed.lattice.shape, np.bool_)
+    for words in layers_of(bed):
+        held = words >= ONE_QUANTUM
+        bonded = (age_of(bed, words) >= parameters.bonding.loose_hours) & parameters.bonding.grows
+        above &= ~(held & bonded)
+        thickness = quanta_of(words) * heights[density_of(words).astype(np.int64)] * HEIGHT_STEPS
+        depth += np.where(above & held, thickness, 0.0)
+    return depth
+
+
+def mean_density(bed: Bed, quantum: float) -> Field:
+    """Mass over thickness (kg/m³) of all snow on a cell; NaN on bare ground."""
+    height = bed.arrays[HEIGHT] * HEIGHT_STEPS
+    mass = bed.arrays[SNOW] * quantum
+    return np.divide(mass, height, out=np.full(height.shape, np.nan), where=height > 0.0)
+
+
+def _where_snow(bed: Bed, field: Field) -> Field:
+    return np.where(bed.arrays[TOP] >= ONE_QUANTUM, field, np.nan)
+
+
+DERIVED = (
+    Derived(
+        "density", "kg/m³", "density of the uppermost layer", lambda _model, bed, _wind: surface_density(bed)
+    ),
+    Derived(
+        "age",
+        "h at -10 °C",
+        "age of the bonds of the uppermost layer",
+        lambda _model, bed, _wind: surface_age(bed),
+        least=0.0,
+    ),
+    Derived(
+        "threshold_wind",
+        "m/s",
+        "wind at 10 m that the uppermost layer withstands",
+        lambda model, bed, wind: threshold_wind(bed, model.conditions(wind)),
+    ),
+    Derived(
+        "loose_depth",
+        "m",
+        "thickness of the snow that has not bonded",
+        lambda model, bed, _wind: loose_depth(bed, model.parameters),
+        least=0.0,
+    ),
+    Derived(
+        "mean_density",
+        "kg/m³",
+        "mass over thickness of all snow",
+        lambda model, bed, _wind: mean_density(bed, model.parameters.quantum),
+    ),
+    Derived(
+        "stress",
+        "1",
+        "shear stress over that on flat snow",
+        lambda _model, bed, _wind: bed.arrays[STRESS].astype(np.float64),
+        centred=True,
+        least=0.0,
+    ),
+)
+"""Fields of snow that are computed when someone looks."""

@@ -1,0 +1,321 @@
+"""What a model of snow does in a segment: it ages, lets snow fall and pack, and lets the wind drift it."""
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import partial
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from barchan.aeolian.bed_stress import bed_stress
+from barchan.bed import Bed
+from barchan.kernels.bed.state import unstable_cells
+from barchan.kernels.core.state import TRAVEL_UNIT
+from barchan.kernels.slabs.state import (
+    CAPPED,
+    ENTERED,
+    LEFT,
+    MOVED,
+    TALLY_SIZE,
+    TRAVEL_ACROSS,
+    TRAVEL_ALONG,
+    Schedule,
+    Work,
+    prepared_polls,
+)
+from barchan.kernels.snow.state import DENSITY_UNIT, Creep, Giving, Pack, SnowRules
+from barchan.lattice import Lattice
+from barchan.model import Model, Tally
+from barchan.slabs.arguments import SlabArguments, build
+from barchan.slabs.influx import INFLUX, edge_influx
+from barchan.slabs.rules import Rules
+from barchan.snow.clock import BondClock
+from barchan.snow.conditions import Conditions, layer_tables, relative_flux, step_seconds
+from barchan.snow.pack import SNOW, STRESS, entered, fields_of, layer_of, leave
+from barchan.snow.packing import INTERVAL, let_pack
+from barchan.snow.parameters import HEIGHT_STEPS, SnowParameters
+from barchan.snow.snowfall import Fallen
+from barchan.snow.start import lay_first_snow
+from barchan.streams import Stream, derive
+from barchan.wind.frame import WindFrame
+from barchan.wind.segment import Segment
+
+_DRIFTING = 0.01
+"""Drift in the air over saturation from which impacts keep loose snow moving."""
+
+_FRACTION = 1e9
+"""Parts in which the drift in the air is remembered."""
+
+
+@dataclass
+class Field:
+    """The pack in a wind's frame while a segment lasts."""
+
+    pack: Pack
+    ground: NDArray[np.int32]
+    frame: WindFrame
+    arguments: SlabArguments
+
+
+class SnowModel(Model):
+    """A model that moves quanta of snow one at a time and keeps them in layers."""
+
+    takes_influx = True
+    material = "snow"
+    work_per_second = 1e7
+    Parameters = SnowParameters
+    parameters: SnowParameters
+
+    def __init__(self, parameters: Any, lattice: Lattice) -> None:
+        """Set the model up for a lattice."""
+        super().__init__(parameters, lattice)
+        self.layers = (layer_of(parameters),)
+        self.fields = fields_of(parameters)
+        self.clock = BondClock()
+        self.fallen = Fallen()
+        self.drift_in_air = 0.0
+        self._travel = 0
+        self._expected = 0
+        self._packed = 0
+        self._stress_of: float | None = None
+
+    def initialise(self, bed: Bed, seed: int) -> None:
+        """Turn the quanta of the start into layers."""
+        lay_first_snow(bed, self.parameters, seed)
+
+    def problems(self, _step_seconds: float | None) -> list[tuple[str, str]]:
+        """A reference wind that moves nothing gives steps no duration."""
+        if self.step_seconds is not None:
+            return []
+        text = (
+            f"is {self.parameters.reference_wind:g} m/s, which moves no fresh drift; allowed: stronger winds"
+        )
+        return [("reference_wind", text)]
+
+    @property
+    def step_seconds(self) -> float | None:
+        """Duration of a step (s)."""
+        seconds = step_seconds(self.parameters)
+        return seconds if math.isfinite(seconds) else None
+
+    @property
+    def strength(self) -> Callable[[NDArray[np.float64]], NDArray[np.float64]]:
+        """From winds (m/s at 10 m) to polls over those of a step: in proportion to saturated fluxes."""
+        return partial(relative_flux, self.parameters)
+
+    def step_volume(self) -> float:
+        """Volume (m² per step) of drift that goes through a line across the reference wind on the flat."""
+        density = Conditions(
+            self.parameters, self.parameters.reference_wind, self.parameters.temperature
+        ).drift_density
+        hops = self.parameters.hop / self.parameters.p_s
+        return self.parameters.erosion_chance * hops * self.parameters.quantum / density
+
+    def conditions(self, segment: Segment) -> Conditions:
+        """Wind and temperature of a segment."""
+        wind = self.parameters.wind if segment.speed is None else segment.speed
+        temperature = segment.weather.temperature
+        return Conditions(
+            self.parameters, wind, self.parameters.temperature if temperature is None else temperature
+        )
+
+    def advance(self, bed: Bed, segment: Segment, stream: Stream) -> Tally:
+        """Let snow age, fall and pack, and the wind drift it, step by step."""
+        now = self.conditions(segment)
+        seconds = (segment.step_seconds or 0.0) * segment.share
+        time, bonding = round(seconds * 1000), round(seconds * 1000 * now.rate)
+        field = self._enter(bed, WindFrame.of(segment.direction))
+        counts = np.zeros(TALLY_SIZE, np.int64)
+        done = 0
+        while done < segment.steps:
+            rest = segment.part(done, segment.steps - done)
+            steps = min(rest.steps, self._until_due(rest), self.clock.steps_to_next_epoch(bonding))
+            part = rest.part(0, steps)
+            if part.step % self.parameters.relief.every == 0 and part.first == 0:
+                self._take_stock(field, now, stream)
+            self._snow(field, part, now, seconds, counts)
+            self._drift(bed, field, part, now, stream, counts)
+            self.clock.pass_time(bonding, time, steps)
+            done += steps
+        leave(bed, field.pack, field.ground, field.frame, self.clock.epoch)
+        return _tally(counts, segment, field.frame)
+
+    def _until_due(self, segment: Segment) -> int:
+        """Steps until the stress is due, one by one where snow falls: work does not depend on cuts."""
+        if segment.weather.snowfall:
+            return 1
+        every = self.parameters.relief.every
+        return every - segment.step % every
+
+    def _take_stock(self, field: Field, now: Conditions, stream: Stream) -> None:
+        """Find the drift in the air over the last steps, ask for a new stress, and let the snow pack."""
+        self.drift_in_air = 0.0
+        if self._expected > 0:
+            self.drift_in_air = round(self._travel / self._expected * _FRACTION) / _FRACTION
+        self._travel = self._expected = 0
+        self._stress_of = None
+        waited = self.clock.time - self._packed
+        if self.parameters.packing.law != "none" and waited >= INTERVAL:
+            let_pack(field.pack, field.ground, now, waited, derive(stream.key, -1 - self.clock.time))
+            self._packed = self.clock.time
+            cells = field.pack.quanta.size
+            self._relax(field, self._rules(field, now, None), np.ones(cells, np.bool_))
+
+    def _renew_stress(self, bed: Bed, field: Field, direction: float) -> None:
+        """Compute the stress where that is due or the wind has turned."""
+        if self._stress_of == direction:
+            return
+        relief = self.parameters.relief
+        shape = field.frame.enter(bed.ground).shape
+        height = field.frame.leave(field.pack.surface.reshape(shape)) * HEIGHT_STEPS
+        bed.arrays[STRESS][...] = bed_stress(
+            height,
+            self.lattice,
+            direction,
+            roughness=self.parameters.drift.roughness,
+            saturation_angle=relief.saturation_angle,
+            smoothing=relief.smoothing,
+        )
+        self._stress_of = direction
+
+    def _saturated_travel(self, polls: int, now: Conditions) -> float:
+        """Cells that quanta travel, all together, when flat, fresh drift is polled."""
+        hop = self.parameters.hop / self.lattice.cell_size
+        return self.parameters.erosion_chance * now.supply * hop / self.parameters.p_s * polls
+
+    def _snow(
+        self, field: Field, segment: Segment, now: Conditions, seconds: float, counts: NDArray[np.int64]
+    ) -> None:
+        """Let the snow of a step fall."""
+        rate = segment.weather.snowfall
+        if not rate:
+            return
+        from barchan.kernels.snow.layers import lay_quanta
+
+        quanta = self.fallen.quanta(rate * seconds / self.parameters.quantum, self.lattice)
+        density = self.parameters.snowfall.fresh_density(now.temperature, now.wind)
+        if now.flux > 0.0 and self.drift_in_air > _DRIFTING:
+            density = now.drift_density
+        rules = self._rules(field, now, None)
+        counts[ENTERED] += int(quanta.sum())
+        laid = np.ascontiguousarray(field.frame.enter(quanta)).ravel()
+        lay_quanta(field.pack, rules.tables.thickness, laid, rules.epoch, round(density * DENSITY_UNIT))
+        self._relax(field, rules, laid > 0)
+
+    def _drift(
+        self, bed: Bed, field: Field, segment: Segment, now: Conditions, stream: Stream, counts: NDArray
+    ) -> None:
+        """Let the wind take, carry and lay down snow."""
+        if segment.polls == 0 or now.flux == 0.0:
+            return
+        from barchan.kernels.snow.step import let_enter, run_steps
+
+        stress = None
+        if self.parameters.relief.acts:
+            self._renew_stress(bed, field, segment.direction)
+            stress = np.ascontiguousarray(field.frame.enter(bed.arrays[STRESS])).ravel()
+        rules = self._rules(field, now, stress)
+        grid = rules.slabs.grid
+        schedule = Schedule(False, False, self.parameters.band_rows)
+        work = Work(prepared_polls(grid.rows, grid.cols, schedule), None)
+        key = np.uint64(stream.key)
+        before = counts[[TRAVEL_ALONG, TRAVEL_ACROSS]].copy()
+        polls = segment.first, segment.polls
+        if segment.influx is None:
+            run_steps(field.pack, rules, work, schedule, key, segment.step, segment.steps, *polls, counts)
+        else:
+            saturated = self._saturated_travel(segment.polls, now) / self.lattice.cells
+            influx = edge_influx(segment, saturated, self.lattice, field.frame)
+            for step in range(segment.step, segment.step + segment.steps):
+                own = np.uint64(derive(derive(derive(stream.key, step), INFLUX), segment.first))
+                let_enter(field.pack, rules, influx, own, counts)
+                run_steps(field.pack, rules, work, schedule, key, step, 1, *polls, counts)
+        travelled = counts[[TRAVEL_ALONG, TRAVEL_ACROSS]] - before
+        self._travel += int(np.abs(travelled).max())
+        self._expected += round(self._saturated_travel(segment.polls, now) * TRAVEL_UNIT) * segment.steps
+
+    def _rules(self, field: Field, now: Conditions, stress: NDArray[np.float32] | None) -> SnowRules:
+        drifting = self.drift_in_air > _DRIFTING
+        parameters = self.parameters
+        tables = layer_tables(now, drifting, self.drift_in_air, self.lattice.cell_size)
+        abrades = parameters.abrasion.rate > 0.0 and self.drift_in_air > 0.0
+        exposure = max(round(parameters.abrasion.height / HEIGHT_STEPS), 1)
+        chance = round(now.creep_chance * 2**32)
+        always = stress is None and not parameters.bonding.grows and parameters.erosion_chance == 1.0
+        return SnowRules(
+            slabs=field.arguments.rules,
+            tables=tables,
+            giving=None if always else Giving(abrades, exposure),
+            stress=stress,
+            impact_threshold=min(now.impact_threshold / max(now.stress, 1e-12), 0.999),
+            creep=Creep(np.uint64(chance)) if parameters.creep.strength > 0.0 else None,
+            epoch=self.clock.epoch,
+            density=round(now.drift_density * DENSITY_UNIT),
+            gentlest=int(tables.face_limit.min()),
+            corner_factor=math.sqrt(2.0) if parameters.neighbourhood == "moore" else 0.0,
+        )
+
+    def _enter(self, bed: Bed, frame: WindFrame) -> Field:
+        pack, ground = entered(bed, self.parameters, frame)
+        fine = self.lattice.model_copy(update={"slab_aspect": None, "slab_height": HEIGHT_STEPS})
+        hop = self.parameters.hop / self.lattice.cell_size
+        arguments = build(self.parameters.as_slabs(self.lattice), Rules(), fine, frame, hop, True)
+        return Field(pack, ground, frame, arguments)
+
+    def _relax(self, field: Field, rules: SnowRules, where: NDArray[np.bool_]) -> int:
+        from barchan.kernels.snow.slopes import relax_pack
+
+        return int(relax_pack(field.pack, where, unstable_cells(where.size), rules))
+
+    def relax(self, bed: Bed, where: NDArray[np.bool_] | None = None) -> int:
+        """Let slopes slide until all stand, once snow that was added or taken is part of the layers."""
+        from barchan.kernels.snow.layers import lay_quanta
+
+        now = Conditions(self.parameters, self.parameters.wind, self.parameters.temperature)
+        field = self._enter(bed, WindFrame(0, 0.0))
+        rules = self._rules(field, now, None)
+        painted = bed.arrays[SNOW].ravel() - field.pack.quanta
+        if painted.any():
+            lay_quanta(field.pack, rules.tables.thickness, painted, rules.epoch, rules.density)
+        changed = np.ones(painted.size, np.bool_) if where is None else where.ravel().copy()
+        moved = self._relax(field, rules, changed)
+        leave(bed, field.pack, field.ground, field.frame, self.clock.epoch)
+        return moved
+
+    def state(self) -> dict[str, Any]:
+        """The bond clock, snow that has not come to a quantum, and the drift in the air."""
+        direction = -1.0 if self._stress_of is None else self._stress_of
+        own = {
+            "drift": self.drift_in_air,
+            "travel": self._travel,
+            "expected": self._expected,
+            "packed": self._packed,
+            "stress_of": direction,
+        }
+        return {**self.clock.state(), **self.fallen.state(), **own}
+
+    def restore(self, state: dict[str, Any]) -> None:
+        """Take up a remembered state."""
+        self.clock.restore(state)
+        self.fallen.restore(state)
+        self.drift_in_air, self._travel = float(state["drift"]), int(state["travel"])
+        self._expected, self._packed = int(state["expected"]), int(state["packed"])
+        direction = float(state["stress_of"])
+        self._stress_of = None if direction < 0.0 else direction
+
+
+def _tally(counts: NDArray[np.int64], segment: Segment, frame: WindFrame) -> Tally:
+    travel = counts[TRAVEL_ALONG] / TRAVEL_UNIT, counts[TRAVEL_ACROSS] / TRAVEL_UNIT
+    travel_x, travel_y = frame.to_map(*travel)
+    return Tally(
+        steps=segment.steps,
+        polls=segment.steps * segment.polls,
+        moved=int(counts[MOVED]),
+        left=int(counts[LEFT]),
+        entered=int(counts[ENTERED]),
+        capped=int(counts[CAPPED]),
+        travel_x=float(travel_x),
+        travel_y=float(travel_y),
+    )

@@ -1,0 +1,61 @@
+"""The layers of snow that lie on the ground at the start."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from barchan.bed import Bed
+from barchan.kernels.snow.state import density_of, pack_word, quanta_of
+from barchan.snow.clock import FIRST_EPOCH
+from barchan.snow.conditions import EPOCH_SECONDS, Conditions, quantum_heights
+from barchan.snow.pack import EPOCH, HEIGHT, SNOW, STRESS, TOP, buried_name, fields_of
+from barchan.snow.parameters import OldLayer, SnowParameters
+from barchan.streams import Stream
+
+
+def lay_first_snow(bed: Bed, parameters: SnowParameters, seed: int) -> None:
+    """Add the fields of snow to a bed: its quanta as one layer over the older layers of the parameters."""
+    shape = bed.lattice.shape
+    for field in fields_of(parameters):
+        bed.add(field, np.zeros(shape))
+    bed.arrays[STRESS][...] = 1.0
+    bed.arrays[EPOCH][...] = FIRST_EPOCH
+    layers = []
+    for number, old in enumerate(parameters.beneath):
+        word = pack_word(quanta_in(old, parameters), _epoch(old.age), old.density)
+        weak = pack_word(quanta_in(old, parameters), _epoch(old.weak_age), old.density)
+        draws = Stream(seed, "weak snow").draws(number * bed.lattice.cells, bed.lattice.cells)
+        chosen = (draws >> np.uint64(32)) < np.uint64(round(old.weak_share * 2**32))
+        layers.append(np.where(chosen.reshape(shape), weak, word).astype(np.int64))
+    density = parameters.start_density
+    if density is None:
+        density = Conditions(parameters, parameters.reference_wind, parameters.temperature).drift_density
+    kind = pack_word(0, _epoch(parameters.start_age), density)
+    own = bed.arrays[SNOW].astype(np.int64)
+    layers.append(np.where(own > 0, (own << 40) | kind, 0))
+    _stack(bed, layers)
+    bed.arrays[SNOW][...] = sum(quanta_of(layer) for layer in layers)
+    heights = quantum_heights(parameters.quantum)
+    total = sum(quanta_of(x) * heights[density_of(x).astype(np.int64)] for x in layers)
+    bed.arrays[HEIGHT][...] = total
+
+
+def quanta_in(old: OldLayer, parameters: SnowParameters) -> int:
+    """Quanta of an older layer, at least one."""
+    return max(round(old.mass / parameters.quantum), 1)
+
+
+def _epoch(hours: float) -> int:
+    """The epoch of snow that is so many hours (at -10 °C) old at the start."""
+    return max(FIRST_EPOCH - round(hours * 3600.0 / EPOCH_SECONDS), 0)
+
+
+def _stack(bed: Bed, layers: list[NDArray[np.int64]]) -> None:
+    """Write layers to the bed's fields: on each cell the uppermost on top, those beneath it buried."""
+    *older, own = layers
+    for number, layer in enumerate(older, start=1):
+        bed.arrays[buried_name(number)][...] = layer
+    bed.arrays[TOP][...] = own
+    if older:
+        bare = own == 0
+        bed.arrays[TOP][bare] = older[-1][bare]
+        bed.arrays[buried_name(len(older))][bare] = 0

@@ -1,0 +1,33 @@
+"""Small scenes of snow."""
+
+from typing import Any
+
+import barchan
+from barchan.simulation import Simulation
+
+WIND = {"kind": "steady", "speed": 10.0, "unit": "m/s"}
+
+SWITCHED_OFF: dict[str, Any] = {
+    "bonding": {"grows": False},
+    "relief": {"acts": False},
+    "creep": {"strength": 0.0},
+    "abrasion": {"rate": 0.0},
+    "packing": {"law": "none"},
+}
+
+
+def snow(mean: int = 10, wind: dict[str, Any] | None = None, seed: int = 3, **model: Any) -> Simulation:
+    """A field of 32 × 48 cells of 10 cm with ``mean`` quanta on each."""
+    lattice = model.pop("lattice", {})
+    return Simulation(
+        barchan.load(
+            {
+                "barchan": 2,
+                "lattice": {"rows": 32, "columns": 48, "cell_size": 0.1, **lattice},
+                "sand": {"kind": "flat", "mean": mean},
+                "wind": {**WIND, **(wind or {})},
+                "model": {"name": "snow", **model},
+                "run": {"steps": 10_000, "seed": seed},
+            }
+        )
+    )
