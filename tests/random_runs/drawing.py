@@ -248,6 +248,12 @@ def _in_metres(wind: dict[str, Any]) -> bool:
     )
 
 
+def _end_what_begins(data: dict[str, Any]) -> None:
+    """Leave out the last value of what has no first one."""
+    for name in ("speed", "temperature", "snowfall"):
+        data.pop("" if data.get(name) is not None else f"final_{name}", None)
+
+
 def _consistent(rng: Random, kind: type[Parameters], data: dict[str, Any]) -> dict[str, Any]:
     """Mend what keys of one group ask of one another, so that few scenarios are refused."""
     if issubclass(kind, Area):
@@ -263,9 +269,7 @@ def _consistent(rng: Random, kind: type[Parameters], data: dict[str, Any]) -> di
         data.pop("gusts")
     if data.get("unit") == "m/s" and data.get("speed") is None:
         data["speed"] = rng.choice([0.0, 4.0, 12.0, 35.0])
-    for name in ("speed", "temperature", "snowfall"):
-        if data.get(f"final_{name}") is not None and data.get(name) is None:
-            data.pop(f"final_{name}")
+    _end_what_begins(data)
     if "final_speed" in data:
         data.pop("speed_ramp", None)
     if kind.__name__ == "Regime":
