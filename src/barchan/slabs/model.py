@@ -11,16 +11,8 @@ from barchan.checked import checked, finite
 from barchan.heights import check_heights
 from barchan.kernels.bed.state import Stacks, relaxation_orders
 from barchan.kernels.core.interruption import interruptible, new_interruption
-from barchan.kernels.core.state import TRAVEL_UNIT
 from barchan.kernels.slabs.state import (
-    CAPPED,
-    ENTERED,
-    EXHAUSTED,
-    LEFT,
-    MOVED,
     TALLY_SIZE,
-    TRAVEL_ACROSS,
-    TRAVEL_ALONG,
     Schedule,
 )
 from barchan.lattice import Lattice
@@ -31,6 +23,7 @@ from barchan.slabs.obstacles import ClearDistances
 from barchan.slabs.parameters import SlabParameters
 from barchan.slabs.rules import Rules
 from barchan.slabs.stacks import is_flat, stacks_of, write_back
+from barchan.slabs.tally import tally_of
 from barchan.streams import Stream, derive
 from barchan.wind.frame import WindFrame
 from barchan.wind.segment import Segment
@@ -146,7 +139,7 @@ class SlabModel(Model):
         else:
             run()
         write_back(bed, frame, stacks)
-        return _tally(counts, segment, frame)
+        return tally_of(counts, segment, frame)
 
     def _hops_of(self, segment: Segment) -> float:
         """How many hops the slabs of a segment may take: a measure of how long it takes."""
@@ -263,19 +256,3 @@ class SlabModel(Model):
             mobility = checked(mobility, self.lattice.shape, np.float64, f"mobility of {self.title}")
         arguments = build(self.parameters, self.rules(), self.lattice, frame, hop, is_flat(bed.ground))
         return arguments, stacks_of(bed, frame, mobility)
-
-
-def _tally(counts: NDArray[np.int64], segment: Segment, frame: WindFrame) -> Tally:
-    travel = counts[TRAVEL_ALONG] / TRAVEL_UNIT, counts[TRAVEL_ACROSS] / TRAVEL_UNIT
-    travel_x, travel_y = frame.to_map(*travel)
-    return Tally(
-        steps=segment.steps,
-        polls=segment.steps * segment.polls,
-        moved=int(counts[MOVED]),
-        left=int(counts[LEFT]),
-        capped=int(counts[CAPPED]),
-        travel_x=float(travel_x),
-        travel_y=float(travel_y),
-        entered=int(counts[ENTERED]),
-        exhausted=int(counts[EXHAUSTED]),
-    )

@@ -2,7 +2,6 @@
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
@@ -14,10 +13,7 @@ from barchan.bed import Bed
 from barchan.kernels.bed.state import unstable_cells
 from barchan.kernels.core.state import TRAVEL_UNIT
 from barchan.kernels.slabs.state import (
-    CAPPED,
     ENTERED,
-    LEFT,
-    MOVED,
     TALLY_SIZE,
     TRAVEL_ACROSS,
     TRAVEL_ALONG,
@@ -25,38 +21,23 @@ from barchan.kernels.slabs.state import (
     Work,
     prepared_polls,
 )
-from barchan.kernels.snow.state import DENSITY_UNIT, Creep, Giving, Pack, SnowRules
+from barchan.kernels.snow.state import DENSITY_UNIT, SnowRules
 from barchan.lattice import Lattice
 from barchan.model import Model, Tally
-from barchan.slabs.arguments import SlabArguments, build
 from barchan.slabs.influx import INFLUX, edge_influx
-from barchan.slabs.rules import Rules
+from barchan.slabs.tally import tally_of
 from barchan.snow.clock import BondClock
-from barchan.snow.conditions import Conditions, layer_tables, relative_flux, step_seconds
-from barchan.snow.pack import SNOW, STRESS, entered, fields_of, layer_of, leave
+from barchan.snow.conditions import Conditions, relative_flux, step_seconds
+from barchan.snow.drift_meter import DRIFTING, DriftMeter
+from barchan.snow.pack import SNOW, STRESS, Field, field_of, fields_of, layer_of, leave
 from barchan.snow.packing import INTERVAL, let_pack
 from barchan.snow.parameters import HEIGHT_STEPS, SnowParameters
+from barchan.snow.rules import rules_under
 from barchan.snow.snowfall import Fallen
 from barchan.snow.start import lay_first_snow
 from barchan.streams import Stream, derive
 from barchan.wind.frame import WindFrame
 from barchan.wind.segment import Segment
-
-_DRIFTING = 0.01
-"""Drift in the air over saturation from which impacts keep loose snow moving."""
-
-_FRACTION = 1e9
-"""Parts in which the drift in the air is remembered."""
-
-
-@dataclass
-class Field:
-    """The pack in a wind's frame while a segment lasts."""
-
-    pack: Pack
-    ground: NDArray[np.int32]
-    frame: WindFrame
-    arguments: SlabArguments
 
 
 class SnowModel(Model):
@@ -75,9 +56,7 @@ class SnowModel(Model):
         self.fields = fields_of(parameters)
         self.clock = BondClock()
         self.fallen = Fallen()
-        self.drift_in_air = 0.0
-        self._travel = 0
-        self._expected = 0
+        self.drift = DriftMeter()
         self._packed = 0
         self._stress_of: float | None = None
 
@@ -140,7 +119,7 @@ class SnowModel(Model):
             self.clock.pass_time(bonding, time, steps)
             done += steps
         leave(bed, field.pack, field.ground, field.frame, self.clock.epoch)
-        return _tally(counts, segment, field.frame)
+        return tally_of(counts, segment, field.frame)
 
     def _until_due(self, segment: Segment) -> int:
         """Steps until the stress is due, one by one where snow falls: work does not depend on cuts."""
@@ -151,17 +130,14 @@ class SnowModel(Model):
 
     def _take_stock(self, field: Field, now: Conditions, stream: Stream) -> None:
         """Find the drift in the air over the last steps, ask for a new stress, and let the snow pack."""
-        self.drift_in_air = 0.0
-        if self._expected > 0:
-            self.drift_in_air = round(self._travel / self._expected * _FRACTION) / _FRACTION
-        self._travel = self._expected = 0
+        self.drift.take_stock()
         self._stress_of = None
         waited = self.clock.time - self._packed
         if self.parameters.packing.law != "none" and waited >= INTERVAL:
             let_pack(field.pack, field.ground, now, waited, derive(stream.key, -1 - self.clock.time))
             self._packed = self.clock.time
             cells = field.pack.quanta.size
-            self._relax(field, self._rules(field, now, None), np.ones(cells, np.bool_))
+            self._relax(field, self._rules(field, now), np.ones(cells, np.bool_))
 
     def _renew_stress(self, bed: Bed, field: Field, direction: float) -> None:
         """Compute the stress where that is due or the wind has turned."""
@@ -196,9 +172,9 @@ class SnowModel(Model):
 
         quanta = self.fallen.quanta(rate * seconds / self.parameters.quantum, self.lattice)
         density = self.parameters.snowfall.fresh_density(now.temperature, now.wind)
-        if now.flux > 0.0 and self.drift_in_air > _DRIFTING:
+        if now.flux > 0.0 and self.drift.share > DRIFTING:
             density = now.drift_density
-        rules = self._rules(field, now, None)
+        rules = self._rules(field, now)
         counts[ENTERED] += int(quanta.sum())
         laid = np.ascontiguousarray(field.frame.enter(quanta)).ravel()
         lay_quanta(field.pack, rules.tables.thickness, laid, rules.epoch, round(density * DENSITY_UNIT))
@@ -233,36 +209,16 @@ class SnowModel(Model):
                 let_enter(field.pack, rules, influx, own, counts)
                 run_steps(field.pack, rules, work, schedule, key, step, 1, *polls, counts)
         travelled = counts[[TRAVEL_ALONG, TRAVEL_ACROSS]] - before
-        self._travel += int(np.abs(travelled).max())
-        self._expected += round(self._saturated_travel(segment.polls, now) * TRAVEL_UNIT) * segment.steps
+        saturated = round(self._saturated_travel(segment.polls, now) * TRAVEL_UNIT) * segment.steps
+        self.drift.note(int(np.abs(travelled).max()), saturated)
 
-    def _rules(self, field: Field, now: Conditions, stress: NDArray[np.float32] | None) -> SnowRules:
-        drifting = self.drift_in_air > _DRIFTING
-        parameters = self.parameters
-        tables = layer_tables(now, drifting, self.drift_in_air, self.lattice.cell_size)
-        abrades = parameters.abrasion.rate > 0.0 and self.drift_in_air > 0.0
-        exposure = max(round(parameters.abrasion.height / HEIGHT_STEPS), 1)
-        chance = round(now.creep_chance * 2**32)
-        always = stress is None and not parameters.bonding.grows and parameters.erosion_chance == 1.0
-        return SnowRules(
-            slabs=field.arguments.rules,
-            tables=tables,
-            giving=None if always else Giving(abrades, exposure),
-            stress=stress,
-            impact_threshold=min(now.impact_threshold / max(now.stress, 1e-12), 0.999),
-            creep=Creep(np.uint64(chance)) if parameters.creep.strength > 0.0 else None,
-            epoch=self.clock.epoch,
-            density=round(now.drift_density * DENSITY_UNIT),
-            gentlest=int(tables.face_limit.min()),
-            corner_factor=math.sqrt(2.0) if parameters.neighbourhood == "moore" else 0.0,
+    def _rules(self, field: Field, now: Conditions, stress: NDArray[np.float32] | None = None) -> SnowRules:
+        return rules_under(
+            now, self.drift.share, self.lattice.cell_size, field.arguments.rules, self.clock.epoch, stress
         )
 
     def _enter(self, bed: Bed, frame: WindFrame) -> Field:
-        pack, ground = entered(bed, self.parameters, frame)
-        fine = self.lattice.model_copy(update={"slab_aspect": None, "slab_height": HEIGHT_STEPS})
-        hop = self.parameters.hop / self.lattice.cell_size
-        arguments = build(self.parameters.as_slabs(self.lattice), Rules(), fine, frame, hop, True)
-        return Field(pack, ground, frame, arguments)
+        return field_of(bed, self.parameters, self.lattice, frame)
 
     def _relax(self, field: Field, rules: SnowRules, where: NDArray[np.bool_]) -> int:
         from barchan.kernels.snow.slopes import relax_pack
@@ -275,7 +231,7 @@ class SnowModel(Model):
 
         now = Conditions(self.parameters, self.parameters.wind, self.parameters.temperature)
         field = self._enter(bed, WindFrame(0, 0.0))
-        rules = self._rules(field, now, None)
+        rules = self._rules(field, now)
         painted = bed.arrays[SNOW].ravel() - field.pack.quanta
         if painted.any():
             lay_quanta(field.pack, rules.tables.thickness, painted, rules.epoch, rules.density)
@@ -287,35 +243,14 @@ class SnowModel(Model):
     def state(self) -> dict[str, Any]:
         """The bond clock, snow that has not come to a quantum, and the drift in the air."""
         direction = -1.0 if self._stress_of is None else self._stress_of
-        own = {
-            "drift": self.drift_in_air,
-            "travel": self._travel,
-            "expected": self._expected,
-            "packed": self._packed,
-            "stress_of": direction,
-        }
-        return {**self.clock.state(), **self.fallen.state(), **own}
+        own = {"packed": self._packed, "stress_of": direction}
+        return {**self.clock.state(), **self.fallen.state(), **self.drift.state(), **own}
 
     def restore(self, state: dict[str, Any]) -> None:
         """Take up a remembered state."""
         self.clock.restore(state)
         self.fallen.restore(state)
-        self.drift_in_air, self._travel = float(state["drift"]), int(state["travel"])
-        self._expected, self._packed = int(state["expected"]), int(state["packed"])
+        self.drift.restore(state)
+        self._packed = int(state["packed"])
         direction = float(state["stress_of"])
         self._stress_of = None if direction < 0.0 else direction
-
-
-def _tally(counts: NDArray[np.int64], segment: Segment, frame: WindFrame) -> Tally:
-    travel = counts[TRAVEL_ALONG] / TRAVEL_UNIT, counts[TRAVEL_ACROSS] / TRAVEL_UNIT
-    travel_x, travel_y = frame.to_map(*travel)
-    return Tally(
-        steps=segment.steps,
-        polls=segment.steps * segment.polls,
-        moved=int(counts[MOVED]),
-        left=int(counts[LEFT]),
-        entered=int(counts[ENTERED]),
-        capped=int(counts[CAPPED]),
-        travel_x=float(travel_x),
-        travel_y=float(travel_y),
-    )

@@ -1,5 +1,7 @@
 """The snow pack between the bed's fields and the arrays that kernels work on."""
 
+from dataclasses import dataclass
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -7,6 +9,9 @@ from barchan.bed import Bed
 from barchan.fields import FieldInfo, LayerInfo
 from barchan.kernels.core.state import SIMD_WIDTH
 from barchan.kernels.snow.state import Pack, quanta_of
+from barchan.lattice import Lattice
+from barchan.slabs.arguments import SlabArguments, build
+from barchan.slabs.rules import Rules
 from barchan.snow.parameters import HEIGHT_STEPS, SnowParameters
 from barchan.wind.frame import WindFrame
 
@@ -53,6 +58,25 @@ def entered(bed: Bed, parameters: SnowParameters, frame: WindFrame) -> tuple[Pac
     count = (buried != 0).sum(axis=1).astype(np.uint8)
     counted = quanta_of(top) + quanta_of(buried).sum(axis=1)
     return Pack(buffer[SIMD_WIDTH:], counted.astype(np.int32), top, buried, count), ground
+
+
+@dataclass
+class Field:
+    """The pack in a wind's frame, and what it takes to write it back."""
+
+    pack: Pack
+    ground: NDArray[np.int32]
+    frame: WindFrame
+    arguments: SlabArguments
+
+
+def field_of(bed: Bed, parameters: SnowParameters, lattice: Lattice, frame: WindFrame) -> Field:
+    """The pack of a bed in the wind's frame, with the rules that it shares with slabs."""
+    pack, ground = entered(bed, parameters, frame)
+    fine = lattice.model_copy(update={"slab_aspect": None, "slab_height": HEIGHT_STEPS})
+    hop = parameters.hop / lattice.cell_size
+    arguments = build(parameters.as_slabs(lattice), Rules(), fine, frame, hop, True)
+    return Field(pack, ground, frame, arguments)
 
 
 def leave(bed: Bed, pack: Pack, ground: NDArray[np.int32], frame: WindFrame, epoch: int) -> None:

@@ -8,17 +8,8 @@ from barchan.aeolian.snow.density import GREATEST_DENSITY, LEAST_DENSITY
 from barchan.lattice import Lattice
 from barchan.parameters import Parameters, parameter
 from barchan.slabs.parameters import SlabParameters
-from barchan.snow.closures import (
-    Abrasion,
-    Bonding,
-    Drift,
-    Packing,
-    Relief,
-    Repose,
-    SnowCreep,
-    Snowfall,
-    Threshold,
-)
+from barchan.snow.drifting import Abrasion, Drift, Relief, SnowCreep, Threshold
+from barchan.snow.resting import Bonding, Packing, Repose, Snowfall
 
 HEIGHT_STEPS = 1e-4
 """Height (m) of a unit of the kernel's surface."""
