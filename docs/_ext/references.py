@@ -83,7 +83,8 @@ class Reference:
             return f"*{f['journal']}* {f['volume']}{number}{pages}"
         if "booktitle" in f:
             return f"In: {f['booktitle']}, {f['pages']}"
-        return f.get("publisher") or f.get("howpublished") or f"{f['type']}, {f['school']}"
+        stated = f.get("publisher") or f.get("howpublished") or f.get("institution")
+        return stated or f"{f['type']}, {f['school']}"
 
 
 @cache
