@@ -44,7 +44,7 @@ def test_the_help_of_a_command_begins_with_its_purpose(barchan, name):
 
 @pytest.mark.parametrize("name", COMMANDS)
 def test_every_argument_and_option_is_explained(barchan, monkeypatch, name):
-    monkeypatch.setenv("COLUMNS", "400")
+    monkeypatch.setenv("COLUMNS", "800")
     for line in barchan(name, "--help").out.splitlines():
         if line.startswith("│") and line.strip("│ "):
             assert len(line.strip("│ *").split("  ", 1)) == 2, line

@@ -13,6 +13,7 @@ from barchan.plants.species import Species
 from barchan.scenario import Scenario
 from barchan.slabs.hardening import Hardening
 from barchan.slabs.parameters import SlabParameters
+from barchan.snow.parameters import SnowParameters
 from barchan.wind import MixedAxes, Regime, Steady
 from barchan.wind.ramps import Points
 from barchan.wind.weather_course import Course
@@ -63,6 +64,8 @@ def group(parameters: type[Parameters]) -> st.SearchStrategy[dict[str, Any]]:
         return drawn.map(_is_a_function)
     if issubclass(parameters, GrainFlight):
         return drawn.map(_flies)
+    if issubclass(parameters, SnowParameters):
+        return drawn.map(_drifts)
     if issubclass(parameters, SlabParameters):
         return drawn.map(_lets_go_above_rest)
     return drawn.map(_one_height) if parameters is Lattice else drawn
@@ -200,3 +203,9 @@ def _goes_on(data: dict[str, Any]) -> dict[str, Any]:
     """Points whose times increase."""
     points = [{**point, "time": (at + 1) / 10} for at, point in enumerate(data["points"])]
     return {**data, "points": points}
+
+
+def _drifts(data: dict[str, Any]) -> dict[str, Any]:
+    """The reference wind moves snow, whatever it is made of, and densities of drift are in order."""
+    drift = {k: v for k, v in (data.get("drift") or {}).items() if "_density" not in k}
+    return {**data, "reference_wind": 100.0, "drift": drift}

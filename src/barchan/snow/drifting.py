@@ -28,7 +28,7 @@ class Drift(Parameters):
         gt=0,
         le=0.1,
         meaning="Roughness length of flat snow.",
-        source="measured at Niwot Ridge, as used in rescal-snow",
+        source="ours: the value that rescal-snow uses, measured at Niwot Ridge",
     )
     flux: Literal["sorensen", "pomeroy_gray"] = parameter(
         "sorensen",
@@ -123,7 +123,11 @@ class Relief(Parameters):
     """The wind over relief: shear stress by linear theory."""
 
     acts: bool = parameter(
-        True, unit="-", live=True, meaning="Whether relief changes the stress; without, it is uniform."
+        True,
+        unit="-",
+        live=True,
+        meaning="Whether relief changes the stress; without, it is uniform.",
+        source="ours",
     )
     every: int = parameter(
         5,

@@ -19,21 +19,39 @@ class OldLayer(Parameters):
     """A layer of snow that lies on the ground at the start."""
 
     mass: float = parameter(
-        10.0, unit="kg/m²", gt=0, le=1e5, meaning="Mass of the layer, rounded to whole quanta."
+        10.0,
+        unit="kg/m²",
+        ge=0.001,
+        le=1e5,
+        meaning="Mass of the layer, rounded to whole quanta.",
+        source="ours",
     )
     density: float = parameter(
-        350.0, unit="kg/m³", ge=LEAST_DENSITY, le=GREATEST_DENSITY, meaning="Density of the layer."
+        350.0,
+        unit="kg/m³",
+        ge=LEAST_DENSITY,
+        le=GREATEST_DENSITY,
+        meaning="Density of the layer.",
+        source="ours",
     )
-    age: float = parameter(24.0, unit="h", ge=0, le=1e5, meaning="Age of its bonds, in hours at -10 °C.")
+    age: float = parameter(
+        24.0, unit="h", ge=0, le=1e5, meaning="Age of its bonds, in hours at -10 °C.", source="ours"
+    )
     weak_share: float = parameter(
         0.0,
         unit="-",
         ge=0,
         le=1,
         meaning="Share of cells, chosen at random, where the layer is weak: its bonds as young as weak_age.",
+        source="ours",
     )
     weak_age: float = parameter(
-        0.1, unit="h", ge=0, le=1e5, meaning="Age of the bonds of weak cells, in hours at -10 °C."
+        0.1,
+        unit="h",
+        ge=0,
+        le=1e5,
+        meaning="Age of the bonds of weak cells, in hours at -10 °C.",
+        source="ours",
     )
 
 
@@ -52,12 +70,17 @@ class SnowParameters(Parameters):
         source="ours",
     )
     layers: int = parameter(
-        8, unit="layers", ge=2, le=16, meaning="Buried layers that a cell keeps apart; more are merged."
+        8,
+        unit="layers",
+        ge=2,
+        le=16,
+        meaning="Buried layers that a cell keeps apart; more are merged.",
+        source="ours",
     )
     hop: float = parameter(
         0.1,
         unit="m",
-        gt=0,
+        ge=0.001,
         le=100,
         scale="log",
         live=True,
@@ -68,7 +91,7 @@ class SnowParameters(Parameters):
     p_s: float = parameter(
         0.6,
         unit="-",
-        gt=0,
+        ge=0.001,
         le=1,
         live=True,
         group="transport",
@@ -88,7 +111,7 @@ class SnowParameters(Parameters):
     erosion_chance: float = parameter(
         0.5,
         unit="-",
-        gt=0,
+        ge=0.001,
         le=1,
         live=True,
         group="transport",
@@ -102,6 +125,7 @@ class SnowParameters(Parameters):
         le=1_000_000_000,
         group="transport",
         meaning="Number of hops after which a quantum is put down wherever it is, and counted.",
+        source="ours",
     )
     shadow_angle: float = parameter(
         28.0,
@@ -119,6 +143,7 @@ class SnowParameters(Parameters):
         live=True,
         group="transport",
         meaning="Cells that snow may slide to: the four faces, or the four corners too.",
+        source="ours",
     )
     band_rows: int = parameter(
         32,
@@ -127,6 +152,7 @@ class SnowParameters(Parameters):
         le=65536,
         group="transport",
         meaning="Width of the bands in which a step polls the field, in random order.",
+        source="ours",
     )
     temperature: float = parameter(
         -10.0,
@@ -136,6 +162,7 @@ class SnowParameters(Parameters):
         live=True,
         group="weather",
         meaning="Temperature of air and snow where the wind states none.",
+        source="ours",
     )
     wind: float = parameter(
         10.0,
@@ -145,6 +172,7 @@ class SnowParameters(Parameters):
         live=True,
         group="weather",
         meaning="Wind at 10 m where the wind states no speed in m/s.",
+        source="ours",
     )
     reference_wind: float = parameter(
         10.0,
@@ -163,7 +191,7 @@ class SnowParameters(Parameters):
         le=10,
         group="weather",
         meaning="Density of the air.",
-        source="the value that the thresholds are computed with",
+        source="ours: the value that the thresholds were computed with",
     )
     start_density: float | None = parameter(
         None,
@@ -172,9 +200,16 @@ class SnowParameters(Parameters):
         le=GREATEST_DENSITY,
         group="start",
         meaning="Density of the snow at the start; that of drift under the reference wind where not given.",
+        source="ours",
     )
     start_age: float = parameter(
-        0.1, unit="h", ge=0, le=1e5, group="start", meaning="Age of its bonds, in hours at -10 °C."
+        0.1,
+        unit="h",
+        ge=0,
+        le=1e5,
+        group="start",
+        meaning="Age of its bonds, in hours at -10 °C.",
+        source="ours",
     )
     beneath: tuple[OldLayer, ...] = Field(
         default=(), description="Older layers beneath the snow of the start, the lowest first."
@@ -190,8 +225,8 @@ class SnowParameters(Parameters):
     repose: Repose = Field(default_factory=Repose, description="How steep snow stands.")
 
     def as_slabs(self, lattice: Lattice) -> SlabParameters:
-        """The parameters that snow shares with slabs of sand."""
-        return SlabParameters(
+        """The parameters that snow shares with slabs of sand; a hop may be any number of cells."""
+        return SlabParameters.model_construct(
             hop_length=self.hop / lattice.cell_size,
             p_s=self.p_s,
             p_ns=self.p_ns,

@@ -14,6 +14,7 @@ class Bonding(Parameters):
         unit="-",
         live=True,
         meaning="Whether bonds grow; without, all snow stays as loose as after six minutes at -10 °C.",
+        source="ours",
     )
     exponent: float = parameter(
         0.27,
@@ -72,6 +73,7 @@ class Snowfall(Parameters):
         le=GREATEST_DENSITY,
         live=True,
         meaning="Density of fresh snow; by density_law where it is not given.",
+        source="ours",
     )
 
     def fresh_density(self, temperature: float, wind: float) -> float:
@@ -104,7 +106,7 @@ class Repose(Parameters):
         le=89,
         live=True,
         meaning="Angle of repose of loose drift.",
-        source="rescal-snow: 35 to 38 degrees",
+        source="ours, after the 35 to 38 degrees of rescal-snow",
     )
     fallen: float = parameter(
         60.0,
@@ -122,7 +124,7 @@ class Repose(Parameters):
         le=89,
         live=True,
         meaning="Angle of repose of loose snow above 0 °C.",
-        source="between dry snow and slush, 15 degrees",
+        source="ours, between dry snow and slush, 15 degrees",
     )
     fallen_below: float = parameter(
         150.0,

@@ -76,7 +76,7 @@ def threshold_stress(
     with the ``weight`` term τ_w (Pa), the coordination number N, the age t in hours of bonding at -10 °C, at
     least 0.1, and Li & Pomeroy's threshold wind U of snow at 100 kg/m³ and one hour.
     """
-    hourly = air_density * (LI_POMEROY_RATIO * hourly_threshold_wind(temperature)) ** 2 - weight
+    hourly = max(air_density * (LI_POMEROY_RATIO * hourly_threshold_wind(temperature)) ** 2 - weight, 0.0)
     bonds = coordination_number(density) / coordination_number(100.0)
     aged = np.maximum(np.asarray(age, np.float64), LOOSEST_BONDS) ** exponent
     return np.asarray(weight + hourly * bonds * aged)
