@@ -40,6 +40,9 @@ class Bed:
         self.add(GROUND, ground)
         for layer, values in zip(layers, counts, strict=True):
             self.add(layer, values)
+            if layer.height_field:
+                meaning = f"thickness of the {layer.name}"
+                self.add(FieldInfo(layer.height_field, "int32", "0.1 mm", meaning), np.zeros_like(values))
 
     @classmethod
     def from_fields(
@@ -53,7 +56,7 @@ class Bed:
         counts = [fields[layer.name] for layer in layers]
         bed = cls(lattice, fields[GROUND.name], *counts, layers=layers)
         for name in (layer.height_field for layer in layers if layer.height_field):
-            bed.add(FieldInfo(name, "int32", "0.1 mm", "thickness of the layer"), fields[name])
+            bed.arrays[name][...] = fields[name]
         for field in declared:
             if field.in_frames:
                 bed.add(field, fields[field.name])

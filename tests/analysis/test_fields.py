@@ -26,7 +26,8 @@ def test_every_field_has_a_finite_value_a_unit_and_a_meaning_everywhere(name, di
     frame, scenario = last(model={"name": name}, wind__direction=direction)
     names = field_names(frame, scenario)
     assert names == sorted(set(names))
-    assert {"elevation", "ground", "sand", "slope", "depth"} <= set(names)
+    (layer,) = scenario.layers
+    assert {"elevation", "ground", layer.name, "slope", "depth"} <= set(names)
     for field in (field_of(frame, scenario, name) for name in names):
         assert field.shape == (ROWS, COLUMNS)
         assert np.isfinite(field.values).all()

@@ -88,7 +88,7 @@ def test_a_map_measures_the_field_in_metres(painted, draw):
     assert axes.get_xlim() == (0.0, 240.0)
     assert axes.get_ylim() == (0.0, 160.0)
     assert axes.get_xlabel() == "x (m)"
-    assert figure.get_suptitle() == "Tiny, step 0, seed 7"
+    assert figure.get_suptitle() == "Tiny, changed: lattice.cell_size 10, step 0, seed 7"
 
 
 @pytest.mark.parametrize("draw", [relief_map, contour_map])

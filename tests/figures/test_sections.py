@@ -238,7 +238,7 @@ def test_a_section_says_where_it_lies_and_its_exaggeration(painted):
     figure = profile(frame, scenario, at=4 / 15)
     axes = figure.axes[0]
     first, second = axes.get_title("left").splitlines()
-    assert first == "Tiny, step 0, seed 7"
+    assert first == "Tiny, changed: lattice.cell_size 10, step 0, seed 7"
     place, factor = second.split(", vertical exaggeration ")
     assert place == "along y = 45 m"
     FigureCanvasAgg(figure).draw()

@@ -81,7 +81,7 @@ def values(annotation: Any, metadata: Any = ()) -> st.SearchStrategy[Any]:
         return group(annotation)
     if origin is Literal:
         return st.sampled_from(args)
-    if origin is list:
+    if origin in (list, tuple):
         least = max([getattr(m, "min_length", 0) for m in metadata], default=0)
         return st.lists(values(args[0]), min_size=least, max_size=least + 3)
     if origin is Union or args:

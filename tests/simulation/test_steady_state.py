@@ -21,8 +21,17 @@ def condition_of(window=20, tolerance=0.05):
 
 
 def show(condition, surface, direction=270.0):
-    """Let a condition look at a surface."""
-    return condition.check(SimpleNamespace(elevation=surface, wind_direction=direction), Tally())
+    """Let a condition look at a surface of sand on level ground."""
+    scenario = (
+        SCENARIO
+        if direction == 270.0
+        else tiny(lattice__rows=ROWS, lattice__columns=COLUMNS, wind__direction=direction)
+    )
+    bed = SimpleNamespace(ground=np.zeros(surface.shape), depth=surface - surface.min() + 1.0)
+    simulation = SimpleNamespace(
+        bed=bed, scenario=scenario, forcing=scenario.forcing(), steps_done=1, wind_direction=direction
+    )
+    return condition.check(simulation, Tally())
 
 
 def looks_until_steady(condition, surfaces):

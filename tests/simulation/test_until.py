@@ -8,7 +8,7 @@ import pytest
 from barchan.errors import BarchanError
 from barchan.measures import crest_orientation, dominant_spacing, migration
 from barchan.simulation import Simulation
-from barchan.simulation.stop import stop_conditions
+from barchan.simulation.stop import StopConditions
 from tests.tiny import RIDGES, tiny
 
 BARE = {"sand": {"kind": "flat", "mean": 0}}
@@ -136,6 +136,6 @@ def test_bedforms_under_winds_in_turn_are_looked_at_after_whole_cycles(cycle, ev
     scenario = tiny(
         wind={"kind": "regimes", "regimes": winds}, run__until={"steady": {"window": 100, "tolerance": 0.1}}
     )
-    (condition,) = stop_conditions(scenario).values()
+    (condition,) = StopConditions(scenario).values()
     assert condition.every == every
     assert (condition.looks - 1) * condition.every >= 100

@@ -31,11 +31,11 @@ REGIME = {"direction": 270.0, "steps": 5, "unit": "m/s"}
                         **REGIME,
                         "speed": 0.0,
                         "final_speed": 50.0,
-                        "course": {"kind": "points", "points": [{"time": 0.5, "value": 10.0}]},
+                        "speed_ramp": {"kind": "points", "points": [{"time": 0.5, "value": 10.0}]},
                     }
                 ],
             },
-            "wind.regimes[0].course",
+            "wind.regimes[0].speed_ramp",
         ),
     ],
 )

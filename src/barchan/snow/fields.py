@@ -9,7 +9,7 @@ from barchan.bed import Bed
 from barchan.kernels.snow.state import ONE_QUANTUM, density_of, epoch_of, quanta_of
 from barchan.model import Derived
 from barchan.snow.conditions import EPOCH_SECONDS, Conditions, quantum_heights
-from barchan.snow.pack import EPOCH, HEIGHT, SNOW, STRESS, TOP, buried_name
+from barchan.snow.pack import EPOCH, HEIGHT, SNOW, TOP, buried_name
 from barchan.snow.parameters import HEIGHT_STEPS, SnowParameters
 
 Field = NDArray[np.float64]
@@ -28,12 +28,12 @@ def layers_of(bed: Bed) -> Iterator[NDArray[np.int64]]:
 
 
 def surface_density(bed: Bed) -> Field:
-    """Density (kg/m³) of the uppermost layer; NaN on bare ground."""
+    """Density (kg/m³) of the uppermost layer; 0 on bare ground."""
     return _where_snow(bed, density_of(bed.arrays[TOP]))
 
 
 def surface_age(bed: Bed) -> Field:
-    """Age (h at -10 °C) of the bonds of the uppermost layer; NaN on bare ground."""
+    """Age (h at -10 °C) of the bonds of the uppermost layer; 0 on bare ground."""
     return _where_snow(bed, age_of(bed, bed.arrays[TOP]))
 
 
@@ -44,7 +44,7 @@ def age_of(bed: Bed, words: NDArray[np.int64]) -> Field:
 
 
 def threshold_wind(bed: Bed, now: Conditions) -> Field:
-    """Wind (m/s at 10 m) above which the uppermost layer gives snow; NaN on bare ground."""
+    """Wind (m/s at 10 m) above which the uppermost layer gives snow; 0 on bare ground."""
     stress = now.threshold(density_of(bed.arrays[TOP]), age_of(bed, bed.arrays[TOP]))
     ustar = np.sqrt(stress / now.parameters.air_density)
     speed = np.vectorize(now.parameters.drift.speed_of, otypes=[np.float64])
@@ -66,19 +66,23 @@ def loose_depth(bed: Bed, parameters: SnowParameters) -> Field:
 
 
 def mean_density(bed: Bed, quantum: float) -> Field:
-    """Mass over thickness (kg/m³) of all snow on a cell; NaN on bare ground."""
+    """Mass over thickness (kg/m³) of all snow on a cell; 0 on bare ground."""
     height = bed.arrays[HEIGHT] * HEIGHT_STEPS
     mass = bed.arrays[SNOW] * quantum
-    return np.divide(mass, height, out=np.full(height.shape, np.nan), where=height > 0.0)
+    return np.divide(mass, height, out=np.zeros(height.shape), where=height > 0.0)
 
 
 def _where_snow(bed: Bed, field: Field) -> Field:
-    return np.where(bed.arrays[TOP] >= ONE_QUANTUM, field, np.nan)
+    return np.where(bed.arrays[TOP] >= ONE_QUANTUM, field, 0.0)
 
 
 DERIVED = (
     Derived(
-        "density", "kg/m³", "density of the uppermost layer", lambda _model, bed, _wind: surface_density(bed)
+        "density",
+        "kg/m³",
+        "density of the uppermost layer",
+        lambda _model, bed, _wind: surface_density(bed),
+        least=0.0,
     ),
     Derived(
         "age",
@@ -92,6 +96,7 @@ DERIVED = (
         "m/s",
         "wind at 10 m that the uppermost layer withstands",
         lambda model, bed, wind: threshold_wind(bed, model.conditions(wind)),
+        least=0.0,
     ),
     Derived(
         "loose_depth",
@@ -105,12 +110,13 @@ DERIVED = (
         "kg/m³",
         "mass over thickness of all snow",
         lambda model, bed, _wind: mean_density(bed, model.parameters.quantum),
+        least=0.0,
     ),
     Derived(
         "stress",
         "1",
         "shear stress over that on flat snow",
-        lambda _model, bed, _wind: bed.arrays[STRESS].astype(np.float64),
+        lambda model, bed, wind: model.stress(bed.elevation, wind.direction),
         centred=True,
         least=0.0,
     ),

@@ -143,10 +143,17 @@ class SnowModel(Model):
         """Compute the stress where that is due or the wind has turned."""
         if self._stress_of == direction:
             return
-        relief = self.parameters.relief
         shape = field.frame.enter(bed.ground).shape
         height = field.frame.leave(field.pack.surface.reshape(shape)) * HEIGHT_STEPS
-        bed.arrays[STRESS][...] = bed_stress(
+        bed.arrays[STRESS][...] = self.stress(height, direction)
+        self._stress_of = direction
+
+    def stress(self, height: NDArray[np.float64], direction: float) -> NDArray[np.float64]:
+        """Shear stress on a surface (m) over that on flat snow, for a wind from ``direction`` (degrees)."""
+        relief = self.parameters.relief
+        if not relief.acts:
+            return np.ones(height.shape)
+        return bed_stress(
             height,
             self.lattice,
             direction,
@@ -154,7 +161,6 @@ class SnowModel(Model):
             saturation_angle=relief.saturation_angle,
             smoothing=relief.smoothing,
         )
-        self._stress_of = direction
 
     def _saturated_travel(self, polls: int, now: Conditions) -> float:
         """Cells that quanta travel, all together, when flat, fresh drift is polled."""
