@@ -99,6 +99,16 @@ class Overlay:
 
 
 @dataclass(frozen=True)
+class Strata:
+    """The layers of a bed from the ground up, each with a value that sections show, such as its age."""
+
+    title: str
+    unit: str
+    compute: Callable[[Any, Bed], list[tuple[NDArray, NDArray]]]
+    """Computes thickness (m) and value of each layer on every cell, the lowest first, from model and bed."""
+
+
+@dataclass(frozen=True)
 class Curve:
     """A curve that is part of a model's parameters, to be drawn."""
 
@@ -138,6 +148,9 @@ class Model(ABC):
     measures: ClassVar[tuple[ModelMeasure, ...]] = ()
     overlays: tuple[Overlay, ...] = ()
     """Fields that pictures draw over the surface; parameters may ask for more."""
+
+    strata: ClassVar[Strata | None] = None
+    """The layers that sections show, of a model that keeps any."""
 
     def __init__(self, parameters: Any, lattice: Lattice) -> None:
         """Set the model up for a lattice."""

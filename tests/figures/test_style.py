@@ -14,7 +14,7 @@ def lightness(colours):
     return colour_map(colours)(HEIGHTS)[:, :3] @ (0.2126, 0.7152, 0.0722)
 
 
-@pytest.mark.parametrize("colours", ["sand", "perceptual", "grey"])
+@pytest.mark.parametrize("colours", ["natural", "perceptual", "grey"])
 def test_lightness_changes_one_way_with_height(colours):
     steps = np.diff(lightness(colours))
     assert (steps > -1e-3).all() or (steps < 1e-3).all()
@@ -60,7 +60,7 @@ def test_a_picture_is_called_after_its_scenario(given, shown):
 
 
 def test_sand_is_lighter_upwards():
-    assert (np.diff(lightness("sand")) > 0).all()
+    assert (np.diff(lightness("natural")) > 0).all()
 
 
 def test_a_long_title_is_broken_into_lines():

@@ -6,7 +6,7 @@ from typing import Annotated, Any, Literal
 from cyclopts import Parameter
 from cyclopts.validators import Number
 
-Colours = Literal["sand", "perceptual", "grey", "red-green"]
+Colours = Literal["natural", "perceptual", "grey", "red-green"]
 
 CENTIMETRES = 2.54
 """Centimetres to the inch."""
@@ -31,8 +31,8 @@ class Drawing:
     colours: Annotated[
         Colours | None,
         _option(
-            "Colours of elevation: sand (without it), light upwards; perceptual, grey, or red-green with red "
-            "the highest. Fields are perceptual without it."
+            "Colours of elevation: those of sand or snow, light upwards (natural, without it); perceptual, "
+            "grey, or red-green with red the highest. Fields are perceptual without it."
         ),
     ] = None
     limits: Annotated[

@@ -16,7 +16,7 @@ def film(
     out: Path | None = None,
     frames_per_second: Annotated[float, Parameter(validator=Number(gte=0.1, lte=100))] = 12.0,
     size: Annotated[int, Parameter(validator=Number(gte=16, lte=8192))] = 512,
-    colours: Colours = "sand",
+    colours: Colours = "natural",
     smoothing: Annotated[float, Parameter(validator=Number(gte=0, lte=1000))] = 0.8,
     follow: Annotated[bool, Parameter(negative=())] = False,
     layers: bool = True,

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from barchan.errors import BarchanError
 from barchan.figures.maps import Limits, surface_range
 from barchan.figures.panels import colour_bar, drawn_shape, map_panel
-from barchan.figures.style import Colours, colour_map, smooth
+from barchan.figures.style import Colours, colour_map, material_of, smooth
 from barchan.scenario import Scenario
 
 if TYPE_CHECKING:
@@ -34,7 +34,7 @@ def contour_map(
     *,
     interval: float | None = None,
     count: int | None = None,
-    colours: Colours = "sand",
+    colours: Colours = "natural",
     limits: Limits = None,
     smoothing: float = 1.5,
 ) -> "Figure":
@@ -48,7 +48,7 @@ def contour_map(
     if low == high:
         low, high = surface_range(frame, scenario, show_bare=False)
     levels, apart = _levels(low, high, interval, count)
-    style = {"cmap": colour_map(colours), "vmin": low, "vmax": high}
+    style = {"cmap": colour_map(colours, material_of(scenario)), "vmin": low, "vmax": high}
     figure, axes = map_panel(scenario, frame, surface, **style)
     if levels.size and min(surface.shape) > 1 and np.ptp(surface) > 0:
         _draw(axes, scenario, surface, levels)

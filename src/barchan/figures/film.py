@@ -26,7 +26,7 @@ def film(
     *,
     frames_per_second: float = 12.0,
     size: int = 512,
-    colours: Colours = "sand",
+    colours: Colours = "natural",
     smoothing: float = SMOOTHING,
     follow: bool = False,
     layers: bool = True,

@@ -9,7 +9,7 @@ from barchan.figures.bare import bare_cells, with_bare_ground
 from barchan.figures.layers import layer_scales, overlaid
 from barchan.figures.light import lit
 from barchan.figures.panels import colour_bar, map_panel
-from barchan.figures.style import SMOOTHING, Colours, colour_map, smooth
+from barchan.figures.style import SMOOTHING, Colours, colour_map, material_of, smooth
 from barchan.scenario import Scenario
 
 if TYPE_CHECKING:
@@ -24,7 +24,7 @@ def relief_map(
     frame: "xr.Dataset",
     scenario: Scenario,
     *,
-    colours: Colours = "sand",
+    colours: Colours = "natural",
     limits: Limits = None,
     smoothing: float = SMOOTHING,
     show_bare: bool = True,
@@ -52,7 +52,10 @@ def relief_map(
     )
     figure, axes = map_panel(scenario, frame, image)
     scales = [*layer_scales(scenario)] if layers else []
-    for scale, label in [*scales, (ScalarMappable(norm, colour_map(colours)), "elevation (m)")]:
+    for scale, label in [
+        *scales,
+        (ScalarMappable(norm, colour_map(colours, material_of(scenario))), "elevation (m)"),
+    ]:
         colour_bar(figure, axes, scale, label)
     return figure
 
@@ -62,7 +65,7 @@ def shaded(
     scenario: Scenario,
     *,
     norm: "object",
-    colours: Colours = "sand",
+    colours: Colours = "natural",
     smoothing: float = 0.0,
     show_bare: bool = True,
     layers: bool = True,
@@ -73,7 +76,7 @@ def shaded(
     Slopes are lit as ``steeper`` times as steep; without it by ``light.exaggeration``.
     """
     shown = smooth(frame["elevation"].values, smoothing, scenario)
-    base = np.asarray(colour_map(colours)(norm(shown)))[..., :3]  # type: ignore[operator]
+    base = np.asarray(colour_map(colours, material_of(scenario))(norm(shown)))[..., :3]  # type: ignore[operator]
     if show_bare:
         base = with_bare_ground(base, frame, scenario, smoothing)
     if layers:

@@ -26,7 +26,7 @@ def oblique_view(
     scenario: Scenario,
     *,
     angle: float = 35.0,
-    colours: Colours = "sand",
+    colours: Colours = "natural",
     limits: Limits = None,
     smoothing: float = SMOOTHING,
     show_bare: bool = True,

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from barchan.analysis.fields import scenario_at
 from barchan.figures.bare import STANDING, standing_cells
 from barchan.figures.section_lines import Section, model_shadow, section_along_wind, through_highest
+from barchan.figures.strata import draw_strata
 from barchan.figures.style import (
     CURVE,
     GROUND,
@@ -78,7 +79,10 @@ def profile(
     axes.set_aspect(exaggeration)
     axes.set_ylim(bottom, top)
     draw_ground(axes, edges, ground, bottom, scenario, section)
-    draw_sand(axes, edges, ground, surface, line)
+    if draw_strata(figure, axes, frame, scenario, section, edges):
+        draw_shadow(axes, edges, surface, line)
+    else:
+        draw_sand(axes, edges, ground, surface, line)
     axes.set_xlim(span)
     axes.set_ylabel("elevation (m)")
     lowest.set_xlabel("distance downwind (m)")
@@ -147,10 +151,16 @@ def draw_sand(
     axes: "Axes", edges: NDArray[np.float64], ground: NDArray, surface: NDArray, line: NDArray
 ) -> None:
     """The sand of a section where there is any, and the area below the shadow line."""
-    sand, shadow = surface > ground, line > surface
+    sand = surface > ground
     if sand.any():
         tops = np.where(sand, surface, np.nan)
         axes.stairs(tops, edges, baseline=ground, fill=True, color=SAND, label="sand")
+    draw_shadow(axes, edges, surface, line)
+
+
+def draw_shadow(axes: "Axes", edges: NDArray[np.float64], surface: NDArray, line: NDArray) -> None:
+    """The area below the shadow line."""
+    shadow = line > surface
     if shadow.any():
         tops = np.where(shadow, line, np.nan)
         axes.stairs(

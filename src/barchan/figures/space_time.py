@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from barchan.figures.section_lines import section_along_wind, through_highest
 from barchan.figures.sections import section_heading
-from barchan.figures.style import Colours, colour_map, new_figure
+from barchan.figures.style import Colours, colour_map, material_of, new_figure
 from barchan.scenario import Scenario
 from barchan.wind.clock import suited_unit
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 def space_time(
-    dataset: "xr.Dataset", scenario: Scenario, *, at: float | None = None, colours: Colours = "sand"
+    dataset: "xr.Dataset", scenario: Scenario, *, at: float | None = None, colours: Colours = "natural"
 ) -> "Figure":
     """The section along the wind through the last frame's highest stack, or at ``at``, over time.
 
@@ -33,7 +33,7 @@ def space_time(
     figure = new_figure(7.2, 5.0)
     axes = figure.add_subplot()
     edges = section.edges(scenario.lattice.cell_size)
-    image = axes.pcolormesh(edges, _between(times), surface, cmap=colour_map(colours))
+    image = axes.pcolormesh(edges, _between(times), surface, cmap=colour_map(colours, material_of(scenario)))
     if surface.min() == surface.max():
         image.set_clim(float(surface.min()), float(surface.min()) + scenario.lattice.thickness)
     axes.set_xlabel("distance downwind (m)")

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from matplotlib.colors import Colormap
     from matplotlib.figure import Figure
 
-Colours = Literal["sand", "perceptual", "grey", "red-green"]
+Colours = Literal["natural", "perceptual", "grey", "red-green"]
 
 SAND = "#d9a441"
 GROUND = "#8c8278"
@@ -26,6 +26,9 @@ PALE = "#f2ead8"
 SANDS = ("#b58a50", "#dab678", "#f9e7b9")
 """Sand from the lowest to the highest: lighter upwards, so that shade alone darkens a crest's lee."""
 
+SNOWS = ("#7f9dbd", "#bcd0e4", "#fbfdff")
+"""Snow from the lowest to the highest."""
+
 DPI = 150
 """Dots per inch of pictures."""
 
@@ -33,17 +36,22 @@ SMOOTHING = 0.8
 """Cells over which surfaces are smoothed for display: single slabs then do not show as pits and steps."""
 
 
-def colour_map(colours: Colours) -> "Colormap":
-    """A colour map by its purpose; red-green has red the highest, as in the Prague thesis."""
+def colour_map(colours: Colours, material: str = "sand") -> "Colormap":
+    """A colour map by its purpose, of a material; red-green has red the highest, as in the Prague thesis."""
     import matplotlib as mpl
     from cmcrameri import cm
     from matplotlib.colors import LinearSegmentedColormap
 
-    if colours == "sand":
-        return LinearSegmentedColormap.from_list("sand", SANDS)
+    if colours == "natural":
+        return LinearSegmentedColormap.from_list("natural", SNOWS if material == "snow" else SANDS)
     if colours == "perceptual":
         return LinearSegmentedColormap.from_list("perceptual", cm.lajolla_r(np.linspace(0.02, 0.8, 256)))
     return mpl.colormaps["gray" if colours == "grey" else "RdYlGn_r"]
+
+
+def material_of(scenario: Scenario) -> str:
+    """The material of the surface, in one word."""
+    return scenario.new_model().material
 
 
 def new_figure(width: float, height: float, *, of_map: bool = False) -> "Figure":

@@ -3,7 +3,7 @@
 from typing import Literal
 
 from barchan.parameters import parameter
-from barchan.snow.fields import DERIVED
+from barchan.snow.fields import DERIVED, STRATA
 from barchan.snow.model import SnowModel
 from barchan.snow.parameters import SnowParameters
 
@@ -40,3 +40,4 @@ class Snow(SnowModel):
     )
     Parameters = SnowModelParameters
     derived = DERIVED
+    strata = STRATA

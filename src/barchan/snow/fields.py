@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from barchan.bed import Bed
 from barchan.kernels.snow.state import ONE_QUANTUM, density_of, epoch_of, quanta_of
-from barchan.model import Derived
+from barchan.model import Derived, Strata
 from barchan.snow.conditions import EPOCH_SECONDS, Conditions, quantum_heights
 from barchan.snow.pack import EPOCH, HEIGHT, SNOW, TOP, buried_name
 from barchan.snow.parameters import HEIGHT_STEPS, SnowParameters
@@ -74,6 +74,24 @@ def mean_density(bed: Bed, quantum: float) -> Field:
 
 def _where_snow(bed: Bed, field: Field) -> Field:
     return np.where(bed.arrays[TOP] >= ONE_QUANTUM, field, 0.0)
+
+
+def strata(parameters: SnowParameters, bed: Bed) -> list[tuple[Field, Field]]:
+    """Thickness (m) and age of the bonds (h at -10 °C) of all layers, the lowest first."""
+    heights = quantum_heights(parameters.quantum)
+    return [
+        (
+            np.asarray(
+                quanta_of(words) * heights[density_of(words).astype(np.int64)] * HEIGHT_STEPS, np.float64
+            ),
+            age_of(bed, words),
+        )
+        for words in reversed(list(layers_of(bed)))
+    ]
+
+
+STRATA = Strata("age of the bonds", "h at -10 °C", lambda model, bed: strata(model.parameters, bed))
+"""The layers of snow that sections show."""
 
 
 DERIVED = (
