@@ -18,14 +18,16 @@ SWITCHED_OFF: dict[str, Any] = {
 
 def snow(mean: int = 10, wind: dict[str, Any] | None = None, seed: int = 3, **model: Any) -> Simulation:
     """A field of 32 × 48 cells of 10 cm with ``mean`` quanta on each."""
-    lattice = model.pop("lattice", {})
+    lattice, influx = model.pop("lattice", {}), model.pop("influx", None)
+    blowing = {**WIND, **(wind or {})}
     return Simulation(
         barchan.load(
             {
                 "barchan": 2,
                 "lattice": {"rows": 32, "columns": 48, "cell_size": 0.1, **lattice},
                 "sand": {"kind": "flat", "mean": mean},
-                "wind": {**WIND, **(wind or {})},
+                "wind": {key: value for key, value in blowing.items() if value is not None},
+                "influx": influx,
                 "model": {"name": "snow", **model},
                 "run": {"steps": 10_000, "seed": seed},
             }

@@ -1,7 +1,7 @@
 """The bond clock: one age for all snow, counted at the rate of the present temperature.
 
 Layers keep the epoch at which they came to rest, so nothing has to be updated as snow ages. Time is summed in
-whole milliseconds: sums do not depend on how a run is cut.
+whole microseconds: sums do not depend on how a run is cut.
 """
 
 from typing import Any
@@ -11,11 +11,11 @@ from barchan.snow.conditions import EPOCH_SECONDS
 FIRST_EPOCH = 1 << 20
 """Epoch at the start of a run: twenty years at -10 °C, the oldest snow to begin with."""
 
-_EPOCH = round(EPOCH_SECONDS * 1000)
+_EPOCH = round(EPOCH_SECONDS * 1e6)
 
 
 class BondClock:
-    """Time of bonding (ms at -10 °C), and the run's time (ms)."""
+    """Time of bonding (µs at -10 °C), and the run's time (µs)."""
 
     def __init__(self) -> None:
         """Start at the first epoch."""
@@ -28,12 +28,12 @@ class BondClock:
         return self.bonding // _EPOCH
 
     def pass_time(self, bonding: int, time: int, steps: int) -> None:
-        """Let ``steps`` pass, each of ``time`` ms, in which bonds age by ``bonding`` ms."""
+        """Let ``steps`` pass, each of ``time`` µs, in which bonds age by ``bonding`` µs."""
         self.bonding += bonding * steps
         self.time += time * steps
 
     def steps_to_next_epoch(self, bonding: int) -> int:
-        """Steps, each ageing bonds by ``bonding`` ms, until the epoch changes; at least one."""
+        """Steps, each ageing bonds by ``bonding`` µs, until the epoch changes; at least one."""
         if bonding == 0:
             return 2**62
         return -(-((self.epoch + 1) * _EPOCH - self.bonding) // bonding)

@@ -145,13 +145,15 @@ def layer_tables(now: Conditions, drifting: bool, flux_share: float, cell_size: 
 def _limits(
     now: Conditions, density: NDArray[np.float64], bonded: NDArray[np.bool_], cell_size: float
 ) -> NDArray[np.int32]:
-    """Largest steps (0.1 mm) to a face neighbour that stand."""
+    """Largest steps (0.1 mm) to a face neighbour that stand: one quantum at least, however thick."""
     repose = now.parameters.repose
     wet = now.temperature > 0.0
     angle = np.where(density < repose.fallen_below, repose.fallen, repose.drift)
     angle = np.where(wet, repose.wet, angle)
     steps = np.floor(np.tan(np.radians(angle)) * cell_size / HEIGHT_STEPS + 1e-6)
-    return np.where(bonded, _NEVER, np.clip(steps, 1, _NEVER)).astype(np.int32)
+    lightest = np.arange(DENSITY_CLASSES) * (_ANY_DENSITY // DENSITY_CLASSES)
+    one_quantum = quantum_heights(now.parameters.quantum)[lightest][:, None]
+    return np.where(bonded, _NEVER, np.clip(steps, one_quantum, _NEVER)).astype(np.int32)
 
 
 _AGES = age_classes()

@@ -41,7 +41,6 @@ class Drift(Parameters):
         unit="kg/m³",
         ge=LEAST_DENSITY,
         le=GREATEST_DENSITY,
-        live=True,
         meaning="Density of snow that the wind lays down; by the wind where it is not given.",
         source="33 + 361 log10 U at 3 m: Groot Zwaaftink et al. 2013",
     )

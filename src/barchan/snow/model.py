@@ -1,7 +1,7 @@
 """What a model of snow does in a segment: it ages, lets snow fall and pack, and lets the wind drift it."""
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Hashable
 from functools import partial
 from typing import Any
 
@@ -34,7 +34,7 @@ from barchan.snow.packing import INTERVAL, let_pack
 from barchan.snow.parameters import HEIGHT_STEPS, SnowParameters
 from barchan.snow.rules import rules_under
 from barchan.snow.snowfall import Fallen
-from barchan.snow.start import lay_first_snow
+from barchan.snow.start import check_counts, lay_first_snow, start_problems
 from barchan.streams import Stream, derive
 from barchan.wind.frame import WindFrame
 from barchan.wind.segment import Segment
@@ -44,6 +44,8 @@ class SnowModel(Model):
     """A model that moves quanta of snow one at a time and keeps them in layers."""
 
     takes_influx = True
+    takes_hops = False
+    temperature_range = (-90.0, 5.0)
     material = "snow"
     work_per_second = 1e7
     Parameters = SnowParameters
@@ -58,20 +60,26 @@ class SnowModel(Model):
         self.fallen = Fallen()
         self.drift = DriftMeter()
         self._packed = 0
+        self._stock = -1
         self._stress_of: float | None = None
 
     def initialise(self, bed: Bed, seed: int) -> None:
-        """Turn the quanta of the start into layers."""
+        """Turn the quanta of the start into layers; raises ScenarioError where they cannot be counted."""
+        check_counts(bed, self.parameters)
         lay_first_snow(bed, self.parameters, seed)
 
     def problems(self, _step_seconds: float | None) -> list[tuple[str, str]]:
-        """A reference wind that moves nothing gives steps no duration."""
-        if self.step_seconds is not None:
-            return []
-        text = (
-            f"is {self.parameters.reference_wind:g} m/s, which moves no fresh drift; allowed: stronger winds"
-        )
-        return [("reference_wind", text)]
+        """Older layers that cannot be laid, and a reference wind that gives steps no duration."""
+        found = start_problems(self.parameters)
+        if self.step_seconds is None:
+            wind = self.parameters.reference_wind
+            text = f"is {wind:g} m/s, which moves no fresh drift; allowed: stronger winds"
+            found.append(("reference_wind", text))
+        return found
+
+    def slope_rules(self) -> Hashable:
+        """All that decides which slopes stand."""
+        return self.parameters.repose, self.parameters.neighbourhood, self.parameters.bonding
 
     @property
     def step_seconds(self) -> float | None:
@@ -94,7 +102,9 @@ class SnowModel(Model):
 
     def conditions(self, segment: Segment) -> Conditions:
         """Wind and temperature of a segment."""
-        wind = self.parameters.wind if segment.speed is None else segment.speed
+        wind = segment.speed
+        if wind is None:
+            wind = self.parameters.reference_wind if segment.polls else 0.0
         temperature = segment.weather.temperature
         return Conditions(
             self.parameters, wind, self.parameters.temperature if temperature is None else temperature
@@ -104,7 +114,7 @@ class SnowModel(Model):
         """Let snow age, fall and pack, and the wind drift it, step by step."""
         now = self.conditions(segment)
         seconds = (segment.step_seconds or 0.0) * segment.share
-        time, bonding = round(seconds * 1000), round(seconds * 1000 * now.rate)
+        time, bonding = round(seconds * 1e6), round(seconds * 1e6 * now.rate)
         field = self._enter(bed, WindFrame.of(segment.direction))
         counts = np.zeros(TALLY_SIZE, np.int64)
         done = 0
@@ -112,8 +122,9 @@ class SnowModel(Model):
             rest = segment.part(done, segment.steps - done)
             steps = min(rest.steps, self._until_due(rest), self.clock.steps_to_next_epoch(bonding))
             part = rest.part(0, steps)
-            if part.step % self.parameters.relief.every == 0 and part.first == 0:
+            if part.step % self.parameters.relief.every == 0 and part.step != self._stock:
                 self._take_stock(field, now, stream)
+                self._stock = part.step
             self._snow(field, part, now, seconds, counts)
             self._drift(bed, field, part, now, stream, counts)
             self.clock.pass_time(bonding, time, steps)
@@ -216,7 +227,7 @@ class SnowModel(Model):
                 run_steps(field.pack, rules, work, schedule, key, step, 1, *polls, counts)
         travelled = counts[[TRAVEL_ALONG, TRAVEL_ACROSS]] - before
         saturated = round(self._saturated_travel(segment.polls, now) * TRAVEL_UNIT) * segment.steps
-        self.drift.note(int(np.abs(travelled).max()), saturated)
+        self.drift.note(round(float(np.hypot(*travelled))), saturated)
 
     def _rules(self, field: Field, now: Conditions, stress: NDArray[np.float32] | None = None) -> SnowRules:
         return rules_under(
@@ -235,7 +246,7 @@ class SnowModel(Model):
         """Let slopes slide until all stand, once snow that was added or taken is part of the layers."""
         from barchan.kernels.snow.layers import lay_quanta
 
-        now = Conditions(self.parameters, self.parameters.wind, self.parameters.temperature)
+        now = Conditions(self.parameters, self.parameters.reference_wind, self.parameters.temperature)
         field = self._enter(bed, WindFrame(0, 0.0))
         rules = self._rules(field, now)
         painted = bed.arrays[SNOW].ravel() - field.pack.quanta
@@ -249,7 +260,7 @@ class SnowModel(Model):
     def state(self) -> dict[str, Any]:
         """The bond clock, snow that has not come to a quantum, and the drift in the air."""
         direction = -1.0 if self._stress_of is None else self._stress_of
-        own = {"packed": self._packed, "stress_of": direction}
+        own = {"packed": self._packed, "stock": self._stock, "stress_of": direction}
         return {**self.clock.state(), **self.fallen.state(), **self.drift.state(), **own}
 
     def restore(self, state: dict[str, Any]) -> None:
@@ -257,6 +268,6 @@ class SnowModel(Model):
         self.clock.restore(state)
         self.fallen.restore(state)
         self.drift.restore(state)
-        self._packed = int(state["packed"])
+        self._packed, self._stock = int(state["packed"]), int(state["stock"])
         direction = float(state["stress_of"])
         self._stress_of = None if direction < 0.0 else direction

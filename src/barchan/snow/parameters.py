@@ -63,7 +63,7 @@ class SnowParameters(Parameters):
     quantum: float = parameter(
         1.0,
         unit="kg/m²",
-        ge=0.01,
+        ge=0.1,
         le=100,
         scale="log",
         meaning="Mass of one quantum of snow on a cell; a start in slabs counts quanta.",
@@ -83,7 +83,6 @@ class SnowParameters(Parameters):
         ge=0.001,
         le=100,
         scale="log",
-        live=True,
         group="transport",
         meaning="Distance of one hop.",
         source="mean path of saltation, 0.05 to 0.3 m: Kobayashi 1972",
@@ -93,7 +92,6 @@ class SnowParameters(Parameters):
         unit="-",
         ge=0.001,
         le=1,
-        live=True,
         group="transport",
         meaning="Chance that a quantum rests where it lands on loose snow on the flat.",
         source="Werner 1995",
@@ -113,7 +111,6 @@ class SnowParameters(Parameters):
         unit="-",
         ge=0.001,
         le=1,
-        live=True,
         group="transport",
         meaning="Chance that a polled cell of flat, fresh drift gives a quantum while drift is in the air.",
         source="ours",
@@ -159,19 +156,8 @@ class SnowParameters(Parameters):
         unit="°C",
         ge=-90,
         le=5,
-        live=True,
         group="weather",
         meaning="Temperature of air and snow where the wind states none.",
-        source="ours",
-    )
-    wind: float = parameter(
-        10.0,
-        unit="m/s",
-        gt=0,
-        le=100,
-        live=True,
-        group="weather",
-        meaning="Wind at 10 m where the wind states no speed in m/s.",
         source="ours",
     )
     reference_wind: float = parameter(
@@ -181,7 +167,8 @@ class SnowParameters(Parameters):
         le=100,
         group="weather",
         meaning="Wind at 10 m, at the model's temperature, under which a step polls as many cells as the "
-        "field has; a step lasts as long as this wind takes to carry what its polls move over fresh drift.",
+        "field has; a step lasts as long as this wind takes to carry what its polls move over fresh drift. "
+        "It blows where the wind states no speed.",
         source="ours",
     )
     air_density: float = parameter(

@@ -21,7 +21,6 @@ class Bonding(Parameters):
         unit="-",
         ge=0,
         le=1,
-        live=True,
         meaning="Exponent of time in the growth of bonds.",
         source="between 0.18 (strength) and 0.36 (area of bonds) of van Herwijnen & Miller 2013, fixed on "
         "the medians of Li & Pomeroy 1997",

@@ -3,13 +3,18 @@
 import numpy as np
 from numpy.typing import NDArray
 
+from barchan.aeolian.snow.density import LEAST_DENSITY
 from barchan.bed import Bed
-from barchan.kernels.snow.state import density_of, pack_word, quanta_of
+from barchan.errors import Problem, ScenarioError
+from barchan.kernels.snow.state import MOST_QUANTA, density_of, pack_word, quanta_of
 from barchan.snow.clock import FIRST_EPOCH
 from barchan.snow.conditions import EPOCH_SECONDS, Conditions, quantum_heights
 from barchan.snow.pack import EPOCH, HEIGHT, SNOW, STRESS, TOP, buried_name, fields_of
-from barchan.snow.parameters import OldLayer, SnowParameters
+from barchan.snow.parameters import HEIGHT_STEPS, OldLayer, SnowParameters
 from barchan.streams import Stream
+
+HIGHEST = 1 << 30
+"""Height (0.1 mm) that the kernel's surface can reach with room for what a run adds."""
 
 
 def lay_first_snow(bed: Bed, parameters: SnowParameters, seed: int) -> None:
@@ -37,6 +42,37 @@ def lay_first_snow(bed: Bed, parameters: SnowParameters, seed: int) -> None:
     heights = quantum_heights(parameters.quantum)
     total = sum(quanta_of(x) * heights[density_of(x).astype(np.int64)] for x in layers)
     bed.arrays[HEIGHT][...] = total
+
+
+def start_problems(parameters: SnowParameters) -> list[tuple[str, str]]:
+    """Keys of older layers that cannot be laid, and why."""
+    found = []
+    if len(parameters.beneath) > parameters.layers:
+        text = f"has {len(parameters.beneath)} layers; allowed: up to {parameters.layers}, as layers says"
+        found.append(("beneath", text))
+    for number, old in enumerate(parameters.beneath):
+        if quanta_in(old, parameters) > MOST_QUANTA:
+            text = (
+                f"is {old.mass:g} kg/m²; allowed: up to {MOST_QUANTA} quanta of {parameters.quantum:g} kg/m²"
+            )
+            found.append((f"beneath[{number}].mass", text))
+    return found
+
+
+def check_counts(bed: Bed, parameters: SnowParameters) -> None:
+    """Raise ScenarioError for more quanta on a cell than a layer can count, or a surface too high for it."""
+    quanta = int(bed.arrays[SNOW].max())
+    if quanta > MOST_QUANTA:
+        text = f"has stacks of up to {quanta} quanta; allowed: up to {MOST_QUANTA}"
+        raise ScenarioError([Problem("sand", text)])
+    thickest = int(quantum_heights(parameters.quantum)[int(LEAST_DENSITY)])
+    total = quanta + sum(quanta_in(old, parameters) for old in parameters.beneath)
+    relief = float(np.ptp(bed.ground)) / HEIGHT_STEPS + total * thickest
+    if relief > HIGHEST:
+        text = (
+            f"and the snow on it come to {relief * HEIGHT_STEPS:.3g} m; allowed: {HIGHEST * HEIGHT_STEPS:g} m"
+        )
+        raise ScenarioError([Problem("ground", text)])
 
 
 def quanta_in(old: OldLayer, parameters: SnowParameters) -> int:

@@ -6,7 +6,6 @@ from typing import Any
 from barchan.analysis.grain_paths import follows_grains
 from barchan.models import models
 from barchan.scenario import validate
-from barchan.scenario.effects import stated_speeds
 from barchan.simulation import Simulation
 from barchan.studio.worker.brushes import brushes
 from barchan.studio.worker.frame_fields import fields_of
@@ -40,11 +39,7 @@ def description(simulation: Simulation) -> dict[str, Any]:
         "paths": follows_grains(model),
         "measures": declared_measures(simulation),
         "repose": math.degrees(math.atan(limits[0] * lattice.aspect)) if limits else None,
-        "facts": {
-            **sound.ground.facts(lattice),
-            **model.facts(),
-            **model.wind_facts(stated_speeds(sound)),
-        },
+        "facts": sound.facts(),
         "remarks": sound.remarks(simulation.bed.ground),
         "events": len(simulation.events),
     }
