@@ -26,7 +26,7 @@ def test_a_finished_run_tells_what_it_is(finished, barchan):
     assert rows["title"] == "Tiny"
     assert rows["model"] == "werner"
     assert rows["field"] == "24 × 16 cells of 1 m"
-    assert rows["slab height"] == "0.3333 m"
+    assert rows["unit"] == "slabs of 0.333 m"
     assert rows["wind"] == "from 270°"
     assert rows["seed"] == "7"
     assert rows["frames"] == "5, the last at step 20 of 20"

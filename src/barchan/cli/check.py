@@ -31,7 +31,7 @@ def check(scenario: str, /, *values: Tokens) -> None:
         model.initialise(bed, sound.seed)
     still = sound.run.steps > 0 and not can_move(sound)
     console.print(f"{scenario}: {'without mistakes, but nothing moves' if still else 'sound'}")
-    console.print(f"field: {field_size(sound.lattice)}")
+    console.print(f"field: {field_size(sound)}")
     console.print(f"steps: {sound.run.steps}")
     console.print(f"expected time: {spoken_estimate(expected_seconds(sound))}")
     console.print(f"memory: about {in_words(memory_needed(sound))}")

@@ -6,7 +6,12 @@ from typing import Annotated, Any, Literal
 from cyclopts import Parameter
 from cyclopts.validators import Number
 
+from barchan.errors import BarchanError
+
 Colours = Literal["natural", "perceptual", "grey", "red-green"]
+
+MOST_DOTS = 400_000_000
+"""Dots of the largest picture, some 20,000 by 20,000; drawing takes 16 bytes for each."""
 
 CENTIMETRES = 2.54
 """Centimetres to the inch."""
@@ -109,6 +114,12 @@ class Size:
     )
 
     def apply(self, figure: Any) -> None:
-        """Give a figure this width and height."""
+        """Give a figure this width and height; raises BarchanError for more dots than a picture may have."""
         if self.size is not None:
             figure.set_size_inches(*(side / CENTIMETRES for side in self.size))
+        width, height = (round(side * (self.dpi or figure.dpi)) for side in figure.get_size_inches())
+        if width * height > MOST_DOTS:
+            raise BarchanError(
+                f"the picture has {width} × {height} dots; allowed: up to {MOST_DOTS / 1e6:.0f} million, "
+                "so a smaller --size or fewer --dpi"
+            )

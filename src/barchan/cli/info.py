@@ -71,6 +71,7 @@ def _contents(run: Path) -> tuple[int, "Scenario", list[tuple[str, str]]]:
     """The number of frames of a run, its scenario, and its contents to read."""
     from barchan.archive import run_info
     from barchan.cli.report import resume_command
+    from barchan.scenario.summary import unit_of
 
     known = run_info(run)
     scenario = known.now
@@ -83,7 +84,7 @@ def _contents(run: Path) -> tuple[int, "Scenario", list[tuple[str, str]]]:
         ("title", scenario.title or "–"),
         ("model", scenario.model.name),
         ("field", f"{lattice.columns} × {lattice.rows} cells of {lattice.cell_size:g} m"),
-        ("slab height", f"{lattice.thickness:.4g} m"),
+        ("unit", unit_of(scenario)),
         *scenario.facts().items(),
         ("wind", scenario.wind.summary()),
         ("seed", str(scenario.run.seed)),

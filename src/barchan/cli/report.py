@@ -32,7 +32,7 @@ def print_facts(simulation: Simulation, random_seed: bool) -> None:
     if scenario.look_for:
         console.print(f"look for: {scenario.look_for}")
     seed = f"seed {scenario.run.seed}" + (" (random)" if random_seed else "")
-    console.print(f"{field_size(scenario.lattice)}, {scenario.run.steps} steps, {seed}")
+    console.print(f"{field_size(scenario)}, {scenario.run.steps} steps, {seed}")
     console.print(f"expected time: {spoken_estimate(expected_seconds(scenario))}")
     for name, fact in scenario.facts().items():
         console.print(f"{name}: {fact}")
