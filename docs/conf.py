@@ -30,7 +30,10 @@ nitpick_ignore_regex = [
     (r"py:.*", r"(collections|pathlib|typing|datetime)\..*|Path|Any|Callable|Iterator|Sequence|Mapping"),
     (r"py:.*", r"NDArray|ndarray|Figure|(int|float|bool_|u?int)\d*|integer"),
     # The kinds of wind are told with the keys of scenarios; the type of any of them is spelled out.
-    (r"py:.*", r"types\.Annotated|NoneType|barchan\.wind\.(steady|regimes|mixed_axes|recorded)\..*"),
+    (r"py:.*", r"types\.Annotated|NoneType|barchan\.wind\.(steady|regimes|mixed_axes|recorded|storms)\..*"),
+    # Types that the documented ones return or hold, and that nobody makes by hand.
+    (r"py:class", r"barchan\.wind\.(forcing|interval|records\.record)\..*"),
+    (r"py:class", r"barchan\.analysis\.declared_measures\..*"),
 ]
 
 html_theme = "furo"

@@ -12,7 +12,7 @@ from importlib.metadata import EntryPoint, entry_points
 from typing import Any
 
 from barchan.errors import BarchanError
-from barchan.model import Curve, Derived, Model, ModelMeasure, Overlay, Tally
+from barchan.model import Curve, Derived, Model, ModelMeasure, Overlay, Strata, Tally
 from barchan.parameters import Parameters, parameter
 
 _ENGINES = {
@@ -38,6 +38,7 @@ __all__ = [
     "SlabParameters",
     "SpeedupModel",
     "SpeedupParameters",
+    "Strata",
     "Tally",
     "model",
     "model_names",
