@@ -58,7 +58,7 @@ class Bed:
         for name in (layer.height_field for layer in layers if layer.height_field):
             bed.arrays[name][...] = fields[name]
         for field in declared:
-            if field.in_frames:
+            if field.in_frames or field.name in fields:
                 bed.add(field, fields[field.name])
         return bed
 

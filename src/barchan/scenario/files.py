@@ -21,6 +21,7 @@ from barchan.scenario.overrides import (
     Origin,
     Override,
     Switch,
+    default_kind,
     given_values,
     leave_behind,
     set_value,
@@ -143,10 +144,9 @@ def _plain(data: dict[str, Any], name: str) -> dict[str, Any]:
 def _name_variants(data: dict[str, Any]) -> None:
     """Where a group of several variants does not say which one it is, it is the one that is the default."""
     for name, field in Scenario.model_fields.items():
-        default = field.get_default(call_default_factory=True)
-        tag = getattr(default, "kind_key", "")
+        tag = getattr(field.get_default(call_default_factory=True), "kind_key", "")
         if tag and isinstance(data.get(name), dict) and tag not in data[name]:
-            data[name] = {tag: getattr(default, tag), **data[name]}
+            data[name] = {tag: default_kind(field, tag), **data[name]}
 
 
 def _find(source: str) -> tuple[str, str]:

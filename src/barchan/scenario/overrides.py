@@ -166,13 +166,14 @@ def switches(data: dict[str, Any], given: Sequence[Given]) -> Iterator[Switch]:
         kinds = [] if field is None else [kind for kind in variants(field.annotation) if kind.kind_key]
         if not kinds or kinds[0].kind_key != one.path[-1]:
             continue
-        old = group.get(one.path[-1], _default_kind(field, kinds[0].kind_key))
+        old = group.get(one.path[-1], default_kind(field, kinds[0].kind_key))
         names = [kind.model_fields[kind.kind_key].default for kind in kinds]
         if old != one.value and one.value in names:
             yield Switch(one.path[:-1], str(old), one.value)
 
 
-def _default_kind(field: Any, tag: str) -> str | None:
+def default_kind(field: Any, tag: str) -> str | None:
+    """The variant that a group of several has by default; None where it has none."""
     default = field.get_default(call_default_factory=True)
     return getattr(default, tag, None)
 

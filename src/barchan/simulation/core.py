@@ -9,7 +9,6 @@ from numpy.typing import NDArray
 
 from barchan.bed import Bed
 from barchan.errors import BarchanError
-from barchan.fields import GROUND
 from barchan.lattice import Lattice
 from barchan.models import Model, Tally
 from barchan.scenario import Scenario, validate
@@ -259,11 +258,9 @@ class Simulation:
         now = validate({**data["scenario"], "model": data["model"], "wind": data["wind"]}, "state")
         simulation.model.change(now.model)
         simulation.wind = now.wind
-        layers, fields = simulation.model.layers, state.group("bed/")
-        counts = [fields[layer.name] for layer in layers]
-        bed = simulation.bed = Bed(simulation.lattice, fields[GROUND.name], *counts, layers=layers)
-        for field in simulation.model.fields:
-            bed.add(field, fields[field.name])
+        model = simulation.model
+        bed = Bed.from_fields(simulation.lattice, state.group("bed/"), model.fields, model.layers)
+        simulation.bed = bed
         simulation.model.restore(state.group("model/"))
         simulation.steps_done = data["step"]
         simulation._framed = data["framed"]

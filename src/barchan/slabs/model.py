@@ -28,7 +28,7 @@ from barchan.streams import Stream, derive
 from barchan.wind.frame import WindFrame
 from barchan.wind.segment import Segment
 
-_SHORT = 500_000
+SHORT = 500_000
 """Hops that take so short that no signal need interrupt them: some tens of milliseconds."""
 
 _CELL_BYTES = 24
@@ -134,7 +134,7 @@ class SlabModel(Model):
                     let_enter(stacks, rules, work, influx, key, counts)
                     run_steps(stacks, rules, work, schedule, np.uint64(stream.key), step, 1, *polls, counts)
 
-        if self._hops_of(segment) > _SHORT:
+        if self._hops_of(segment) > SHORT:
             interruptible(run, interruption)
         else:
             run()

@@ -9,13 +9,16 @@ from numpy.typing import NDArray
 
 from barchan.aeolian.snow.bonding import LOOSEST_BONDS, bonding_rate, threshold_stress
 from barchan.aeolian.snow.drift import IMPACT_STRESS
+from barchan.fields import HEIGHT_UNIT
 from barchan.kernels.snow.state import (
     AGE_CLASSES,
     DENSITY_CLASSES,
     LayerTables,
     age_classes,
+    density_of,
+    quanta_of,
 )
-from barchan.snow.parameters import HEIGHT_STEPS, SnowParameters
+from barchan.snow.parameters import SnowParameters
 
 EPOCH_SECONDS = 600.0
 """Duration (s at -10 °C) of an epoch of bonding."""
@@ -150,7 +153,7 @@ def _limits(
     wet = now.temperature > 0.0
     angle = np.where(density < repose.fallen_below, repose.fallen, repose.drift)
     angle = np.where(wet, repose.wet, angle)
-    steps = np.floor(np.tan(np.radians(angle)) * cell_size / HEIGHT_STEPS + 1e-6)
+    steps = np.floor(np.tan(np.radians(angle)) * cell_size / HEIGHT_UNIT + 1e-6)
     lightest = np.arange(DENSITY_CLASSES) * (_ANY_DENSITY // DENSITY_CLASSES)
     one_quantum = quantum_heights(now.parameters.quantum)[lightest][:, None]
     return np.where(bonded, _NEVER, np.clip(steps, one_quantum, _NEVER)).astype(np.int32)
@@ -171,8 +174,14 @@ def _classes(drift: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     return density[:, None], hours[None, :]
 
 
+def thickness_of(words: NDArray[np.int64], quantum: float) -> NDArray[np.int64]:
+    """Thickness (0.1 mm) of packed layers of quanta of a mass (kg/m²)."""
+    heights = quantum_heights(quantum)[density_of(words).astype(np.int64)]
+    return np.asarray(quanta_of(words) * heights)
+
+
 @lru_cache(maxsize=8)
 def quantum_heights(quantum: float) -> NDArray[np.int32]:
     """Height (0.1 mm) of a quantum (kg/m²) by density in whole kg/m³."""
     density = np.maximum(np.arange(_ANY_DENSITY), 1)
-    return np.maximum(np.rint(quantum / density / HEIGHT_STEPS), 1).clip(max=2**30).astype(np.int32)
+    return np.maximum(np.rint(quantum / density / HEIGHT_UNIT), 1).clip(max=2**30).astype(np.int32)

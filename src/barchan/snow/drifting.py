@@ -1,14 +1,15 @@
 """Closures of drifting snow: groups of parameters of the wind's part, each of which can be switched off."""
 
-import math
 from typing import Literal, Self
 
+import numpy as np
+from numpy.typing import NDArray
 from pydantic import model_validator
 
 from barchan.aeolian.snow.bonding import weight_threshold
 from barchan.aeolian.snow.density import GREATEST_DENSITY, LEAST_DENSITY, drift_density
-from barchan.aeolian.snow.drift import FLUX_LAWS, FRICTION_LAWS
-from barchan.aeolian.wall import KARMAN
+from barchan.aeolian.snow.drift import FLUX_LAWS, FRICTION_LAWS, WINDS, log_law
+from barchan.aeolian.wall import speed_at
 from barchan.parameters import Parameters, parameter
 
 
@@ -78,18 +79,16 @@ class Drift(Parameters):
         """Density (kg/m³) of drift that a wind (m/s at 10 m) lays down."""
         if self.density is not None:
             return self.density
-        at_3m = wind * math.log(3.0 / self.roughness) / math.log(10.0 / self.roughness)
+        at_3m = speed_at(log_law(wind, self.roughness), 3.0, self.roughness)
         return drift_density(at_3m, self.least_density, self.greatest_density)
 
     def mass_flux(self, ustar: float, threshold: float, air_density: float) -> float:
         """Saturated flux (kg/m/s)."""
         return float(FLUX_LAWS[self.flux](ustar, threshold, air_density))  # type: ignore[arg-type]
 
-    def speed_of(self, ustar: float) -> float:
-        """Wind (m/s at 10 m) of a friction velocity (m/s)."""
-        if self.friction == "saltating":
-            return float((ustar / 0.02264) ** (1.0 / 1.295))
-        return ustar * math.log(10.0 / self.roughness) / KARMAN
+    def speed_of(self, ustar: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Winds (m/s at 10 m) of friction velocities (m/s)."""
+        return WINDS[self.friction](ustar, self.roughness)
 
 
 class Threshold(Parameters):

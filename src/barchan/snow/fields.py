@@ -6,11 +6,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from barchan.bed import Bed
-from barchan.kernels.snow.state import ONE_QUANTUM, density_of, epoch_of, quanta_of
+from barchan.fields import HEIGHT_UNIT
+from barchan.kernels.snow.state import ONE_QUANTUM, density_of, epoch_of
 from barchan.model import Derived, Strata
-from barchan.snow.conditions import EPOCH_SECONDS, Conditions, quantum_heights
+from barchan.snow.conditions import EPOCH_SECONDS, Conditions, thickness_of
 from barchan.snow.pack import EPOCH, HEIGHT, SNOW, TOP, buried_name
-from barchan.snow.parameters import HEIGHT_STEPS, SnowParameters
+from barchan.snow.parameters import SnowParameters
 
 Field = NDArray[np.float64]
 
@@ -47,29 +48,31 @@ def threshold_wind(bed: Bed, now: Conditions) -> Field:
     """Wind (m/s at 10 m) above which the uppermost layer gives snow; 0 on bare ground."""
     stress = now.threshold(density_of(bed.arrays[TOP]), age_of(bed, bed.arrays[TOP]))
     ustar = np.sqrt(stress / now.parameters.air_density)
-    speed = np.vectorize(now.parameters.drift.speed_of, otypes=[np.float64])
-    return _where_snow(bed, speed(ustar))
+    return _where_snow(bed, now.parameters.drift.speed_of(ustar))
 
 
 def loose_depth(bed: Bed, parameters: SnowParameters) -> Field:
     """Thickness (m) of the snow that has not bonded, down to the first bonded layer."""
-    heights = quantum_heights(parameters.quantum)
     depth = np.zeros(bed.lattice.shape)
     above = np.ones(bed.lattice.shape, np.bool_)
     for words in layers_of(bed):
         held = words >= ONE_QUANTUM
         bonded = (age_of(bed, words) >= parameters.bonding.loose_hours) & parameters.bonding.grows
         above &= ~(held & bonded)
-        thickness = quanta_of(words) * heights[density_of(words).astype(np.int64)] * HEIGHT_STEPS
-        depth += np.where(above & held, thickness, 0.0)
+        depth += np.where(above & held, _thickness(words, parameters), 0.0)
     return depth
 
 
 def mean_density(bed: Bed, quantum: float) -> Field:
     """Mass over thickness (kg/m³) of all snow on a cell; 0 on bare ground."""
-    height = bed.arrays[HEIGHT] * HEIGHT_STEPS
+    height = bed.arrays[HEIGHT] * HEIGHT_UNIT
     mass = bed.arrays[SNOW] * quantum
     return np.divide(mass, height, out=np.zeros(height.shape), where=height > 0.0)
+
+
+def _thickness(words: NDArray[np.int64], parameters: SnowParameters) -> Field:
+    """Thickness (m) of packed layers."""
+    return thickness_of(words, parameters.quantum).astype(np.float64) * HEIGHT_UNIT
 
 
 def _where_snow(bed: Bed, field: Field) -> Field:
@@ -78,16 +81,7 @@ def _where_snow(bed: Bed, field: Field) -> Field:
 
 def strata(parameters: SnowParameters, bed: Bed) -> list[tuple[Field, Field]]:
     """Thickness (m) and age of the bonds (h at -10 °C) of all layers, the lowest first."""
-    heights = quantum_heights(parameters.quantum)
-    return [
-        (
-            np.asarray(
-                quanta_of(words) * heights[density_of(words).astype(np.int64)] * HEIGHT_STEPS, np.float64
-            ),
-            age_of(bed, words),
-        )
-        for words in reversed(list(layers_of(bed)))
-    ]
+    return [(_thickness(words, parameters), age_of(bed, words)) for words in reversed(list(layers_of(bed)))]
 
 
 STRATA = Strata("age of the bonds", "h at -10 °C", lambda model, bed: strata(model.parameters, bed))

@@ -10,7 +10,8 @@ from numpy.typing import NDArray
 
 from barchan.aeolian.bed_stress import bed_stress
 from barchan.bed import Bed
-from barchan.kernels.bed.state import unstable_cells
+from barchan.fields import HEIGHT_UNIT
+from barchan.kernels.core.interruption import interruptible
 from barchan.kernels.core.state import TRAVEL_UNIT
 from barchan.kernels.slabs.state import (
     ENTERED,
@@ -25,13 +26,14 @@ from barchan.kernels.snow.state import DENSITY_UNIT, SnowRules
 from barchan.lattice import Lattice
 from barchan.model import Model, Tally
 from barchan.slabs.influx import INFLUX, edge_influx
+from barchan.slabs.model import SHORT
 from barchan.slabs.tally import tally_of
 from barchan.snow.clock import BondClock
 from barchan.snow.conditions import Conditions, relative_flux, step_seconds
 from barchan.snow.drift_meter import DRIFTING, DriftMeter
 from barchan.snow.pack import SNOW, STRESS, Field, field_of, fields_of, layer_of, leave
 from barchan.snow.packing import INTERVAL, let_pack
-from barchan.snow.parameters import HEIGHT_STEPS, SnowParameters
+from barchan.snow.parameters import SnowParameters
 from barchan.snow.rules import rules_under
 from barchan.snow.snowfall import Fallen
 from barchan.snow.start import check_counts, lay_first_snow, start_problems
@@ -155,7 +157,7 @@ class SnowModel(Model):
         if self._stress_of == direction:
             return
         shape = field.frame.enter(bed.ground).shape
-        height = field.frame.leave(field.pack.surface.reshape(shape)) * HEIGHT_STEPS
+        height = field.frame.leave(field.pack.surface.reshape(shape)) * HEIGHT_UNIT
         bed.arrays[STRESS][...] = self.stress(height, direction)
         self._stress_of = direction
 
@@ -217,14 +219,24 @@ class SnowModel(Model):
         before = counts[[TRAVEL_ALONG, TRAVEL_ACROSS]].copy()
         polls = segment.first, segment.polls
         if segment.influx is None:
-            run_steps(field.pack, rules, work, schedule, key, segment.step, segment.steps, *polls, counts)
+
+            def run() -> None:
+                run_steps(field.pack, rules, work, schedule, key, segment.step, segment.steps, *polls, counts)
+
         else:
             saturated = self._saturated_travel(segment.polls, now) / self.lattice.cells
             influx = edge_influx(segment, saturated, self.lattice, field.frame)
-            for step in range(segment.step, segment.step + segment.steps):
-                own = np.uint64(derive(derive(derive(stream.key, step), INFLUX), segment.first))
-                let_enter(field.pack, rules, influx, own, counts)
-                run_steps(field.pack, rules, work, schedule, key, step, 1, *polls, counts)
+
+            def run() -> None:
+                for step in range(segment.step, segment.step + segment.steps):
+                    own = np.uint64(derive(derive(derive(stream.key, step), INFLUX), segment.first))
+                    let_enter(field.pack, rules, influx, own, counts)
+                    run_steps(field.pack, rules, work, schedule, key, step, 1, *polls, counts)
+
+        if segment.steps * segment.polls > SHORT:
+            interruptible(run, rules.slabs.interruption)
+        else:
+            run()
         travelled = counts[[TRAVEL_ALONG, TRAVEL_ACROSS]] - before
         saturated = round(self._saturated_travel(segment.polls, now) * TRAVEL_UNIT) * segment.steps
         self.drift.note(round(float(np.hypot(*travelled))), saturated)
@@ -240,7 +252,7 @@ class SnowModel(Model):
     def _relax(self, field: Field, rules: SnowRules, where: NDArray[np.bool_]) -> int:
         from barchan.kernels.snow.slopes import relax_pack
 
-        return int(relax_pack(field.pack, where, unstable_cells(where.size), rules))
+        return relax_pack(field.pack, where, rules)
 
     def relax(self, bed: Bed, where: NDArray[np.bool_] | None = None) -> int:
         """Let slopes slide until all stand, once snow that was added or taken is part of the layers."""

@@ -6,13 +6,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from barchan.bed import Bed
-from barchan.fields import FieldInfo, LayerInfo
+from barchan.fields import HEIGHT_UNIT, FieldInfo, LayerInfo
 from barchan.kernels.core.state import SIMD_WIDTH
 from barchan.kernels.snow.state import Pack, quanta_of
 from barchan.lattice import Lattice
 from barchan.slabs.arguments import SlabArguments, build
 from barchan.slabs.rules import Rules
-from barchan.snow.parameters import HEIGHT_STEPS, SnowParameters
+from barchan.snow.parameters import SnowParameters
 from barchan.wind.frame import WindFrame
 
 SNOW, HEIGHT, TOP, STRESS, EPOCH = "snow", "snow_height", "snow_top", "snow_stress", "snow_epoch"
@@ -34,7 +34,6 @@ def fields_of(parameters: SnowParameters) -> tuple[FieldInfo, ...]:
     """The declarations of the fields of snow."""
     packed = "quanta, epoch and density, in 20, 24 and 16 bits"
     return (
-        FieldInfo(HEIGHT, "int32", "0.1 mm", "thickness of the snow"),
         FieldInfo(TOP, "int64", "-", f"uppermost layer of snow: {packed}"),
         FieldInfo(EPOCH, "int32", "600 s at -10 °C", "present epoch of bonding, the same everywhere"),
         FieldInfo(STRESS, "float32", "1", "shear stress over that on flat snow", centre=1.0),
@@ -47,7 +46,7 @@ def fields_of(parameters: SnowParameters) -> tuple[FieldInfo, ...]:
 
 def entered(bed: Bed, parameters: SnowParameters, frame: WindFrame) -> tuple[Pack, NDArray[np.int32]]:
     """The pack of a bed in the wind's frame, and the ground (0.1 mm over its lowest) under it."""
-    ground = frame.enter(np.rint((bed.ground - bed.ground.min()) / HEIGHT_STEPS).astype(np.int32))
+    ground = frame.enter(np.rint((bed.ground - bed.ground.min()) / HEIGHT_UNIT).astype(np.int32))
     ground = np.ascontiguousarray(ground).ravel()
     buried = np.zeros((ground.size, parameters.layers), np.int64)
     for k in range(parameters.layers):
@@ -73,7 +72,7 @@ class Field:
 def field_of(bed: Bed, parameters: SnowParameters, lattice: Lattice, frame: WindFrame) -> Field:
     """The pack of a bed in the wind's frame, with the rules that it shares with slabs."""
     pack, ground = entered(bed, parameters, frame)
-    fine = lattice.model_copy(update={"slab_aspect": None, "slab_height": HEIGHT_STEPS})
+    fine = lattice.model_copy(update={"slab_aspect": None, "slab_height": HEIGHT_UNIT})
     hop = parameters.hop / lattice.cell_size
     arguments = build(parameters.as_slabs(lattice), Rules(), fine, frame, hop, True)
     return Field(pack, ground, frame, arguments)

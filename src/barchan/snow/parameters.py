@@ -11,9 +11,6 @@ from barchan.slabs.parameters import SlabParameters
 from barchan.snow.drifting import Abrasion, Drift, Relief, SnowCreep, Threshold
 from barchan.snow.resting import Bonding, Packing, Repose, Snowfall
 
-HEIGHT_STEPS = 1e-4
-"""Height (m) of a unit of the kernel's surface."""
-
 
 class OldLayer(Parameters):
     """A layer of snow that lies on the ground at the start."""

@@ -5,11 +5,11 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from barchan.fields import HEIGHT_UNIT
 from barchan.kernels.slabs.state import SlabRules
 from barchan.kernels.snow.state import DENSITY_UNIT, Creep, Giving, SnowRules
 from barchan.snow.conditions import Conditions, layer_tables
 from barchan.snow.drift_meter import DRIFTING
-from barchan.snow.parameters import HEIGHT_STEPS
 
 
 def rules_under(
@@ -27,7 +27,7 @@ def rules_under(
     parameters = now.parameters
     tables = layer_tables(now, drift > DRIFTING, drift, cell_size)
     always = stress is None and not parameters.bonding.grows and parameters.erosion_chance == 1.0
-    exposure = max(round(parameters.abrasion.height / HEIGHT_STEPS), 1)
+    exposure = max(round(parameters.abrasion.height / HEIGHT_UNIT), 1)
     giving = Giving(parameters.abrasion.rate > 0.0 and drift > 0.0, exposure)
     chance = np.uint64(round(now.creep_chance * 2**32))
     return SnowRules(

@@ -6,11 +6,12 @@ from numpy.typing import NDArray
 from barchan.aeolian.snow.density import LEAST_DENSITY
 from barchan.bed import Bed
 from barchan.errors import Problem, ScenarioError
-from barchan.kernels.snow.state import MOST_QUANTA, density_of, pack_word, quanta_of
+from barchan.fields import HEIGHT_UNIT
+from barchan.kernels.snow.state import MOST_QUANTA, pack_word, quanta_of
 from barchan.snow.clock import FIRST_EPOCH
-from barchan.snow.conditions import EPOCH_SECONDS, Conditions, quantum_heights
+from barchan.snow.conditions import EPOCH_SECONDS, Conditions, quantum_heights, thickness_of
 from barchan.snow.pack import EPOCH, HEIGHT, SNOW, STRESS, TOP, buried_name, fields_of
-from barchan.snow.parameters import HEIGHT_STEPS, OldLayer, SnowParameters
+from barchan.snow.parameters import OldLayer, SnowParameters
 from barchan.streams import Stream
 
 HIGHEST = 1 << 30
@@ -39,9 +40,7 @@ def lay_first_snow(bed: Bed, parameters: SnowParameters, seed: int) -> None:
     layers.append(np.where(own > 0, (own << 40) | kind, 0))
     _stack(bed, layers)
     bed.arrays[SNOW][...] = sum(quanta_of(layer) for layer in layers)
-    heights = quantum_heights(parameters.quantum)
-    total = sum(quanta_of(x) * heights[density_of(x).astype(np.int64)] for x in layers)
-    bed.arrays[HEIGHT][...] = total
+    bed.arrays[HEIGHT][...] = sum(thickness_of(layer, parameters.quantum) for layer in layers)
 
 
 def start_problems(parameters: SnowParameters) -> list[tuple[str, str]]:
@@ -67,10 +66,10 @@ def check_counts(bed: Bed, parameters: SnowParameters) -> None:
         raise ScenarioError([Problem("sand", text)])
     thickest = int(quantum_heights(parameters.quantum)[int(LEAST_DENSITY)])
     total = quanta + sum(quanta_in(old, parameters) for old in parameters.beneath)
-    relief = float(np.ptp(bed.ground)) / HEIGHT_STEPS + total * thickest
+    relief = float(np.ptp(bed.ground)) / HEIGHT_UNIT + total * thickest
     if relief > HIGHEST:
         text = (
-            f"and the snow on it come to {relief * HEIGHT_STEPS:.3g} m; allowed: {HIGHEST * HEIGHT_STEPS:g} m"
+            f"and the snow on it come to {relief * HEIGHT_UNIT:.3g} m; allowed: {HIGHEST * HEIGHT_UNIT:g} m"
         )
         raise ScenarioError([Problem("ground", text)])
 

@@ -6,7 +6,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from barchan.aeolian.grains import GRAVITY
-from barchan.aeolian.wall import friction_velocity
+from barchan.aeolian.wall import REFERENCE_HEIGHT, friction_velocity, speed_at
+
+_SALTATING, _EXPONENT = 0.02264, 1.295
+"""Coefficient and exponent of Pomeroy & Gray (1990)."""
 
 IMPACT_STRESS = 0.64
 """Stress at which drift dies out over the stress that starts it: friction velocities as 0.8 to 1."""
@@ -14,16 +17,33 @@ IMPACT_STRESS = 0.64
 
 def log_law(wind: float, roughness: float) -> float:
     """Friction velocity (m/s) of a wind (m/s at 10 m) over a roughness length (m)."""
-    return friction_velocity(wind, 10.0, roughness)
+    return friction_velocity(wind, REFERENCE_HEIGHT, roughness)
 
 
 def saltating(wind: float, _roughness: float) -> float:
     """Friction velocity (m/s) over snow that saltates, 0.02264 U^1.295 (Pomeroy & Gray 1990)."""
-    return float(0.02264 * wind**1.295)
+    return float(_SALTATING * wind**_EXPONENT)
 
 
 FRICTION_LAWS: dict[str, Callable[[float, float], float]] = {"log": log_law, "saltating": saltating}
 """Friction velocity (m/s) by name, of the wind (m/s at 10 m) and the roughness length (m)."""
+
+
+def log_wind(ustar: NDArray[np.float64], roughness: float) -> NDArray[np.float64]:
+    """Winds (m/s at 10 m) of friction velocities (m/s) over a roughness length (m): ``log_law`` inverted."""
+    return speed_at(ustar, REFERENCE_HEIGHT, roughness)
+
+
+def saltating_wind(ustar: NDArray[np.float64], _roughness: float) -> NDArray[np.float64]:
+    """Winds (m/s at 10 m) of friction velocities (m/s) over snow that saltates: ``saltating`` inverted."""
+    return np.asarray((ustar / _SALTATING) ** (1.0 / _EXPONENT))
+
+
+WINDS: dict[str, Callable[[NDArray[np.float64], float], NDArray[np.float64]]] = {
+    "log": log_wind,
+    "saltating": saltating_wind,
+}
+"""Winds (m/s at 10 m) by name, of friction velocities (m/s) and the roughness length (m)."""
 
 
 def sorensen(ustar: NDArray[np.float64], threshold: float, air_density: float) -> NDArray[np.float64]:

@@ -4,6 +4,7 @@ import numpy as np
 from numba import njit
 
 from barchan.kernels.bed.state import Grid
+from barchan.kernels.core.internal import internal
 
 ROW_STEP = np.array([0, 1, 0, -1, 1, 1, -1, -1])
 
@@ -24,3 +25,21 @@ def neighbour(row: int, col: int, direction: int, grid: Grid) -> tuple[int, int]
             return row, col
         c = c + grid.cols if c < 0 else c - grid.cols
     return r, c
+
+
+@internal(forceinline=True)
+def beside(row, col, grid):
+    """Rows to the north and south of a cell, and columns to its east and west; its own at an open edge."""
+    north = row + 1
+    if north == grid.rows:
+        north = 0 if grid.wrap_across else row
+    south = row - 1
+    if south < 0:
+        south = grid.rows - 1 if grid.wrap_across else row
+    east = col + 1
+    if east == grid.cols:
+        east = 0 if grid.wrap_along else col
+    west = col - 1
+    if west < 0:
+        west = grid.cols - 1 if grid.wrap_along else col
+    return north, south, east, west

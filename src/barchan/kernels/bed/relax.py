@@ -128,7 +128,7 @@ def relax_queue(stacks, orders, unstable, progress, most, key, grid, repose, mix
 
 
 @njit(cache=True, nogil=True)
-def _enqueue_all(unstable, where, grid):
+def enqueue_all(unstable, where, grid):
     """Put the cells ``where`` (bool, flat) something changed and neighbours on the queue; its length."""
     length = 0
     for cell in range(where.size):
@@ -159,7 +159,7 @@ def relax_field(
     listens (``progress``) is told of the slabs that slid and the cells whose slopes have still to be checked.
     """
     unstable = unstable_cells(grid.rows * grid.cols)
-    progress = 0, _enqueue_all(unstable, where, grid), 0, 0
+    progress = 0, enqueue_all(unstable, where, grid), 0, 0
     while progress[1] > 0:
         progress = _relax_some(stacks, orders, unstable, progress, grid, repose, mixture)
         report(f"slopes relax: {progress[3]:,} slabs have slid, {progress[1]:,} cells still to be checked")

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from barchan.kernels.bed.grid import neighbour
+from barchan.kernels.bed.grid import beside, neighbour
 from barchan.kernels.bed.state import (
     BARRED,
     DOWNSLOPE,
@@ -93,18 +93,7 @@ def steepest(stacks, orders, order, row, col, here, sign, at_rest, grid, repose)
         repose.stabilised_below,
     )
     here_cell = np.uint64(row * grid.cols + col)
-    north = row + 1
-    if north == grid.rows:
-        north = 0 if grid.wrap_across else row
-    south = row - 1
-    if south < 0:
-        south = grid.rows - 1 if grid.wrap_across else row
-    east = col + 1
-    if east == grid.cols:
-        east = 0 if grid.wrap_along else col
-    west = col - 1
-    if west < 0:
-        west = grid.cols - 1 if grid.wrap_along else col
+    north, south, east, west = beside(row, col, grid)
     n = np.uint64(north * grid.cols)
     s = np.uint64(south * grid.cols)
     level = np.uint64(row * grid.cols)

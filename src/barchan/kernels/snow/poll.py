@@ -110,7 +110,7 @@ def carry(pack, rules, heights, along, across, travelled, state, peak):
     way_along, way_across = np.int64(0), np.int64(0)
     row, col = across >> 32, along >> 32
     hops, stays = 0, False
-    while not stays and hops < wind.max_hops:
+    while not stays and hops < wind.max_hops and slabs.interruption[0] == 0:
         if hops > 0 or not travelled:
             along = wrapped(along + wind.hop_along, grid.cols, grid.wrap_along)
             if wind.hop_across != 0:

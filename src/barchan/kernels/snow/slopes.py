@@ -2,15 +2,28 @@
 
 import numpy as np
 from numba import njit
+from numpy.typing import NDArray
 
-from barchan.kernels.bed.grid import neighbour
-from barchan.kernels.bed.relax import CHECKED, enqueue, enqueue_about
-from barchan.kernels.bed.state import BARRED, DOWNSLOPE, EAST, NORTH, SOUTH, STABLE, UPSLOPE, WEST
+from barchan.kernels.bed.grid import beside, neighbour
+from barchan.kernels.bed.relax import BATCH, CHECKED, enqueue, enqueue_about, enqueue_all
+from barchan.kernels.bed.state import (
+    BARRED,
+    DOWNSLOPE,
+    EAST,
+    NORTH,
+    SOUTH,
+    STABLE,
+    UPSLOPE,
+    WEST,
+    unstable_cells,
+)
 from barchan.kernels.core.borrow import borrowed
 from barchan.kernels.core.inlining import never_inline
 from barchan.kernels.core.internal import internal
+from barchan.kernels.core.progress import report
 from barchan.kernels.core.random import mix
 from barchan.kernels.snow.layers import pop, push, state_class
+from barchan.kernels.snow.state import Pack, SnowRules
 
 _CORNER = 0.7071067811865476
 """Weight of a step to a corner when the steepest is chosen."""
@@ -27,18 +40,7 @@ def _limit(pack, rules, cell):
 @internal(forceinline=True)
 def _faces(row, col, grid):
     """The cells that share a face with a cell, in the order of directions; beyond an open edge itself."""
-    north = row + 1
-    if north == grid.rows:
-        north = 0 if grid.wrap_across else row
-    south = row - 1
-    if south < 0:
-        south = grid.rows - 1 if grid.wrap_across else row
-    east = col + 1
-    if east == grid.cols:
-        east = 0 if grid.wrap_along else col
-    west = col - 1
-    if west < 0:
-        west = grid.cols - 1 if grid.wrap_along else col
+    north, south, east, west = beside(row, col, grid)
     level = row * grid.cols
     return (
         np.uint64(level + east),
@@ -180,21 +182,13 @@ def lay_down(pack, rules, row, col, density):
     return np.int64(pack.surface[cell])
 
 
-@njit(cache=True)
-def relax_pack(pack, where, unstable, rules):
-    """Let slopes slide, quantum by quantum, until all stand; returns the number of quanta that slid.
-
-    Starts at the cells ``where`` (bool, flat) something changed and their neighbours.
-    """
+@njit(cache=True, nogil=True)
+def _relax_some(pack, unstable, progress, rules):
+    """Let the cells of the queue slide; where it begins, its length and the slides after a batch."""
     grid, tables = rules.slabs.grid, rules.tables
-    cells = grid.rows * grid.cols
-    length = 0
-    for cell in range(cells):
-        if where[cell]:
-            length = enqueue(unstable, cell, CHECKED, 0, length)
-            length = enqueue_about(unstable, cell // grid.cols, cell % grid.cols, 0, 0, length, grid)
-    at, moves = 0, 0
-    while length > 0:
+    at, length, moves = progress
+    end = moves + BATCH
+    while length > 0 and moves < end:
         cell = unstable.queue[at]
         at = at + 1 if at + 1 < unstable.queue.size else 0
         length -= 1
@@ -204,9 +198,8 @@ def relax_pack(pack, where, unstable, rules):
         row, col = cell // grid.cols, cell % grid.cols
         here = np.int64(pack.surface[cell])
         limit = _limit(pack, rules, np.uint64(cell))
-        direction = steepest_below(
-            pack, rules, row, col, here, limit, np.int64(mix(np.uint64(moves)) & _PLACES) << 3
-        )
+        turn = np.int64(mix(np.uint64(moves)) & _PLACES) << 3
+        direction = steepest_below(pack, rules, row, col, here, limit, turn)
         if direction == STABLE:
             continue
         r, c = neighbour(row, col, direction, grid)
@@ -217,4 +210,18 @@ def relax_pack(pack, where, unstable, rules):
         length = enqueue(unstable, lower, CHECKED, at, length)
         length = enqueue_about(unstable, row, col, 0, at, length, grid)
         length = enqueue(unstable, cell, CHECKED, at, length)
-    return moves
+    return at, length, moves
+
+
+def relax_pack(pack: Pack, where: NDArray[np.bool_], rules: SnowRules) -> int:
+    """Let slopes slide, quantum by quantum, until all stand; returns the number of quanta that slid.
+
+    Starts at the cells ``where`` (bool, flat) something changed and their neighbours. After each batch of
+    slides a signal can be handled, and whoever listens (``progress``) is told how far it is.
+    """
+    unstable = unstable_cells(where.size)
+    progress = 0, enqueue_all(unstable, where, rules.slabs.grid), 0
+    while progress[1] > 0:
+        progress = _relax_some(pack, unstable, progress, rules)
+        report(f"slopes relax: {progress[2]:,} quanta have slid, {progress[1]:,} cells still to be checked")
+    return int(progress[2])

@@ -11,12 +11,13 @@ from barchan.kernels.slabs.state import BLOCK, CAPPED, ENTERED, LEFT, TRAVEL_ACR
 from barchan.kernels.snow.poll import carry, run_polls, settle
 
 
-@njit(cache=True)
+@njit(cache=True, nogil=True)
 def run_steps(pack, rules, work, schedule, key, step, steps, first, count, tally):
     """Run the polls ``first`` to ``first + count`` of each of ``steps`` steps from ``step`` on.
 
     The pack is changed in place; its surface has room for ``SIMD_WIDTH`` numbers before it. Polls and their
     random numbers are those of slabs of sand. Moved quanta, travel and the rest are added to ``tally``.
+    Work that is broken off leaves pack and tally as they happen to be.
     """
     grid, polls = rules.slabs.grid, work.polls
     for now in range(step, step + steps):
@@ -31,6 +32,8 @@ def run_steps(pack, rules, work, schedule, key, step, steps, first, count, tally
             band = Band(first_row, min(schedule.band_rows, grid.rows - first_row))
             at, end = 0, polls_in_band(polls, band)
             while at < end:
+                if rules.slabs.interruption[0] != 0:
+                    return
                 n = min(BLOCK, end - at)
                 draw_cells(polls, poll, n, band, grid.cols, poll_key)
                 peak = run_polls(pack, rules, work, n, peak, tally)
@@ -38,7 +41,7 @@ def run_steps(pack, rules, work, schedule, key, step, steps, first, count, tally
                 at += n
 
 
-@njit(cache=True)
+@njit(cache=True, nogil=True)
 def let_enter(pack, rules, influx, key, tally):
     """Let a step's quanta enter across the upwind edges, as ``kernels.slabs.influx.let_enter`` does."""
     pack, rules, influx = borrowed((pack, rules, influx))
@@ -48,6 +51,8 @@ def let_enter(pack, rules, influx, key, tally):
         means = influx.along if edge == 0 else influx.across
         for cell in range(means.size):
             start = derive(derive(key, edge), cell)
+            if rules.slabs.interruption[0] != 0:
+                return
             for number in range(np.int64(means[cell] + draw(start, 1))):
                 state = derive(start, number + 1)
                 along, across = first_landing(edge, cell, state, rules.slabs)
