@@ -26,12 +26,16 @@ class Case:
     model: str = "werner"
     depth: int = 3
     rocks: bool = False
+    cell_size: float = 1.0
+    speed: float | None = None
     variants: tuple[tuple[str, str | bool | int], ...] = ()
 
     @property
     def parameters(self):
+        kind = models()[self.model].Parameters
         asked = {"lee_erosion": self.lee_erosion, "repose_angle": 33.7, "repose_test": "after"}
-        return models()[self.model].Parameters(**(asked | dict(self.variants)))
+        shared = {key: value for key, value in asked.items() if key in kind.model_fields}
+        return kind(**(shared | dict(self.variants)))
 
 
 @dataclass(frozen=True)
@@ -75,6 +79,7 @@ CASES = (
         rocks=True,
         variants=(("path_test", "surface"),),
     ),
+    Case("snow, all closures, 10 m/s", model="snow", depth=60, steps=100, cell_size=0.1, speed=10.0),
     Case("256², 25 steps", steps=25, lee_erosion=True),
     Case("1024², 25 steps", size=1024, steps=25, lee_erosion=True),
     Case("4096², 25 steps", size=4096, steps=25, lee_erosion=True),
@@ -87,7 +92,7 @@ CASES = (
 
 def measure(case: Case, repetitions: int = 5) -> Speed:
     """Time a case; the kernel is compiled and warm before the clock starts."""
-    lattice = Lattice(rows=case.size, columns=case.size)
+    lattice = Lattice(rows=case.size, columns=case.size, cell_size=case.cell_size)
     model = models()[case.model](case.parameters, lattice)
     ground = np.zeros(lattice.shape)
     if case.uneven:
@@ -98,11 +103,20 @@ def measure(case: Case, repetitions: int = 5) -> Speed:
     polls, moves = [], []
     runs = 1 if case.size > 1024 else repetitions
     for repetition in range(runs + 1):
-        bed = Bed(lattice, ground, np.where(ground > 1.0, 0, case.depth))
+        bed = Bed(lattice, ground, np.where(ground > 1.0, 0, case.depth), layers=model.layers)
         model.initialise(bed, 1)
         steps = case.steps if repetition else 1
         began = time.perf_counter()
-        tally = model.advance(bed, Segment(0, steps, 0, lattice.cells, case.direction), stream)
+        segment = Segment(
+            0,
+            steps,
+            0,
+            lattice.cells,
+            case.direction,
+            speed=case.speed,
+            step_seconds=model.step_seconds,
+        )
+        tally = model.advance(bed, segment, stream)
         seconds = time.perf_counter() - began
         if repetition:
             polls.append(tally.polls / seconds / 1e6)

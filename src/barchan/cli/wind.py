@@ -59,9 +59,7 @@ def wind(
     save_record
         Write the record, or the storms that a scenario makes up, as CSV with temperature and snowfall.
     """
-    from barchan.cli.report import print_table
-    from barchan.cli.terminal import print_note, print_warning, save_picture
-    from barchan.wind.records import read_record
+    from barchan.cli.terminal import save_picture
 
     grains = group_from(Saltation, sand)
     path = out or Path(f"wind-{view}.png")
@@ -71,15 +69,36 @@ def wind(
         save_picture((thresholds if view == "thresholds" else flux_laws)(grains), path)
         return
     if _is_record(source):
-        columns = group_from(RecordFormat, form)
-        if sand is not None and sand.height is not None:
-            columns = columns.model_copy(update={"height": grains.height})
-        subject = _of_record(read_record(source, columns), grains, supply)
+        height = None if sand is None or sand.height is None else grains.height
+        subject = _of_record(_read(source, form, height), grains, supply)
     else:
         subject = _of_scenario(source, supply)
-    found, record = subject.found, subject.record
     if save_record is not None:
-        _save_record(record, save_record, source)
+        _save_record(subject.record, save_record, source)
+    _print(subject, by)
+
+    from barchan.figures.roses import roses
+
+    threshold = subject.sand.threshold_speed()
+    save_picture(roses(subject.title, subject.found, subject.record, threshold, sectors), path)
+
+
+def _read(source: str, form: FormatOptions | None, height: float | None) -> "WindRecord":
+    """A record, its speeds at a stated height (m) or at that which the file states."""
+    from barchan.wind.records import read_record
+
+    columns = group_from(RecordFormat, form)
+    if height is not None:
+        columns = columns.model_copy(update={"height": height})
+    return read_record(source, columns)
+
+
+def _print(subject: "_Subject", by: Literal["month", "season"] | None) -> None:
+    """Warnings first, then the table, then remarks."""
+    from barchan.cli.report import print_table
+    from barchan.cli.terminal import print_note, print_warning
+
+    found, record = subject.found, subject.record
     for warning in record.warnings if record else ():
         print_warning(warning)
     parts = _part_rows(record, subject, by) if record and by else []
@@ -88,10 +107,6 @@ def wind(
         print_note(remark)
     if not found.moves:
         print_note("nothing would move: no wind exceeds the threshold")
-
-    from barchan.figures.roses import roses
-
-    save_picture(roses(subject.title, found, record, subject.sand.threshold_speed(), sectors), path)
 
 
 def _save_record(record: "WindRecord | None", path: Path, source: str) -> None:
