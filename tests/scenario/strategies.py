@@ -206,6 +206,7 @@ def _goes_on(data: dict[str, Any]) -> dict[str, Any]:
 
 
 def _drifts(data: dict[str, Any]) -> dict[str, Any]:
-    """The reference wind moves snow, whatever it is made of, and densities of drift are in order."""
+    """The reference wind moves snow, densities of drift are in order, and a cell keeps all older layers."""
     drift = {k: v for k, v in (data.get("drift") or {}).items() if "_density" not in k}
-    return {**data, "reference_wind": 100.0, "drift": drift}
+    beneath = (data.get("beneath") or [])[: data.get("layers", 2)]
+    return {**data, "reference_wind": 100.0, "drift": drift, "beneath": beneath}

@@ -104,8 +104,8 @@ def test_every_small_scenario_builds_a_bed_at_rest_or_is_refused_for_what_its_pa
         assume(not any(reason in str(error) for reason in REASONS))
         raise
     bed = simulation.bed
-    assert bed.sand.shape == (drawn["lattice"]["rows"], drawn["lattice"]["columns"])
-    assert bed.sand.min() >= 0
+    assert bed.stack.shape == (drawn["lattice"]["rows"], drawn["lattice"]["columns"])
+    assert bed.stack.min() >= 0
     assert bed.units == simulation.ledger.initial
     assert np.isfinite(bed.elevation).all()
     assert simulation.model.relax(bed) == 0

@@ -26,7 +26,7 @@ class Drift(Parameters):
     roughness: float = parameter(
         2.4e-4,
         unit="m",
-        gt=0,
+        ge=1e-7,
         le=0.1,
         meaning="Roughness length of flat snow.",
         source="ours: the value that rescal-snow uses, measured at Niwot Ridge",
