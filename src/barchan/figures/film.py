@@ -1,4 +1,4 @@
-"""Animated pictures of a run: WebP or GIF."""
+"""Animated pictures of a run: WebP, GIF or MP4."""
 
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -10,13 +10,15 @@ from PIL import Image
 from barchan.errors import BarchanError
 from barchan.figures.light import exaggeration
 from barchan.figures.maps import elevation_range, shaded, surface_range
+from barchan.figures.mp4 import require_video, write_mp4
 from barchan.figures.style import SMOOTHING, Colours
+from barchan.replacing import replacing
 from barchan.scenario import Scenario
 
 if TYPE_CHECKING:
     import xarray as xr
 
-FORMATS = (".webp", ".gif")
+FORMATS = (".webp", ".gif", ".mp4")
 
 
 def film(
@@ -36,28 +38,37 @@ def film(
 
     With ``follow`` the colour scale follows each frame instead of holding for the whole run; with
     ``layers`` the model's layers, such as plants, lie over the surface. Raises BarchanError for a file that
-    is neither .webp nor .gif, or that cannot be written.
+    is neither .webp, .gif nor .mp4, or that cannot be written.
     """
     ending = path.suffix.lower()
     if ending not in FORMATS:
         raise BarchanError(f"{path}: a film is {' or '.join(FORMATS)}, not '{path.suffix}'")
+    if ending == ".mp4":
+        require_video()
     pictures = _pictures(dataset, scenario, size, colours, smoothing, follow, layers, progress)
-    first = next(pictures)
-    partial = path.with_name(path.name + ".partial")
-    options = {"lossless": False, "quality": 80} if ending == ".webp" else {}
     try:
-        first.save(
-            partial,
-            format=ending[1:].upper(),
-            save_all=True,
-            append_images=pictures,
-            duration=round(1000 / frames_per_second),
-            loop=0,
-            **options,
-        )
-        partial.replace(path)
+        with replacing(path) as partial:
+            if ending == ".mp4":
+                write_mp4(partial, pictures, frames_per_second)
+            else:
+                _write_animation(partial, ending[1:].upper(), pictures, frames_per_second)
     except OSError as error:
         raise BarchanError(f"cannot write {path}: {error}") from None
+
+
+def _write_animation(
+    path: Path, kind: str, pictures: Iterator[Image.Image], frames_per_second: float
+) -> None:
+    options = {"lossless": False, "quality": 80} if kind == "WEBP" else {}
+    next(pictures).save(
+        path,
+        format=kind,
+        save_all=True,
+        append_images=pictures,
+        duration=round(1000 / frames_per_second),
+        loop=0,
+        **options,
+    )
 
 
 def _pictures(
