@@ -75,13 +75,13 @@ def export(
     step: str | None = None,
     fields: str | None = None,
     format: str | None = None,  # noqa: A002
-    wishes: Wishes = Wishes(),  # noqa: B008 (frozen)
+    wishes: Wishes = Wishes(),
 ) -> None:
     """Write frames of a run for another program: GIS, ParaView, Blender, engines, printers, tables.
 
-    The suffix of the file tells the format: .vtkhdf, .pvd, .vti (ParaView), .nc, .tif, .asc (GIS), .png, .r16,
-    .r32, .exr (height maps), .glb, .obj, .ply, .stl (meshes), .csv (measures, sections), .mp4, .webp, .gif
-    (films), .pdf, .svg (pictures). A file beside it, named .json after it, tells what the numbers mean.
+    The suffix of the file tells the format: .vtkhdf, .pvd, .vti (ParaView), .nc, .tif, .asc (GIS), .png,
+    .r16, .r32, .exr (height maps), .glb, .obj, .ply, .stl (meshes), .csv (measures, sections), .mp4, .webp,
+    .gif (films), .pdf, .svg (pictures). A file beside it, named .json after it, tells what the numbers mean.
 
     Parameters
     ----------

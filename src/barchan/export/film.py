@@ -8,16 +8,10 @@ from barchan.export.source import Source
 
 def write(path: Path, source: Source) -> dict[str, Any]:
     """Write the chosen frames as a film, colours as in pictures of maps."""
-    from barchan.figures.film import film
+    from barchan.figures.film import PIXELS, RATE, encode, shaded_frames
 
-    wishes = {
-        "frames_per_second": source.options.frames_per_second,
-        "size": source.options.pixels,
-    }
-    film(
-        source.dataset.sel(step=list(source.steps)),
-        source.scenario,
-        path,
-        **{name: wish for name, wish in wishes.items() if wish is not None},  # type: ignore[arg-type]
-    )
-    return {}
+    chosen = source.dataset.sel(step=list(source.steps))
+    pictures = shaded_frames(chosen, source.scenario, source.options.pixels or PIXELS)
+    rate = source.options.frames_per_second or RATE
+    encode(path, pictures, rate)
+    return {"frames_per_second": rate}

@@ -71,7 +71,7 @@ class Grid:
         """Side of a cell (m); raises ExportError where cells are not square."""
         if abs(self.width / self.height - 1.0) > SQUARE:
             raise ExportError(
-                f"the cells are {self.width:.6g} × {self.height:.6g} m; allowed in this format: square ones, so "
+                f"the cells are {self.width:.6g} × {self.height:.6g} m; allowed here: square ones, so "
                 "--cells in proportion to the field"
             )
         return self.width

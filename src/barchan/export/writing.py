@@ -154,6 +154,7 @@ def _usual_fields(source: Source) -> tuple[str, ...]:
 
 
 def _written(path: Path, chosen: Format, source: Source) -> list[Path]:
+    assert source.grid.shape  # a grid that cannot be made is refused before anything is written
     files: list[tuple[Path, Source]] = [(path, source)]
     if not chosen.series:
         files = _split(path, source, by_field=chosen.fields == "one")
@@ -171,7 +172,7 @@ def _written(path: Path, chosen: Format, source: Source) -> list[Path]:
         listed = [(file, part.steps, part.fields) for file, part in files]
         car = write_sidecar(path, sidecar_of(chosen, source, listed, values))
     except OSError as error:
-        raise ExportError(f"cannot write {error.filename or path}: {error.strerror or error}") from error
+        raise ExportError(f"cannot write {path}: {error.strerror or error}") from error
     return [*(file for file, _ in files), car]
 
 

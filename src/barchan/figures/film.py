@@ -20,14 +20,17 @@ if TYPE_CHECKING:
 
 FORMATS = (".webp", ".gif", ".mp4")
 
+RATE, PIXELS = 12.0, 512
+"""Frames in a second, and pixels on the longer side of a film, where none are given."""
+
 
 def film(
     dataset: "xr.Dataset",
     scenario: Scenario,
     path: Path,
     *,
-    frames_per_second: float = 12.0,
-    size: int = 512,
+    frames_per_second: float = RATE,
+    size: int = PIXELS,
     colours: Colours = "natural",
     smoothing: float = SMOOTHING,
     follow: bool = False,
@@ -45,20 +48,20 @@ def film(
         raise BarchanError(f"{path}: a film is {' or '.join(FORMATS)}, not '{path.suffix}'")
     if ending == ".mp4":
         require_video()
-    pictures = _pictures(dataset, scenario, size, colours, smoothing, follow, layers, progress)
+    pictures = shaded_frames(dataset, scenario, size, colours, smoothing, follow, layers, progress)
     try:
         with replacing(path) as partial:
-            if ending == ".mp4":
-                write_mp4(partial, pictures, frames_per_second)
-            else:
-                _write_animation(partial, ending[1:].upper(), pictures, frames_per_second)
+            encode(partial, pictures, frames_per_second)
     except OSError as error:
         raise BarchanError(f"cannot write {path}: {error}") from None
 
 
-def _write_animation(
-    path: Path, kind: str, pictures: Iterator[Image.Image], frames_per_second: float
-) -> None:
+def encode(path: Path, pictures: Iterator[Image.Image], frames_per_second: float) -> None:
+    """Write pictures as a film in the format of the suffix; raises OSError where it cannot be written."""
+    kind = path.suffix[1:].upper()
+    if kind == "MP4":
+        write_mp4(path, pictures, frames_per_second)
+        return
     options = {"lossless": False, "quality": 80} if kind == "WEBP" else {}
     next(pictures).save(
         path,
@@ -71,16 +74,17 @@ def _write_animation(
     )
 
 
-def _pictures(
+def shaded_frames(
     dataset: "xr.Dataset",
     scenario: Scenario,
-    size: int,
-    colours: Colours,
-    smoothing: float,
-    follow: bool,
-    layers: bool,
-    progress: Callable[[int], None] | None,
+    size: int = PIXELS,
+    colours: Colours = "natural",
+    smoothing: float = SMOOTHING,
+    follow: bool = False,
+    layers: bool = True,
+    progress: Callable[[int], None] | None = None,
 ) -> Iterator[Image.Image]:
+    """The shaded maps of all frames as pictures, the longer side of about ``size`` pixels; see ``film``."""
     from matplotlib.colors import Normalize
 
     count = dataset.sizes["step"]
