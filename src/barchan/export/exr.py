@@ -15,6 +15,10 @@ def write(path: Path, source: Source) -> dict[str, Any]:
     names = {name: "Y" if len(sheets) == 1 else name for name in sheets}
     channels = {names[name]: northern_first(source, floats(sheet.values)) for name, sheet in sheets.items()}
     header = {"compression": OpenEXR.ZIP_COMPRESSION, "type": OpenEXR.scanlineimage}
-    with OpenEXR.File(header, channels) as file:
-        file.write(str(path))
+    try:
+        with OpenEXR.File(header, channels) as file:
+            file.write(str(path))
+        OpenEXR.File(str(path)).channels()  # the library is silent where a disk is full: read it back
+    except RuntimeError as error:
+        raise OSError(str(error)) from error
     return {"first_row": first_row(source), "numbers": "32-bit floats", "channels": names}

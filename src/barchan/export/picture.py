@@ -1,5 +1,6 @@
 """Pictures: a map of one frame with title, scale and wind, of any size."""
 
+from io import BytesIO
 from pathlib import Path
 from typing import Any
 
@@ -24,5 +25,7 @@ def write(path: Path, source: Source) -> dict[str, Any]:
     if source.options.size is not None:
         width, height = source.options.size
         figure.set_size_inches(width / CENTIMETRES, height / CENTIMETRES)
-    figure.savefig(path, dpi=source.options.dpi or figure.dpi)
+    drawn = BytesIO()
+    figure.savefig(drawn, dpi=source.options.dpi or figure.dpi, format=path.suffix[1:].lower())
+    path.write_bytes(drawn.getvalue())
     return {}

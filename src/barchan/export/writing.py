@@ -1,5 +1,6 @@
 """Writing frames of a run in any of the formats, with the side-car file that tells what the numbers mean."""
 
+import re
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
@@ -21,6 +22,8 @@ Steps = int | Sequence[int] | Literal["all", "last"] | None
 
 FIRST_FIELDS = ("elevation", "ground", "depth")
 """Fields that files of several fields hold first."""
+
+_HIDDEN = re.compile(r"error message = '([^']*)'")
 
 NEAR = 4
 """Saved steps that an error names about one that was not saved."""
@@ -172,8 +175,14 @@ def _written(path: Path, chosen: Format, source: Source) -> list[Path]:
         listed = [(file, part.steps, part.fields) for file, part in files]
         car = write_sidecar(path, sidecar_of(chosen, source, listed, values))
     except OSError as error:
-        raise ExportError(f"cannot write {path}: {error.strerror or error}") from error
+        raise ExportError(f"cannot write {path}: {_reason(error)}") from error
     return [*(file for file, _ in files), car]
+
+
+def _reason(error: OSError) -> str:
+    """The cause of an error in writing, in the system's words; HDF5 hides these in a longer text."""
+    hidden = _HIDDEN.search(str(error))
+    return hidden[1] if hidden else error.strerror or str(error)
 
 
 def _split(path: Path, source: Source, by_field: bool) -> list[tuple[Path, Source]]:
