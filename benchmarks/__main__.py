@@ -6,7 +6,7 @@ import statistics
 from collections.abc import Iterator
 from pathlib import Path
 
-from benchmarks import grains, kernel, program
+from benchmarks import exports, grains, kernel, program
 
 PAGE = Path(__file__).parents[1] / "docs" / "benchmarks.md"
 NOTES = Path(__file__).with_name("notes.md")
@@ -67,6 +67,12 @@ def report(only: str) -> Iterator[str]:
         seconds = grains.published_case_seconds()
         published = grains.PUBLISHED_SECONDS
         yield f"The 3000 iterations of Szabó 2019: {seconds:.1f} s, against {published:.0f} s there."
+    if not only or "export".startswith(only):
+        yield ""
+        yield f"| export of a frame of {exports.SIDE}² cells | seconds | MB |"
+        yield "|---|---|---|"
+        for name, seconds, megabytes in exports.measure():
+            yield f"| {name} | {seconds:.2f} | {megabytes:.1f} |"
     if not only:
         yield ""
         yield "| program | seconds |"

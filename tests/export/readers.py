@@ -135,8 +135,7 @@ def exr(path: Path):
     import OpenEXR
 
     with OpenEXR.File(str(path)) as file:
-        names = car_of(path)["channels"]
-        return _pictured(path, file.channels()[names["elevation"]].pixels.copy())
+        return _pictured(path, file.channels()["Y"].pixels.copy())
 
 
 def _points(points: np.ndarray, east: int, north: np.ndarray, up: int):

@@ -1,4 +1,4 @@
-"""OpenEXR of 32-bit floats: one frame, a field a channel."""
+"""OpenEXR of 32-bit floats: one field of one frame."""
 
 from pathlib import Path
 from typing import Any
@@ -6,14 +6,15 @@ from typing import Any
 from barchan.export.numbers import first_row, floats, northern_first
 from barchan.export.source import Source
 
+CHANNEL = "Y"
+"""The channel of grey pictures; Blender reads no channel by another name of ours."""
+
 
 def write(path: Path, source: Source) -> dict[str, Any]:
-    """Write fields in their own units; a single one is the channel ``Y``, as grey pictures have it."""
+    """Write a field in its own unit."""
     import OpenEXR
 
-    sheets = source.sheets(source.steps[0])
-    names = {name: "Y" if len(sheets) == 1 else name for name in sheets}
-    channels = {names[name]: northern_first(source, floats(sheet.values)) for name, sheet in sheets.items()}
+    channels = {CHANNEL: northern_first(source, floats(source.sheet().values))}
     header = {"compression": OpenEXR.ZIP_COMPRESSION, "type": OpenEXR.scanlineimage}
     try:
         with OpenEXR.File(header, channels) as file:
@@ -21,4 +22,4 @@ def write(path: Path, source: Source) -> dict[str, Any]:
         OpenEXR.File(str(path)).channels()  # the library is silent where a disk is full: read it back
     except RuntimeError as error:
         raise OSError(str(error)) from error
-    return {"first_row": first_row(source), "numbers": "32-bit floats", "channels": names}
+    return {"first_row": first_row(source), "numbers": "32-bit floats", "channel": CHANNEL}

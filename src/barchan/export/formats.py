@@ -115,10 +115,10 @@ FORMATS = (
     Format(
         "exr",
         (".exr",),
-        "32-bit OpenEXR, a field a channel: Blender, Houdini",
+        "32-bit OpenEXR: Blender, Houdini",
         "exr",
         False,
-        "many",
+        "one",
         PICTURES,
         ("OpenEXR", "openexr"),
     ),

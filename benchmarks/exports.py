@@ -1,0 +1,36 @@
+"""One frame of 1024² cells into every format."""
+
+import shutil
+import tempfile
+import time
+from pathlib import Path
+
+import numpy as np
+
+from barchan.archive import open_run
+from barchan.archive import run as run_into
+from barchan.entry import load
+from barchan.export import FORMATS, export
+from barchan.simulation import Simulation
+
+SIDE = 1024
+
+
+def measure() -> list[tuple[str, float, float]]:
+    """Name of the format, seconds for its second export, megabytes of its file."""
+    folder = Path(tempfile.mkdtemp())
+    try:
+        scenario = load("barchans", rows=SIDE, columns=SIDE, steps=40, save_every=40, seed=1)
+        run_into(Simulation(scenario), folder / "run")
+        frame = open_run(folder / "run").isel(step=[-1]).load()
+        return [(f"{one.name} ({one.suffixes[0]})", *_export(frame, folder, one)) for one in FORMATS]
+    finally:
+        shutil.rmtree(folder)
+
+
+def _export(frame, folder: Path, one) -> tuple[float, float]:
+    export(frame, folder / f"warm{one.suffixes[0]}", format=one.name)
+    began = time.perf_counter()
+    files = export(frame, folder / f"frame{one.suffixes[0]}", format=one.name)
+    took = time.perf_counter() - began
+    return took, float(np.sum([file.stat().st_size for file in files])) / 1e6
