@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 
-@xr.register_dataset_accessor("barchan")
+@xr.register_dataset_accessor("barchan")  # type: ignore[no-untyped-call]
 class RunAccessor:
     """Scenario, fields, measures, pictures and exports of a run, as ``run.barchan``.
 
