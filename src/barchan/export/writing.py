@@ -40,31 +40,18 @@ def export(
 ) -> list[Path]:
     """Write frames of a run for another program; returns the files written, the side-car file last.
 
-    Parameters
-    ----------
-    run
-        A run's folder, or the frames as ``barchan.open_run`` or ``barchan.simulate`` return them.
-    target
-        The file; its suffix tells the format. Formats of one frame a file, and of one field a file, put
-        field and step into the names where there are several.
-    step
-        A saved step, several, ``"all"`` or ``"last"``. Without it formats that hold a series have all frames,
-        the others the last one.
-    fields
-        Names of fields, or ``"all"``. Without it formats of one field have the elevation, and those of
-        several elevation, ground, depth, the layers and the fields that the model keeps.
-    format
-        Name of the format, where a suffix has several.
-    **options
-        See ``barchan.export.Options``.
+    ``run`` is a run's folder, or the frames as ``barchan.open_run`` or ``barchan.simulate`` return them. The
+    suffix of ``target`` tells the format; ``format`` names it where a suffix has several. Formats of one
+    frame a file, and of one field a file, put field and step into the names where there are several.
 
-    Raises
-    ------
-    ExportError
-        For an unknown suffix, an option or a field that does not exist, a step that was not saved, a missing
-        library, a file that cannot be written. Nothing half-written stays.
-    ArchiveError
-        Where there is no run, or it has no frames.
+    ``step`` is a saved step, several, ``"all"`` or ``"last"``; without it formats that hold a series have all
+    frames, the others the last one. ``fields`` are names of fields, or ``"all"``; without it formats of one
+    field have the elevation, and those of several elevation, ground, depth, the layers and the fields that
+    the model keeps. Further options are those of :class:`barchan.export.Options`.
+
+    Raises ExportError for an unknown suffix, an option or a field that does not exist, a step that was not
+    saved, a missing library and a file that cannot be written, after which nothing half-written stays; and
+    ArchiveError where there is no run, or it has no frames.
     """
     path = Path(target)
     chosen = format_of(path, format)
