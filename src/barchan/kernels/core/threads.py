@@ -7,13 +7,10 @@ import ctypes
 import os
 import sys
 import threading
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor, wait
 from contextlib import contextmanager, suppress
 from functools import cache
-
-import numpy as np
-from numpy.typing import NDArray
 
 LEAST = 4096
 """Slots for each thread below which it is not worth its start."""
@@ -110,17 +107,16 @@ if hasattr(os, "register_at_fork"):
 
 
 @contextmanager
-def with_helpers(work: Callable[[], object], board: NDArray[np.int64], helpers: int) -> Iterator[int]:
-    """Have ``work`` done in as many helpers, or as many as are free; tells how many.
+def with_helpers(works: Sequence[Callable[[], object]], dismiss: Callable[[], None]) -> Iterator[int]:
+    """Have each of ``works`` done by a helper of its own, or by as many as are free; tells how many.
 
-    Helpers come to the board when they can, and go when it closes: at the end, whatever ends it.
+    A helper may begin late, or after all is done. ``dismiss`` sends helpers away that wait for more: it is
+    called at the end, whatever ends it.
     """
-    from barchan.kernels.core.work_queue import close
-
-    with _workers[0].taken(helpers) as workers:
+    with _workers[0].taken(len(works)) as workers:
         try:
-            for worker in workers:
+            for worker, work in zip(workers, works, strict=False):
                 worker.submit(work)
             yield len(workers)
         finally:
-            close(board)
+            dismiss()

@@ -7,7 +7,6 @@ an argument of its own, so functions take an optional rule first. All work is do
 
 import numpy as np
 
-from barchan.kernels.bed.levels import move_level
 from barchan.kernels.bed.relax import CHECKED, NO_END, enqueue, enqueue_about, relax_queue
 from barchan.kernels.bed.slopes import next_on_slope, steepest
 from barchan.kernels.bed.state import DOWNSLOPE, STABLE, UPSLOPE
@@ -17,18 +16,16 @@ from barchan.kernels.core.internal import internal
 from barchan.kernels.core.random import GOLDEN, mix
 from barchan.kernels.slabs.carry import carry, first_hop
 from barchan.kernels.slabs.erosion import find_eroding_cell, may_erode
-from barchan.kernels.slabs.state import CAPPED, EXHAUSTED, LEFT, MOVED, TRAVEL_ACROSS, TRAVEL_ALONG
+from barchan.kernels.slabs.state import CAPPED, EXHAUSTED, LEFT, MOVED, STRAYED, TRAVEL_ACROSS, TRAVEL_ALONG
 
 
 @internal(forceinline=True)
 def _change(stacks, sand, cell, slab, count):
     """Change a cell's stack by ``count`` slabs; returns its new height."""
-    before = np.int64(stacks.surface[cell])
-    move_level(stacks.levels, before, before + slab * count)
     stacks.surface[cell] += slab * count
     if sand is not None:
         sand[cell] += count
-    return before + slab * count
+    return np.int64(stacks.surface[cell])
 
 
 @internal()
@@ -70,6 +67,16 @@ def _relax_after(unstable, stacks, rules, order, row, col, state, sign):
     return state
 
 
+@internal(forceinline=True)
+def _strays(sliding, row, band, grid):
+    """Whether a walk has come to a row that the polls of the band may not touch."""
+    if not sliding:
+        return False
+    above = row - band.lowest
+    above += grid.rows if above < 0 else 0
+    return above >= band.touched
+
+
 @internal()
 def lay_down(unstable, stacks, rules, row, col, state):
     """Lay a slab on a cell and let it slide down the slope; returns the height of the cell that it raises."""
@@ -87,7 +94,7 @@ def run_polls(stacks, rules, work, band, count, redraw, target, peak, tally):
     """Run ``count`` prepared polls, one after the other, until ``target`` slabs have moved in all.
 
     With ``redraw`` a cell that may not erode is replaced by one that may. Returns a height that no cell
-    exceeds now.
+    exceeds now; or ``STRAYED``, with polls left undone, before a walk touches a row that it may not.
     """
     never_inline()
     stacks, rules, work = borrowed((stacks, rules, work))
@@ -117,6 +124,8 @@ def run_polls(stacks, rules, work, band, count, redraw, target, peak, tally):
         r, c, order, sliding = row, col, UPSLOPE, True
         while sliding:
             r, c, order, state, sliding = _next_on_slope(unstable, stacks, rules, order, r, c, state, 1)
+            if _strays(sliding, r, band, grid):
+                return np.int64(STRAYED)
         _change(stacks, stacks.sand, np.uint64(r * grid.cols + c), rules.repose.slab, -1)
         state = _relax_after(unstable, stacks, rules, UPSLOPE, r, c, state, 1)
         # 4 hop, 5 settle?
@@ -135,6 +144,8 @@ def run_polls(stacks, rules, work, band, count, redraw, target, peak, tally):
                 row, col, order, state, sliding = _next_on_slope(
                     unstable, stacks, rules, order, row, col, state, -1
                 )
+                if _strays(sliding, row, band, grid):
+                    return np.int64(STRAYED)
             cell = np.uint64(row * grid.cols + col)
             peak = max(peak, _change(stacks, stacks.sand, cell, rules.repose.slab, 1))
             _relax_after(unstable, stacks, rules, DOWNSLOPE, row, col, state, -1)

@@ -10,14 +10,24 @@ import numpy as np
 
 from barchan.kernels.core.internal import internal
 from barchan.kernels.core.random import below, derive, high, low, shuffle
+from barchan.kernels.slabs.state import Band
 
 
 @internal()
-def shuffle_bands(polls, key):
+def band_of(number, rows, schedule, reach):
+    """A band by its number, whose polls may touch ``reach`` rows beyond its own."""
+    first = number * schedule.band_rows
+    own = min(schedule.band_rows, rows - first)
+    touched = min(own + 2 * reach, rows)
+    return Band(number, first, own, (first - reach) % rows if touched < rows else 0, touched)
+
+
+@internal()
+def shuffle_bands(order, key):
     """Draw the order of the bands."""
-    for band in range(polls.band_order.size):
-        polls.band_order[band] = band
-    shuffle(polls.band_order, polls.band_order.size, key)
+    for band in range(order.size):
+        order[band] = band
+    shuffle(order, order.size, key)
 
 
 @internal()

@@ -137,10 +137,15 @@ class Schedule(NamedTuple):
 
 
 class Band(NamedTuple):
-    """A band of rows."""
+    """A band of rows, and the rows that its polls may touch, counted round the lattice."""
 
+    number: int
     first_row: int
     rows: int
+    lowest: int
+    """First row that its polls may touch."""
+    touched: int
+    """Rows that its polls may touch."""
 
 
 class Round(NamedTuple):
@@ -202,6 +207,9 @@ def prepared_polls(rows: int, cols: int, schedule: Schedule) -> Polls:
         np.zeros(band_cells, np.int32),
     )
 
+
+STRAYED = -1
+"""In place of a height: a walk left the rows that the polls of its band may touch."""
 
 MOVED, LEFT, CAPPED, TRAVEL_ALONG, TRAVEL_ACROSS, EXHAUSTED, ENTERED = range(7)
 """Places in a tally: slabs moved, slabs that left, slabs put down after ``max_hops``, distances
