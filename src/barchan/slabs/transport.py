@@ -7,8 +7,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from barchan.kernels.bed.state import Stacks
-from barchan.kernels.slabs.plan import Plan, plan_rounds, reach_of
-from barchan.kernels.slabs.state import TALLY_SIZE, Round, Schedule, SlabRules, Work
+from barchan.kernels.slabs.plan import Plan, near_of, plan_rounds, reach_of
+from barchan.kernels.slabs.state import (
+    FULL,
+    NO_SLAB,
+    STRAYED,
+    TALLY_SIZE,
+    Flights,
+    Round,
+    Schedule,
+    SlabRules,
+    Work,
+)
 from barchan.slabs.arguments import work_space
 from barchan.streams import derive
 from barchan.wind.segment import Segment
@@ -20,6 +30,9 @@ _MOST_ROUNDS = 64
 
 _LEAST_POLLS = 4096
 """Polls of a round below which a second thread is not worth its start."""
+
+_FLIGHTS = 1024
+"""Slabs that hop far in a round for which there is room at first."""
 
 _FARTHEST = 4
 """Bands on either side that a band waits for at most, before one thread runs them all."""
@@ -41,17 +54,31 @@ class Transport:
     def work(self, number: int = 0) -> Work:
         """The work space of a thread."""
         while len(self._work) <= number:
-            self._work.append(work_space(self.rules, self.schedule))
+            new = work_space(self.rules, self.schedule)
+            if self._work:
+                new = new._replace(before=self._work[0].before, flights=self._work[0].flights)
+            elif self.rules.ray is not None:
+                room = new_flights(_FLIGHTS, new.polls.band_order.size)
+                new = new._replace(before=self.stacks.surface.copy(), flights=room)
+            self._work.append(new)
         return self._work[number]
+
+    def _make_room(self) -> None:
+        """Make room for twice as many flights."""
+        for number, work in enumerate(self._work):
+            flights = self._work[0].flights if number else work.flights
+            if flights is not None and not number:
+                flights = new_flights(2 * len(flights.slabs), flights.first.size)
+            self._work[number] = work._replace(flights=flights)
 
     def run(self, segment: Segment, threads: int) -> None:
         """Run the polls of a segment's steps; the bits are the same for any number of threads."""
         from barchan.kernels.slabs.step import run_forced_steps
 
         if self.schedule.forced:
-            polls = segment.first, segment.polls
-            key, steps = np.uint64(self.key), (segment.step, segment.steps)
-            run_forced_steps(self.stacks, self.rules, self.work(), self.schedule, key, *steps, *polls, self.counts)
+            part = segment.step, segment.steps, segment.first, segment.polls
+            state = self.stacks, self.rules, self.work(), self.schedule
+            run_forced_steps(*state, np.uint64(self.key), *part, self.counts)
             return
         most = max(1, min(_MOST_ROUNDS, _POLLS // segment.polls))
         rounds: list[Round] = []
@@ -63,21 +90,24 @@ class Transport:
         self._run_rounds(rounds, threads)
 
     def _run_rounds(self, rounds: list[Round], threads: int) -> None:
-        """Run some rounds, in one thread if a walk in several leaves the rows that its band may touch."""
+        """Run some rounds, with more room or in one thread where they need it."""
         if not rounds or self.rules.interruption[0]:
             return
-        while (threads := self._useful(threads, rounds)) > 1:
-            before = self.stacks.surface.copy(), None if self.stacks.sand is None else self.stacks.sand.copy()
-            if self._run_in(threads, rounds):
+        sand = self.stacks.sand
+        before = self.stacks.surface.copy(), None if sand is None else sand.copy()
+        while broken := self._run_in(self._useful(threads, rounds), rounds):
+            if self.rules.interruption[0]:
                 return
             self.stacks.surface[:] = before[0]
-            if self.stacks.sand is not None:
-                self.stacks.sand[:] = before[1]
-            self.distance += 1
-        self._run_in(1, rounds)
+            if sand is not None:
+                sand[:] = before[1]
+            if broken == FULL:
+                self._make_room()
+            elif broken == STRAYED:
+                self.distance += 1
 
-    def _run_in(self, threads: int, rounds: list[Round]) -> bool:
-        """Run some rounds in some threads; whether every walk kept to the rows that it may touch."""
+    def _run_in(self, threads: int, rounds: list[Round]) -> int:
+        """Run some rounds in some threads; why they were broken off (``STRAYED``, ``FULL``), or 0."""
         from barchan.kernels.core.threads import with_helpers
         from barchan.kernels.slabs.bands import await_rounds, run_rounds
 
@@ -91,18 +121,18 @@ class Transport:
 
         with with_helpers([help_as(number) for number in range(1, threads)], lambda: None):
             help_as(0)()
-            kept = bool(await_rounds(plan))
-        if kept:
+            broken = int(await_rounds(plan))
+        if not broken:
             self.counts += tallies.sum(axis=0)
-        return kept
+        return broken
 
     def _plan(self, threads: int, rounds: list[Round]) -> Plan:
         rows, bands = self.rules.grid.rows, self.work().polls.band_order.size
-        reach = rows
-        if threads > 1:
-            reach = reach_of(self.distance, rows, self.schedule, self.rules.grid.wrap_across)
-        peak = int(self.stacks.surface.max())
-        return plan_rounds(rounds, bands, peak, self.distance, reach, in_step=self._heights_change())
+        near, wrap = near_of(self.schedule), self.rules.grid.wrap_across
+        reach = reach_of(self.distance, rows, self.schedule, wrap) if threads > 1 else rows
+        peak, bounds = int(self.stacks.surface.max()), (self.distance, near, reach)
+        lands = self.rules.ray is not None
+        return plan_rounds(rounds, bands, peak, bounds, lands=lands, measures=self._heights_change())
 
     def _heights_change(self) -> bool:
         """Whether the heights that hops are measured against change from round to round."""
@@ -113,7 +143,7 @@ class Transport:
 
     def _useful(self, threads: int, rounds: list[Round]) -> int:
         """How many threads can be busy with some rounds."""
-        alone = self.rules.axis is None or self.work().unstable is not None or self.distance > _FARTHEST
+        alone = self.work().unstable is not None or self.distance > _FARTHEST
         if alone or rounds[0].stop - rounds[0].start < _LEAST_POLLS:
             return 1
         bands = self.work().polls.band_order.size
@@ -121,7 +151,7 @@ class Transport:
 
 
 def rounds_of(segment: Segment, key: int, rules: SlabRules, schedule: Schedule) -> Iterator[Round]:
-    """The rounds of polls of a segment: one a step, or as many as go through all cells where each has its turn."""
+    """The rounds of polls of a segment: one a step, or where each cell has its turn parts of turns."""
     for step in range(segment.step, segment.step + segment.steps):
         step_key = derive(key, step)
         poll_key = np.uint64(derive(step_key, 0))
@@ -133,3 +163,9 @@ def rounds_of(segment: Segment, key: int, rules: SlabRules, schedule: Schedule) 
         for number in range(segment.first // cells, -(-last // cells)):
             start, stop = max(segment.first - number * cells, 0), min(last - number * cells, cells)
             yield Round(number, start, stop, np.uint64(derive(derive(step_key, 3), number)), poll_key, -1)
+
+
+def new_flights(room: int, bands: int) -> Flights:
+    """Room for some slabs that hop far, with none there."""
+    ends = np.full(bands, NO_SLAB, np.int64), np.full(bands, NO_SLAB, np.int64)
+    return Flights(np.zeros((room, 7), np.int64), *ends, np.zeros(1, np.int64))

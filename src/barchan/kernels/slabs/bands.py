@@ -2,10 +2,9 @@
 
 The bands of a round have a random order. Polls of a band touch few rows beyond its own, so bands that lie
 farther apart may be run at the same time, and a band need not wait for all of the round before: ``Plan`` says
-what waits for what. Every order that it allows gives the bed of one thread that runs all in order, to the bit.
+which it waits for. Every order that it allows gives the bed of one thread that runs all in order, to the bit.
 """
 
-import numpy as np
 from numba import njit
 
 from barchan.kernels.bed.levels import measure_levels
@@ -14,6 +13,7 @@ from barchan.kernels.core.borrow import borrowed
 from barchan.kernels.core.inlining import never_inline
 from barchan.kernels.core.internal import internal
 from barchan.kernels.core.random import derive
+from barchan.kernels.slabs.late_landing import land_flights
 from barchan.kernels.slabs.plan import BROKEN_OFF, RUNNING
 from barchan.kernels.slabs.poll import run_polls
 from barchan.kernels.slabs.polling import (
@@ -25,7 +25,7 @@ from barchan.kernels.slabs.polling import (
     shuffle_cells,
     take_cells,
 )
-from barchan.kernels.slabs.state import BLOCK, EXHAUSTED, MOVED, STRAYED, Round
+from barchan.kernels.slabs.state import BLOCK, EXHAUSTED, FULL, MOVED, STRAYED, Round
 
 _NOTHING, _LATER = -1, -2
 """In place of a band: none is left, and all that are left wait for others."""
@@ -63,7 +63,7 @@ def run_band(stacks, rules, work, schedule, part, band, first, count, peak, tall
         else:
             draw_cells(polls, first, n, band, cols, part.poll_key)
         peak = run_polls(stacks, rules, work, band, n, redraw, part.target, peak, tally)
-        if peak == STRAYED or tally[MOVED] == part.target or tally[EXHAUSTED] > exhausted:
+        if peak < 0 or tally[MOVED] == part.target or tally[EXHAUSTED] > exhausted:
             return peak
         if rules.interruption[0] != 0:
             return peak
@@ -73,10 +73,32 @@ def run_band(stacks, rules, work, schedule, part, band, first, count, peak, tall
 
 
 @internal()
-def _begin_round(stacks, polls, schedule, plan, number):
+def _remember(before, surface):
+    """Keep the surface as it is when a round begins (None: nobody asks for it)."""
+    if before is not None:
+        before[:] = surface
+
+
+@internal()
+def _end_round(flights, stacks, rules, work, plan, number, tally):
+    """Land the slabs that hopped far in a round (None: none does)."""
+    never_inline()
+    if flights is None:
+        return
+    order = work.polls.band_order
+    for band in range(order.size):
+        order[plan.places[number, band]] = band
+    peak = land_flights(flights, stacks, rules, work, order, plan.peaks.max(), tally)
+    plan.peaks[:] = peak
+
+
+@internal()
+def _begin_round(stacks, work, schedule, plan, number):
     """Draw the order of the bands in a round, and how many polls each of them gets."""
     never_inline()
-    if plan.in_step or number == 0:
+    polls = work.polls
+    _remember(work.before, stacks.surface)
+    if plan.measures or number == 0:
         measure_levels(stacks.surface, stacks.levels)
     key = plan.keys[number, 0]
     start, stop = plan.rounds[number, 1], plan.rounds[number, 2]
@@ -87,7 +109,7 @@ def _begin_round(stacks, polls, schedule, plan, number):
     first = start
     for place in range(polls.band_order.size):
         band = polls.band_order[place]
-        count = polls_in_band(polls, band_of(band, rows, schedule, 0))
+        count = polls_in_band(polls, band_of(band, rows, schedule, 0, 0))
         plan.places[number, band] = place
         plan.first[number, band] = first
         plan.polls[number, band] = count
@@ -111,12 +133,14 @@ def _waits(plan, band, number, wrap):
 
 
 @internal()
-def _round_to_begin(plan, last, slowest):
+def _round_to_begin(plan, slowest):
     """Whether the polls of one more round are to be counted now: not far ahead of the slowest band."""
     bands = plan.peaks.size
     counted = load(plan.done, bands)
     ahead = 0 if plan.in_step else _AHEAD
-    return counted < last and counted <= slowest + ahead and load(plan.taken, bands) == counted
+    if load(plan.taken, bands) != counted:
+        return False
+    return counted < plan.begins and counted <= slowest + ahead
 
 
 @internal()
@@ -129,7 +153,7 @@ def _next_band(plan, wrap):
     bands, last = plan.peaks.size, plan.rounds.shape[0]
     counted = load(plan.done, bands)
     found, found_round, found_place = _LATER, last, bands
-    slowest, left = last, False
+    slowest, left = last, load(plan.taken, bands) < plan.begins
     for band in range(bands):
         number = load(plan.done, band)
         slowest = min(slowest, number)
@@ -141,7 +165,7 @@ def _next_band(plan, wrap):
                 found, found_round, found_place = band, number, place
     if not left:
         return _NOTHING, last
-    if _round_to_begin(plan, last, slowest):
+    if _round_to_begin(plan, slowest):
         return bands, counted
     return found, found_round
 
@@ -162,10 +186,13 @@ def _peak_about(plan, band, wrap):
 
 @internal()
 def _run(stacks, rules, work, schedule, plan, band, number, tally):
-    """Run a band's polls of a round, or count the polls of that round."""
+    """Run a band's polls of a round; or end the round before, and count the polls of the next one."""
     never_inline()
     if band == plan.peaks.size:
-        _begin_round(stacks, work.polls, schedule, plan, number)
+        if number > 0:
+            _end_round(work.flights, stacks, rules, work, plan, number - 1, tally)
+        if number < plan.rounds.shape[0]:
+            _begin_round(stacks, work, schedule, plan, number)
         return
     part = Round(
         plan.rounds[number, 0],
@@ -175,12 +202,12 @@ def _run(stacks, rules, work, schedule, plan, band, number, tally):
         plan.keys[number, 1],
         -1,
     )
-    rows = band_of(band, rules.grid.rows, schedule, plan.reach)
+    rows = band_of(band, rules.grid.rows, schedule, plan.near, plan.reach)
     first, count = plan.first[number, band], plan.polls[number, band]
     peak = _peak_about(plan, band, rules.grid.wrap_across)
     peak = run_band(stacks, rules, work, schedule, part, rows, first, count, peak, tally)
-    if peak == STRAYED:
-        store(plan.signals, BROKEN_OFF, 1)
+    if peak in (STRAYED, FULL):
+        store(plan.signals, BROKEN_OFF, peak)
     plan.peaks[band] = peak
 
 
@@ -214,7 +241,7 @@ def run_rounds(stacks, rules, work, schedule, plan, tally):
 
 @njit(cache=True, nogil=True)
 def await_rounds(plan):
-    """Wait until no thread is at work on a plan; whether every walk kept to the rows that it may touch."""
+    """Wait until no thread is at work on a plan; why it was broken off (``STRAYED``, ``FULL``), or 0."""
     while load(plan.signals, RUNNING) != 0:
         give_way()
-    return load(plan.signals, BROKEN_OFF) == 0
+    return load(plan.signals, BROKEN_OFF)

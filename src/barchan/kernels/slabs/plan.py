@@ -12,7 +12,7 @@ _LINE = 16
 """Numbers apart that never share a line of any cache."""
 
 BROKEN_OFF, RUNNING = 0, _LINE
-"""Places in ``Plan.signals``: whether a walk left the rows that it may touch, and threads at work."""
+"""Places in ``Plan.signals``: why the work was broken off (``STRAYED``, ``FULL``), and threads at work."""
 
 
 class Plan(NamedTuple):
@@ -42,16 +42,32 @@ class Plan(NamedTuple):
     """A height that no cell of each band exceeds."""
     signals: NDArray[np.int64]
     distance: int
+    near: int
+    """Rows beyond its own on which an oblique wind works at once."""
     reach: int
     """Rows beyond its own that a band may touch."""
+    begins: int
+    """How many times a round is begun or, for slabs that hop far to land, the last one ended."""
     in_step: bool
-    """Whether a round begins only when the one before has ended, as heights are measured in between."""
+    """Whether a round begins only when the one before has ended."""
+    measures: bool
+    """Whether the heights that hops depend on are measured at each round, and not at the first one alone."""
 
 
 def plan_rounds(
-    rounds: Sequence[Round], bands: int, peak: int, distance: int, reach: int, *, in_step: bool
+    rounds: Sequence[Round],
+    bands: int,
+    peak: int,
+    bounds: tuple[int, int, int],
+    *,
+    lands: bool,
+    measures: bool,
 ) -> Plan:
-    """A plan with nothing done yet; no cell exceeds the height ``peak``."""
+    """A plan with nothing done yet.
+
+    No cell exceeds the height ``peak``; ``bounds`` are distance, near and reach. Slabs that hop far land
+    at the end of a round if it ``lands`` them.
+    """
     return Plan(
         np.array([(r.number, r.start, r.stop) for r in rounds], np.int64).reshape(-1, 3),
         np.array([(r.key, r.poll_key) for r in rounds], np.uint64).reshape(-1, 2),
@@ -62,10 +78,16 @@ def plan_rounds(
         np.zeros(bands + 1, np.int64),
         np.full(bands, peak, np.int64),
         np.zeros(2 * _LINE, np.int64),
-        distance,
-        reach,
-        in_step,
+        *bounds,
+        len(rounds) + lands,
+        lands or measures,
+        measures,
     )
+
+
+def near_of(schedule: Schedule) -> int:
+    """Rows beyond its own on which an oblique wind works at once: half of those that it may touch."""
+    return (schedule.band_rows - 1) // 4
 
 
 def reach_of(distance: int, rows: int, schedule: Schedule, periodic: bool) -> int:

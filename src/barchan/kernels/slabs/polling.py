@@ -10,16 +10,22 @@ import numpy as np
 
 from barchan.kernels.core.internal import internal
 from barchan.kernels.core.random import below, derive, high, low, shuffle
-from barchan.kernels.slabs.state import Band
+from barchan.kernels.slabs.state import Band, Rows
 
 
 @internal()
-def band_of(number, rows, schedule, reach):
-    """A band by its number, whose polls may touch ``reach`` rows beyond its own."""
+def _rows_about(first, own, margin, rows):
+    """Some rows and as many as ``margin`` on either side, at most all."""
+    count = min(own + 2 * margin, rows)
+    return Rows((first - margin) % rows if count < rows else 0, count)
+
+
+@internal()
+def band_of(number, rows, schedule, near, reach):
+    """A band by its number, with ``near`` rows on either side, and ``reach`` rows that it may touch."""
     first = number * schedule.band_rows
     own = min(schedule.band_rows, rows - first)
-    touched = min(own + 2 * reach, rows)
-    return Band(number, first, own, (first - reach) % rows if touched < rows else 0, touched)
+    return Band(number, first, own, _rows_about(first, own, near, rows), _rows_about(first, own, reach, rows))
 
 
 @internal()

@@ -1,4 +1,4 @@
-"""Forced erosion: a poll whose cell may not erode looks for one that may, so each band waits for the ones before.
+"""Forced erosion: a poll whose cell may not erode looks for one that may, so bands wait for those before.
 
 This is Werner's rule (1995, Geology 23, 1107-1110) with the variants of later models given as data; a poll
 itself is in ``poll``, steps without forced erosion are in ``bands``.
@@ -28,7 +28,7 @@ def _run_round(stacks, rules, work, schedule, part, tally):
     shuffle_bands(polls.band_order, derive(part.key, 0 if schedule.each_once else 2))
     first = part.start
     for number in polls.band_order:
-        band = band_of(number, rules.grid.rows, schedule, rules.grid.rows)
+        band = band_of(number, rules.grid.rows, schedule, rules.grid.rows, rules.grid.rows)
         count = polls_in_band(polls, band)
         peak = run_band(stacks, rules, work, schedule, part, band, first, count, peak, tally)
         if tally[MOVED] == part.target or tally[EXHAUSTED] > exhausted or rules.interruption[0] != 0:

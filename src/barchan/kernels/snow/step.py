@@ -6,7 +6,14 @@ from numba import njit
 from barchan.kernels.core.borrow import borrowed
 from barchan.kernels.core.random import derive, draw
 from barchan.kernels.slabs.influx import first_landing
-from barchan.kernels.slabs.polling import band_of, count_polls_by_row, draw_cells, polls_in_band, shuffle_bands
+from barchan.kernels.slabs.polling import (
+    band_of,
+    count_polls_by_row,
+    draw_cells,
+    polls_in_band,
+    shuffle_bands,
+)
+from barchan.kernels.slabs.shadow import whole_view
 from barchan.kernels.slabs.state import BLOCK, CAPPED, ENTERED, LEFT, TRAVEL_ACROSS, TRAVEL_ALONG
 from barchan.kernels.snow.poll import carry, run_polls, settle
 
@@ -28,7 +35,7 @@ def run_steps(pack, rules, work, schedule, key, step, steps, first, count, tally
         peak = np.int64(pack.surface.max())
         poll = first
         for number in polls.band_order:
-            band = band_of(number, grid.rows, schedule, grid.rows)
+            band = band_of(number, grid.rows, schedule, grid.rows, grid.rows)
             at, end = 0, polls_in_band(polls, band)
             while at < end:
                 if rules.slabs.interruption[0] != 0:
@@ -44,7 +51,7 @@ def run_steps(pack, rules, work, schedule, key, step, steps, first, count, tally
 def let_enter(pack, rules, influx, key, tally):
     """Let a step's quanta enter across the upwind edges, as ``kernels.slabs.influx.let_enter`` does."""
     pack, rules, influx = borrowed((pack, rules, influx))
-    heights = pack.surface.ctypes.data
+    view = whole_view(pack.surface.ctypes.data, rules.slabs.grid)
     peak = np.int64(pack.surface.max())
     for edge in range(2):
         means = influx.along if edge == 0 else influx.across
@@ -57,7 +64,7 @@ def let_enter(pack, rules, influx, key, tally):
                 along, across = first_landing(edge, cell, state, rules.slabs)
                 tally[ENTERED] += 1
                 row, col, state, inside, stays, way_along, way_across = carry(
-                    pack, rules, heights, along, across, True, state, peak
+                    pack, rules, view, along, across, True, state, peak
                 )
                 tally[TRAVEL_ALONG] += way_along
                 tally[TRAVEL_ACROSS] += way_across
