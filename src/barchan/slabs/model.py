@@ -115,6 +115,7 @@ class SlabModel(Model):
             self.parameters.forced_erosion,
             self.parameters.band_rows,
         )
+        threads = thread_count()
         transport = Transport(stacks, rules, schedule, stream.key)
         influx = None
         if segment.influx is not None:
@@ -122,13 +123,13 @@ class SlabModel(Model):
 
         def run() -> None:
             if influx is None:
-                transport.run(segment, thread_count())
+                transport.run(segment, threads)
                 return
             for step in range(segment.steps):
                 part = segment.part(step, 1)
                 key = np.uint64(derive(derive(derive(stream.key, part.step), INFLUX), part.first))
                 let_enter(stacks, rules, transport.work(), influx, key, transport.counts)
-                transport.run(part, thread_count())
+                transport.run(part, threads)
 
         if self._hops_of(segment) > SHORT:
             interruptible(run, interruption)

@@ -10,17 +10,55 @@ import threading
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor, wait
 from contextlib import contextmanager, suppress
+from contextvars import ContextVar
 from functools import cache
+
+from barchan.errors import BarchanError
 
 LEAST = 4096
 """Slots for each thread below which it is not worth its start."""
 
 
+MOST_THREADS = 1024
+
+VARIABLE = "BARCHAN_THREADS"
+"""The environment variable that states the number of threads."""
+
+_asked: ContextVar[int | None] = ContextVar("threads", default=None)
+
+
+def state_threads(threads: int | None) -> None:
+    """State the number of threads of this process and those that it starts (None: leave it as it is)."""
+    if threads is not None:
+        os.environ[VARIABLE] = str(threads)
+
+
+@contextmanager
+def asked_for(threads: int | None) -> Iterator[None]:
+    """Use so many threads meanwhile (None: as many as outside), unless the environment states a number."""
+    token = _asked.set(_asked.get() if threads is None else threads)
+    try:
+        yield
+    finally:
+        _asked.reset(token)
+
+
 def thread_count() -> int:
-    """Threads to use: as many as Numba was told to (``NUMBA_NUM_THREADS``), or one for each core."""
+    """Threads to use: as many as the environment, the command line or the scenario states, or all cores.
+
+    Raises BarchanError where ``BARCHAN_THREADS`` is no whole number from 1 to ``MOST_THREADS``.
+    """
     from numba import config
 
-    return int(config.NUMBA_NUM_THREADS)  # type: ignore[attr-defined]
+    stated = os.environ.get(VARIABLE, "").strip()
+    if stated:
+        if not (stated.isascii() and stated.isdigit() and 1 <= int(stated) <= MOST_THREADS):
+            raise BarchanError(
+                f"{VARIABLE} is {stated!r}; a whole number from 1 to {MOST_THREADS} is allowed"
+            )
+        return int(stated)
+    asked = _asked.get()
+    return int(config.NUMBA_NUM_THREADS) if asked is None else asked  # type: ignore[attr-defined]
 
 
 @cache

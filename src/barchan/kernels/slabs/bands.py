@@ -13,6 +13,7 @@ from barchan.kernels.core.borrow import borrowed
 from barchan.kernels.core.inlining import never_inline
 from barchan.kernels.core.internal import internal
 from barchan.kernels.core.random import derive
+from barchan.kernels.slabs.flights import forget_flights
 from barchan.kernels.slabs.late_landing import land_flights
 from barchan.kernels.slabs.plan import BROKEN_OFF, RUNNING
 from barchan.kernels.slabs.poll import run_polls
@@ -97,6 +98,7 @@ def _begin_round(stacks, work, schedule, plan, number):
     """Draw the order of the bands in a round, and how many polls each of them gets."""
     never_inline()
     polls = work.polls
+    forget_flights(work.flights)
     _remember(work.before, stacks.surface)
     if plan.measures or number == 0:
         measure_levels(stacks.surface, stacks.levels)

@@ -5,7 +5,6 @@ import numpy as np
 from barchan.kernels.core.inlining import never_inline
 from barchan.kernels.core.internal import internal
 from barchan.kernels.slabs.carry import IS_CAPPED, LEAVES, carry
-from barchan.kernels.slabs.flights import forget_flights
 from barchan.kernels.slabs.poll import lay_down
 from barchan.kernels.slabs.shadow import whole_view
 from barchan.kernels.slabs.state import CAPPED, LEFT, NO_SLAB, TRAVEL_ACROSS, TRAVEL_ALONG
@@ -37,5 +36,4 @@ def land_flights(flights, stacks, rules, work, order, peak, tally):
             while at != NO_SLAB:
                 peak = _land(stacks, rules, work, flights.slabs[at], peak, tally)
                 at = flights.slabs[at, 0]
-        forget_flights(flights)
     return np.int64(peak)
