@@ -96,8 +96,8 @@ class Run(Parameters):
         unit="-",
         ge=1,
         le=1024,
-        meaning="Threads that share the work, all cores if not given; results do not depend on it. The option "
-        "--threads and the environment variable BARCHAN_THREADS come before it.",
+        meaning="Threads that share the work, all cores if not given; results do not depend on it. The "
+        "option --threads and the environment variable BARCHAN_THREADS come before it.",
     )
     until: Until = Field(default_factory=Until, description="Conditions that end the run earlier.")
 

@@ -205,5 +205,5 @@ def _ray_shadow(
     away = np.ceil(np.abs(offset) - 1e-9)
     near = np.searchsorted(away, np.arange(grid.rows), side="right")
     memory = rows, weights, falls, near.astype(np.int64)
-    addresses = [table.ctypes.data for table in memory]
+    addresses = (rows.ctypes.data, weights.ctypes.data, falls.ctypes.data, memory[3].ctypes.data)
     return RayShadow(*addresses, angle < 0.0, grid.cols, 4 if flat else 8), memory

@@ -76,9 +76,9 @@ class Transport:
         from barchan.kernels.slabs.step import run_forced_steps
 
         if self.schedule.forced:
-            part = segment.step, segment.steps, segment.first, segment.polls
+            polls = segment.step, segment.steps, segment.first, segment.polls
             state = self.stacks, self.rules, self.work(), self.schedule
-            run_forced_steps(*state, np.uint64(self.key), *part, self.counts)
+            run_forced_steps(*state, np.uint64(self.key), *polls, self.counts)
             return
         most = max(1, min(_MOST_ROUNDS, _POLLS // segment.polls))
         rounds: list[Round] = []
@@ -93,14 +93,13 @@ class Transport:
         """Run some rounds, with more room or in one thread where they need it."""
         if not rounds or self.rules.interruption[0]:
             return
-        sand = self.stacks.sand
-        before = self.stacks.surface.copy(), None if sand is None else sand.copy()
+        changed = [self.stacks.surface, *([] if self.stacks.sand is None else [self.stacks.sand])]
+        before = [heights.copy() for heights in changed]
         while broken := self._run_in(self._useful(threads, rounds), rounds):
             if self.rules.interruption[0]:
                 return
-            self.stacks.surface[:] = before[0]
-            if sand is not None:
-                sand[:] = before[1]
+            for heights, as_they_were in zip(changed, before, strict=True):
+                heights[:] = as_they_were
             if broken == FULL:
                 self._make_room()
             elif broken == STRAYED:

@@ -167,8 +167,8 @@ class View(NamedTuple):
     before: int
     """Address of the surface as it was when the round began."""
     near: Rows
-    """Rows of the band and about it. A shadow line of an oblique wind meets them as they are now, and what lies
-    beyond as it was."""
+    """Rows of the band and about it. A shadow line of an oblique wind meets them as they are now, and the
+    others as they were."""
 
 
 class Flights(NamedTuple):
