@@ -113,7 +113,7 @@ def _goes_far(ray, view, across, hop_across, grid):
     above = (across >> 32) - near.first
     above += grid.rows if above < 0 else 0
     there = ((above << 32) + (across & (CELL - 1)) + hop_across) >> 32
-    return near.count < grid.rows and (there < 0 or there >= near.count)
+    return near.number < grid.rows and (there < 0 or there >= near.number)
 
 
 @internal(forceinline=True)

@@ -22,7 +22,7 @@ def put_aside(flights, band, slab):
     never_inline()
     if flights is None:
         return True
-    place = add(flights.count, 0, 1)
+    place = add(flights.used, 0, 1)
     if place >= flights.slabs.shape[0]:
         return False
     flights.slabs[place, 0] = NO_SLAB
@@ -41,4 +41,4 @@ def forget_flights(flights):
     """Make room for the slabs of another round."""
     if flights is not None:
         flights.first[:] = NO_SLAB
-        flights.count[0] = 0
+        flights.used[0] = 0

@@ -68,19 +68,19 @@ def is_near(row, near, grid):
     """Whether a row is among the near ones."""
     beyond = row - near.first
     beyond += grid.rows if beyond < 0 else 0
-    return beyond < near.count
+    return beyond < near.number
 
 
 @internal(error_model="numpy", forceinline=True)
 def _crossings_near(view, row, grid, ray):
     """How many crossings of a ray from a near row lie among the near rows."""
     near = view.near
-    if near.count == grid.rows:
+    if near.number == grid.rows:
         return ray.size
     beside = row - near.first
     beside += grid.rows if beside < 0 else 0
     if ray.rises:
-        beside = near.count - 1 - beside
+        beside = near.number - 1 - beside
     return load_at(ray.near + 8 * beside, np.int64(0))
 
 

@@ -144,7 +144,7 @@ class Rows(NamedTuple):
     """Some rows of the lattice, counted from the first one on, round its edge."""
 
     first: int
-    count: int
+    number: int
 
 
 class Band(NamedTuple):
@@ -179,7 +179,7 @@ class Flights(NamedTuple):
     first: NDArray[np.int64]
     """The first slab of each band."""
     last: NDArray[np.int64]
-    count: NDArray[np.int64]
+    used: NDArray[np.int64]
 
 
 NO_SLAB = -1
