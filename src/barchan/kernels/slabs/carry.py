@@ -110,10 +110,10 @@ def _goes_far(ray, view, across, hop_across, grid):
     if ray is None:
         return False
     near = view.near
-    above = (across >> 32) - near.first
-    above += grid.rows if above < 0 else 0
-    there = ((above << 32) + (across & (CELL - 1)) + hop_across) >> 32
-    return near.number < grid.rows and (there < 0 or there >= near.number)
+    there = across - (near.first << 32)
+    there += grid.rows << 32 if there < 0 else 0
+    there += hop_across
+    return (there < 0 or there >= near.number << 32) and near.number < grid.rows
 
 
 @internal(forceinline=True)
