@@ -28,9 +28,13 @@ _asked: ContextVar[int | None] = ContextVar("threads", default=None)
 
 
 def state_threads(threads: int | None) -> None:
-    """State the number of threads of this process and those that it starts (None: leave it as it is)."""
+    """State the number of threads of this process and those that it starts (None: leave it as it is).
+
+    Raises BarchanError where the environment states a number that is none.
+    """
     if threads is not None:
         os.environ[VARIABLE] = str(threads)
+    thread_count()
 
 
 @contextmanager
