@@ -84,8 +84,8 @@ def _threads() -> Iterator[str]:
     yield "|---|---|---|---|"
     for case in threads.CASES:
         found = threads.measure(case)
-        same = "yes" if found.same else "no"
-        yield f"| {case.name} | {found.one:.1f} | {found.two:.1f} ({found.one / found.two:.2f} times) | {same} |"
+        two = f"{found.two:.1f} ({found.one / found.two:.2f} times)"
+        yield f"| {case.name} | {found.one:.1f} | {two} | {'yes' if found.same else 'no'} |"
     yield ""
     yield "| field, bands of 32 rows | bands | threads busy of 2 | of 8 | of 16 | of 64 |"
     yield "|---|---|---|---|---|---|"

@@ -1,8 +1,7 @@
 """Slabs on one thread and on two, in turns; and how many threads the order of bands could keep busy.
 
-For more cores than the machine has, the waiting is played through: bands of equal work are given to threads by
-the rule of the kernel, which takes the first band, of the earliest step, that need not wait. Counting the polls
-of a step and copying the bed are parts that one thread does; their share is measured here.
+For more cores than the machine has, the waiting is played through: bands of equal work are given to threads
+by the rule of the kernel, which takes the first band, of the earliest step, that need not wait.
 """
 
 import hashlib
@@ -92,8 +91,8 @@ def _after(model, sand, case, steps, count):
 def busy(bands: int, count: int, distance: int = 1, steps: int = 60, serial: float = 0.0) -> float:
     """How many of ``count`` threads are busy on the average with a field of so many bands.
 
-    A band of a step takes one unit of time; what one thread does in each step takes the share ``serial`` of the
-    work of all bands, and no band of a step begins before.
+    A band of a step takes one unit of time; what one thread does in each step takes the share ``serial`` of
+    the work of all bands, and no band of a step begins before.
     """
     random = np.random.default_rng(1)
     places = np.array([random.permutation(bands) for _ in range(steps)])
