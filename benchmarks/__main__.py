@@ -6,7 +6,7 @@ import statistics
 from collections.abc import Iterator
 from pathlib import Path
 
-from benchmarks import exports, grains, kernel, program
+from benchmarks import exports, grains, kernel, plain, program, threads
 
 PAGE = Path(__file__).parents[1] / "docs" / "benchmarks.md"
 NOTES = Path(__file__).with_name("notes.md")
@@ -53,6 +53,11 @@ def report(only: str) -> Iterator[str]:
             large, small = speeds[f"4096², 25 steps{what}"], speeds[f"256², 25 steps{what}"]
             ratio = large.nanoseconds_a_poll / small.nanoseconds_a_poll
             yield f"A poll at 4096² costs {ratio:.2f} times one at 256²{what} (the same 25 steps from flat)."
+    if not only or "threads".startswith(only):
+        yield from _threads()
+    if not only or "plain".startswith(only):
+        yield ""
+        yield from plain.report()
     if not only or "grains".startswith(only):
         yield ""
         yield "| grains in flight | million updates/s, one thread | two | same bits |"
@@ -79,6 +84,26 @@ def report(only: str) -> Iterator[str]:
         yield "|---|---|"
         for name, seconds in program.measure().items():
             yield f"| {name} | {seconds:.2f} |"
+
+
+def _threads() -> Iterator[str]:
+    """Slabs on one thread and on two, and how many threads could be busy."""
+    yield ""
+    yield "| slabs on several threads | ns a poll, one thread | two | same bits |"
+    yield "|---|---|---|---|"
+    for case in threads.CASES:
+        found = threads.measure(case)
+        two = f"{found.two:.1f} ({found.one / found.two:.2f} times)"
+        yield f"| {case.name} | {found.one:.1f} | {two} | {'yes' if found.same else 'no'} |"
+    yield ""
+    yield "| field, bands of 32 rows | bands | threads busy of 2 | of 8 | of 16 | of 64 |"
+    yield "|---|---|---|---|---|---|"
+    for size in (256, 1024, 4096, 8192):
+        bands = size // 32
+        of = [f"{threads.busy(bands, count, serial=0.012):.1f}" for count in (2, 8, 16, 64)]
+        yield f"| {size}² | {bands} | {' | '.join(of)} |"
+    yield ""
+    yield "The last table is played through, not measured: bands of equal work, 1.2 % of it on one thread."
 
 
 def _spread(values: list[float]) -> str:

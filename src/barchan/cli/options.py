@@ -4,10 +4,14 @@ from dataclasses import field, fields, make_dataclass
 from typing import Annotated, Any, TypeVar
 
 from cyclopts import Parameter
+from cyclopts.validators import Number
 from pydantic import ValidationError
 
 from barchan.errors import ScenarioError
 from barchan.parameters import Parameters, declarations
+
+Threads = Annotated[int | None, Parameter(validator=Number(gte=1, lte=1024))]
+"""The option that states the number of threads."""
 
 Group = TypeVar("Group", bound=Parameters)
 

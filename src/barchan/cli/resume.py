@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 from cyclopts import Parameter
 
 from barchan.cli import INTERRUPTED
+from barchan.cli.options import Threads
 from barchan.cli.overrides import Tokens, changes, pairs
 from barchan.cli.report import print_outcome, resume_command, saved_when_broken_off
 from barchan.cli.terminal import Interrupts, Reporter, console, print_note, work_announced
@@ -25,6 +26,7 @@ def resume(
     overwrite: Annotated[bool, Parameter(negative=())] = False,
     quiet: Annotated[bool, Parameter(name=["--quiet", "-q"], negative=())] = False,
     picture: bool = True,
+    threads: Threads = None,
 ) -> int:
     """Go on with a run that was interrupted, or beyond its last step, or from any step into a branch.
 
@@ -49,9 +51,14 @@ def resume(
         Print nothing but errors.
     picture
         Draw the last frame and print its measures at the end.
+    threads
+        Threads that share the work; all cores without it. Results do not depend on it.
     """
+    from barchan.kernels.core.threads import state_threads
+
     if out is None and (at is not None or overwrite or values):
         raise BarchanError("--at, --overwrite and changed values are for branches; say where to with --out")
+    state_threads(threads)
     with work_announced(quiet), Interrupts().watched() as stop, saved_when_broken_off(out or run):
         if out is None:
             outcome = _go_on(run, steps, quiet, stop)

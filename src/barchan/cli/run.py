@@ -6,6 +6,7 @@ from typing import Annotated
 from cyclopts import Parameter
 
 from barchan.cli import INTERRUPTED
+from barchan.cli.options import Threads
 from barchan.cli.overrides import Tokens, pairs
 from barchan.cli.report import print_facts, print_outcome, resume_command, saved_when_broken_off
 from barchan.cli.terminal import Interrupts, Reporter, console, work_announced
@@ -19,6 +20,7 @@ def run(
     overwrite: Annotated[bool, Parameter(negative=())] = False,
     quiet: Annotated[bool, Parameter(name=["--quiet", "-q"], negative=())] = False,
     picture: bool = True,
+    threads: Threads = None,
 ) -> int:
     """Run a preset or a scenario, save it, and draw the last frame.
 
@@ -36,12 +38,16 @@ def run(
         Print nothing but errors.
     picture
         Draw the last frame and print its measures at the end.
+    threads
+        Threads that share the work; all cores without it. Results do not depend on it.
     """
     from barchan.archive import check_room, source_at
     from barchan.archive import run as run_into
+    from barchan.kernels.core.threads import state_threads
     from barchan.scenario.files import load_scenario
     from barchan.simulation import Simulation
 
+    state_threads(threads)
     chosen = load_scenario(source_at(scenario), pairs(values, run))
     folder = out or _new_folder(scenario)
     check_room(folder, overwrite)

@@ -26,9 +26,11 @@ def batches(first: int, end: int, slots: int, *intervals: int) -> Iterator[tuple
 def shared_scene(scene: Scene, key: int, slots: int, first: int) -> Iterator[Callable[[int], None]]:
     """A function that runs a scene up to before an iteration, from ``first`` on, shared among threads."""
     from barchan.kernels.core import threads
+    from barchan.kernels.core.work_queue import close
     from barchan.kernels.grains.iterations import plan_of, run_iterations
 
     plan = plan_of(key, slots, first)
     count = min(threads.thread_count(), slots // threads.LEAST)
-    with threads.with_helpers(lambda: run_iterations(False, plan, scene, 0), plan.board, count - 1):
+    helpers = [lambda: run_iterations(False, plan, scene, 0)] * (count - 1)
+    with threads.with_helpers(helpers, lambda: close(plan.board)):
         yield lambda end: run_iterations(True, plan, scene, end)

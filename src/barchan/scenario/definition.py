@@ -91,6 +91,14 @@ class Run(Parameters):
     save_every: int = parameter(
         50, unit="steps", ge=1, le=10**12, scale="log", meaning="Steps from one saved frame to the next."
     )
+    threads: int | None = parameter(
+        None,
+        unit="-",
+        ge=1,
+        le=1024,
+        meaning="Threads that share the work, all cores if not given; results do not depend on it. The "
+        "option --threads and the environment variable BARCHAN_THREADS come before it.",
+    )
     until: Until = Field(default_factory=Until, description="Conditions that end the run earlier.")
 
 

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from barchan.bed import Bed
 from barchan.errors import BarchanError
+from barchan.kernels.core.threads import asked_for
 from barchan.lattice import Lattice
 from barchan.models import Model, Tally
 from barchan.scenario import Scenario, validate
@@ -111,7 +112,8 @@ class Simulation:
         """
         self._refuse_half_done()
         try:
-            return self._advance(steps)
+            with asked_for(self.scenario.run.threads):
+                return self._advance(steps)
         except KeyboardInterrupt:
             self._broken_off = True
             raise

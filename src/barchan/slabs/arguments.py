@@ -202,6 +202,8 @@ def _ray_shadow(
     if grid.wrap_across:
         rows %= grid.rows
     falls = (columns / math.cos(angle) - start) * fall * (1.0 if flat else 2.0**FRACTION_BITS)
-    width = 4 if flat else 8
-    ray = RayShadow(rows.ctypes.data, weights.ctypes.data, falls.ctypes.data, grid.cols, width)
-    return ray, (rows, weights, falls)
+    away = np.ceil(np.abs(offset) - 1e-9)
+    near = np.searchsorted(away, np.arange(grid.rows), side="right")
+    memory = rows, weights, falls, near.astype(np.int64)
+    addresses = (rows.ctypes.data, weights.ctypes.data, falls.ctypes.data, memory[3].ctypes.data)
+    return RayShadow(*addresses, angle < 0.0, grid.cols, 4 if flat else 8), memory

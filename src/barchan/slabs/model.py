@@ -11,19 +11,17 @@ from barchan.checked import checked, finite
 from barchan.heights import check_heights
 from barchan.kernels.bed.state import Stacks, relaxation_orders
 from barchan.kernels.core.interruption import interruptible, new_interruption
-from barchan.kernels.slabs.state import (
-    TALLY_SIZE,
-    Schedule,
-)
+from barchan.kernels.slabs.state import Schedule
 from barchan.lattice import Lattice
 from barchan.model import Derived, Model, Tally
-from barchan.slabs.arguments import SlabArguments, build, levels_over, work_space
+from barchan.slabs.arguments import SlabArguments, build, levels_over
 from barchan.slabs.influx import INFLUX, edge_influx
 from barchan.slabs.obstacles import ClearDistances
 from barchan.slabs.parameters import SlabParameters
 from barchan.slabs.rules import Rules
 from barchan.slabs.stacks import is_flat, stacks_of, write_back
 from barchan.slabs.tally import tally_of
+from barchan.slabs.transport import Transport
 from barchan.streams import Stream, derive
 from barchan.wind.frame import WindFrame
 from barchan.wind.segment import Segment
@@ -99,8 +97,8 @@ class SlabModel(Model):
     def _transport(self, bed: Bed, segment: Segment, stream: Stream) -> Tally:
         if segment.polls == 0:
             return Tally(steps=segment.steps)
+        from barchan.kernels.core.threads import thread_count
         from barchan.kernels.slabs.influx import let_enter
-        from barchan.kernels.slabs.step import run_steps
 
         frame = WindFrame.of(segment.direction)
         mobility = self.mobility(bed, segment.direction)
@@ -117,29 +115,28 @@ class SlabModel(Model):
             self.parameters.forced_erosion,
             self.parameters.band_rows,
         )
-        counts = np.zeros(TALLY_SIZE, np.int64)
-        work = work_space(rules, schedule)
-        steps, polls = (segment.step, segment.steps), (segment.first, segment.polls)
-        if segment.influx is None:
-
-            def run() -> None:
-                run_steps(stacks, rules, work, schedule, np.uint64(stream.key), *steps, *polls, counts)
-
-        else:
+        threads = thread_count()
+        transport = Transport(stacks, rules, schedule, stream.key)
+        influx = None
+        if segment.influx is not None:
             influx = edge_influx(segment, self.saturated_influx(segment), self.lattice, frame)
 
-            def run() -> None:
-                for step in range(segment.step, segment.step + segment.steps):
-                    key = np.uint64(derive(derive(derive(stream.key, step), INFLUX), segment.first))
-                    let_enter(stacks, rules, work, influx, key, counts)
-                    run_steps(stacks, rules, work, schedule, np.uint64(stream.key), step, 1, *polls, counts)
+        def run() -> None:
+            if influx is None:
+                transport.run(segment, threads)
+                return
+            for step in range(segment.steps):
+                part = segment.part(step, 1)
+                key = np.uint64(derive(derive(derive(stream.key, part.step), INFLUX), part.first))
+                let_enter(stacks, rules, transport.work(), influx, key, transport.counts)
+                transport.run(part, threads)
 
         if self._hops_of(segment) > SHORT:
             interruptible(run, interruption)
         else:
             run()
         write_back(bed, frame, stacks)
-        return tally_of(counts, segment, frame)
+        return tally_of(transport.counts, segment, frame)
 
     def _hops_of(self, segment: Segment) -> float:
         """How many hops the slabs of a segment may take: a measure of how long it takes."""

@@ -9,7 +9,7 @@ import pytest
 
 from barchan.kernels.core import threads as thread_pool
 from barchan.kernels.core.threads import Worker, Workers, with_helpers
-from barchan.kernels.core.work_queue import CLOSED, OFFER, new_board
+from barchan.kernels.core.work_queue import CLOSED, OFFER, close, new_board
 
 
 @pytest.fixture(autouse=True)
@@ -19,7 +19,7 @@ def own_workers(monkeypatch):
 
 def test_helpers_work_beside_the_leader():
     met = threading.Barrier(3)
-    with with_helpers(lambda: met.wait(60), new_board(), 2) as helpers:
+    with with_helpers([lambda: met.wait(60)] * 2, lambda: None) as helpers:
         assert helpers == 2
         met.wait(60)
 
@@ -39,18 +39,18 @@ def test_two_leaders_never_have_the_same_worker():
 @pytest.mark.parametrize("most", [0, -1])
 def test_who_asks_for_no_help_starts_no_thread(most):
     before = threading.active_count()
-    with with_helpers(lambda: None, new_board(), most) as helpers:
+    with with_helpers([lambda: None] * most, lambda: None) as helpers:
         assert helpers == 0
     assert threading.active_count() == before
 
 
 @pytest.mark.parametrize("error", [ValueError, KeyboardInterrupt])
-def test_a_leader_that_fails_closes_the_board(error):
+def test_a_leader_that_fails_dismisses_its_helpers(error):
     board = new_board()
-    with pytest.raises(error), with_helpers(lambda: None, board, 1):
+    with pytest.raises(error), with_helpers([lambda: None], lambda: close(board)):
         raise error
     assert board[OFFER] == CLOSED
-    with with_helpers(lambda: None, new_board(), 1) as helpers:
+    with with_helpers([lambda: None], lambda: None) as helpers:
         assert helpers == 1
 
 
@@ -68,7 +68,7 @@ def test_an_error_of_a_worker_reaches_who_asks_it_next():
 
 
 def _children_help(results):
-    with with_helpers(lambda: None, new_board(), 1) as helpers:
+    with with_helpers([lambda: None], lambda: None) as helpers:
         results.put(helpers)
 
 

@@ -82,6 +82,9 @@ class Field:
         base = [[round(g * SCALE) for g in row] for row in self.ground]
         lowest = min(map(min, base))
         self.base = [[g - lowest for g in row] for row in base]
+        self.near = None
+        self.aside = []
+        self.begin()
 
     def height(self, row, col):
         """Height of the surface in units of 1/SCALE slabs."""
@@ -125,9 +128,10 @@ class Field:
         lower = math.floor(offset + 1e-9)
         weight = max(offset - lower, 0.0)
         heights = []
+        seen = self.height if self.sees(row, offset) else self.height_before
         for r in (row + lower, row + lower + 1):
             if 0 <= r < self.rows or self.wrap_across:
-                heights.append(float(self.height(r % self.rows, col)))
+                heights.append(float(seen(r % self.rows, col)))
             elif weight > 0.0 or r == row + lower:
                 return None
             else:
@@ -258,21 +262,20 @@ class Field:
             return False
         return self.rules.lee_erosion or not self.in_shadow(row, col)
 
-    def start_of_slice(self):
-        """Compute the mean height again."""
-        heights = [self.height(row, col) for row in range(self.rows) for col in range(self.cols)]
+    def begin(self):
+        """Look at the surface, as at the beginning of each round."""
+        self.before = [[self.height(row, col) for col in range(self.cols)] for row in range(self.rows)]
+        heights = [height for row in self.before for height in row]
         self.mean = sum(heights) // len(heights)
+        self.deviation = sum(abs(height - self.mean) for height in heights)
 
     def hop_from(self, row, col):
-        """Hop (cells) from a cell, by its height over a reference taken from the bed as it is now."""
+        """Hop (cells) from a cell, by its height over a reference taken when the round began."""
         rule = self.extra.hop
         if rule is None:
             return self.hop
-        deviation = sum(
-            abs(self.height(r, c) - self.mean) for r in range(self.rows) for c in range(self.cols)
-        )
         share = 0.5 / (self.rows * self.cols) if rule.follows_relief else 0.0
-        reference = float(self.mean) - share * float(deviation)
+        reference = float(self.mean) - share * float(self.deviation)
         rise = self.height(row, col) / SCALE - reference / SCALE
         hop = self.hop + rule.linear * rise
         if rise > 0:
@@ -288,7 +291,12 @@ class Field:
         else:
             self.change(row, col, -1)
             self.slide(row, col, False, draws.next())
-        landed = self.carry(row, col, hop, draws)
+        self.land(self.carry(*self.take_off(row, col, hop, draws)), draws)
+
+    def land(self, landed, draws):
+        """Lay a slab down where it landed (None: it left); one that is set aside lands later."""
+        if landed == "aside":
+            return
         if landed is None:
             self.tally["left"] += 1
         elif self.release_limits is None:
@@ -297,13 +305,20 @@ class Field:
             self.change(*landed, 1)
             self.slide(*landed, True, draws.next())
 
-    def carry(self, row, col, hop, draws):
+    def take_off(self, row, col, hop, draws):
         dx, dy = self.fixed(hop)
         x, y = col * CELL, row * CELL
         if dx % CELL or dy % CELL or (self.extra.hop is not None and not self.extra.hop.whole):
             draw = draws.next()
             x, y = x + high(draw), y + low(draw)
-        for _ in range(self.rules.max_hops):
+        return x, y, dx, dy, 0, draws
+
+    def carry(self, x, y, dx, dy, hops, draws):
+        while hops < self.rules.max_hops:
+            if self.hops_far(y, dy):
+                self.aside.append((x, y, dx, dy, hops, draws))
+                return "aside"
+            hops += 1
             x, y, stopped = self.fly(x, y, dx, dy)
             if x is None:
                 return None
@@ -318,6 +333,41 @@ class Field:
                 dx, dy = self.fixed(hop)
         self.tally["capped"] += 1
         return row, col
+
+    def place_among_near(self, row):
+        return (row - self.near[0]) % self.rows
+
+    def hops_far(self, y, dy):
+        """Whether a hop leads out of the near rows."""
+        if self.near is None:
+            return False
+        there = (self.place_among_near(y // CELL) * CELL + y % CELL + dy) // CELL
+        return not 0 <= there < len(self.near)
+
+    def sees(self, row, offset):
+        """Whether a ray from a row meets only near rows as far as this offset."""
+        if self.near is None:
+            return True
+        rows = math.ceil(abs(offset) - 1e-9)
+        at = self.place_among_near(row)
+        return 0 <= (at + rows if offset > 0.0 else at - rows) < len(self.near)
+
+    def height_before(self, row, col):
+        return self.before[row][col]
+
+    def look_about(self, first_row, rows):
+        """Take the rows of a band, and some on either side, for the near ones if the wind is oblique."""
+        margin = (self.rules.band_rows - 1) // 4
+        self.near = None
+        if self.angle != 0.0 and rows + 2 * margin < self.rows and not self.rules.forced_erosion:
+            self.near = [(first_row - margin + k) % self.rows for k in range(rows + 2 * margin)]
+
+    def end_round(self):
+        """Land the slabs that were set aside, in the order of their polls."""
+        self.near = None
+        late, self.aside = self.aside, []
+        for flight in late:
+            self.land(self.carry(*flight), flight[-1])
 
     def fixed(self, hop):
         return round(hop * (math.cos(self.angle) * CELL)), round(hop * (math.sin(self.angle) * CELL))
@@ -375,7 +425,7 @@ class Field:
             yield band, band * size, min(size, self.rows - band * size)
 
     def step(self, key, first, count):
-        self.start_of_slice()
+        self.begin()
         if self.rules.polling == "repeated":
             self.at_random(key, first, count)
         elif self.rules.forced_erosion:
@@ -389,6 +439,7 @@ class Field:
         chosen = [below(half(draw), self.rows) for draw in draws for half in (high, low)][:count]
         poll = first
         for _, first_row, rows in self.bands(derive(key, 2)):
+            self.look_about(first_row, rows)
             for _ in range(sum(first_row <= row < first_row + rows for row in chosen)):
                 start = derive(poll_key, poll)
                 draws = Draws(start)
@@ -404,6 +455,7 @@ class Field:
                 else:
                     self.move(row, col, draws)
                 poll += 1
+        self.end_round()
 
     def another(self, row, col, first_row, rows, draws):
         for _ in range(FORCED_TRIES):
@@ -423,6 +475,7 @@ class Field:
         for band, first_row, rows in self.bands(derive(key, 0)):
             size = rows * self.cols
             order = shuffled(size, derive(key, 1 + band))
+            self.look_about(first_row, rows)
             for at in range(start * size // cells, stop * size // cells):
                 row, col = first_row + order[at] // self.cols, order[at] % self.cols
                 draws = Draws(derive(poll_key, number * cells + first_row * self.cols + at))
@@ -430,11 +483,13 @@ class Field:
                     self.move(row, col, draws)
                     if self.tally["moved"] == target:
                         return
+        self.end_round()
 
     def each_once(self, key, first, count):
         cells = self.rows * self.cols
         for number in range(first // cells, (first + count - 1) // cells + 1):
             start, stop = max(first - number * cells, 0), min(first + count - number * cells, cells)
+            self.begin()
             self.round(derive(key, 0), derive(derive(key, 3), number), number, start, stop)
 
     def each_once_forced(self, key, first, count):

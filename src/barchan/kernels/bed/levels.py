@@ -1,4 +1,4 @@
-"""The mean height of a surface and how far cells lie from it, followed as cells change."""
+"""The mean height of a surface and how far cells lie from it."""
 
 import numpy as np
 
@@ -19,11 +19,3 @@ def measure_levels(surface, levels):
             deviation += abs((np.int64(surface[cell]) << levels.shift) - mean)
         levels.values[MEAN] = mean
         levels.values[DEVIATION] = deviation
-
-
-@internal(forceinline=True)
-def move_level(levels, before, after):
-    """Follow one cell from one height to another (None: levels are not kept)."""
-    if levels is not None:
-        mean = levels.values[MEAN]
-        levels.values[DEVIATION] += abs((after << levels.shift) - mean) - abs((before << levels.shift) - mean)

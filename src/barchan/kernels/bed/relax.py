@@ -11,7 +11,6 @@ from numpy.typing import NDArray
 
 from barchan.kernels.bed.active_layer import slide
 from barchan.kernels.bed.grid import neighbour
-from barchan.kernels.bed.levels import move_level
 from barchan.kernels.bed.slopes import has_sand, steepest
 from barchan.kernels.bed.state import STABLE, ActiveLayer, Grid, Repose, Stacks, unstable_cells
 from barchan.kernels.core.borrow import borrowed
@@ -57,11 +56,8 @@ def enqueue_about(unstable, row, col, first, at, length, grid):
 
 
 @internal(forceinline=True)
-def _move_slabs(surface, sand, levels, cell, lower, slab, count):
+def _move_slabs(surface, sand, cell, lower, slab, count):
     """Move slabs of sand from a cell to a lower one."""
-    here, there = np.int64(surface[cell]), np.int64(surface[lower])
-    move_level(levels, here, here - slab * count)
-    move_level(levels, there, there + slab * count)
     surface[cell] -= slab * count
     surface[lower] += slab * count
     if sand is not None:
@@ -117,7 +113,7 @@ def relax_queue(stacks, orders, unstable, progress, most, key, grid, repose, mix
         count = np.int64(1)
         if slides >= singly:
             count = _sliding(stacks.surface, stacks.sand, cell, lower, limit, repose.slab)
-        _move_slabs(stacks.surface, stacks.sand, stacks.levels, cell, lower, repose.slab, count)
+        _move_slabs(stacks.surface, stacks.sand, cell, lower, repose.slab, count)
         slide(mixture, cell, lower, count)
         slides += 1
         slid += count

@@ -60,6 +60,14 @@ def _limit_of(mobility, cell, sign, limit):
 
 
 @internal(forceinline=True)
+def _least(mobility, limit):
+    """The least of the limits that a step may have."""
+    if mobility is None:
+        return limit.bare
+    return min(limit.bare, limit.stabilised)
+
+
+@internal(forceinline=True)
 def _sorting_key(surface, sand, mobility, cell, here, sign, code, limit):
     """A number that sorts neighbours by their step from ``here`` and, at equal steps, by their order."""
     step = (np.int64(surface[cell]) - here) * sign
@@ -100,6 +108,13 @@ def steepest(stacks, orders, order, row, col, here, sign, at_rest, grid, repose)
     e = np.uint64(east)
     w = np.uint64(west)
     c = np.uint64(col)
+    if not repose.corners:
+        highest = max(
+            max((np.int64(surface[n + c]) - here) * sign, (np.int64(surface[s + c]) - here) * sign),
+            max((np.int64(surface[level + e]) - here) * sign, (np.int64(surface[level + w]) - here) * sign),
+        )
+        if highest <= _least(mobility, face_step):
+            return STABLE
     face = max(
         max(
             _sorting_key(surface, sand, mobility, n + c, here, sign, orders[order, NORTH], face_step),

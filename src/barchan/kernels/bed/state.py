@@ -26,7 +26,7 @@ MEAN, DEVIATION = range(2)
 
 
 class Levels(NamedTuple):
-    """Mean height and relief of the whole surface, kept up to date with every slab that moves."""
+    """Mean height and relief of the whole surface, as they were when a round of polls began."""
 
     values: NDArray[np.int64]
     """``MEAN`` and ``DEVIATION``, in 2**-``LEVEL_BITS`` slabs."""
@@ -49,7 +49,7 @@ class Stacks(NamedTuple):
     mobility: NDArray[np.int32] | None = None
     """How freely the wind works on each cell, in 1/``MOBILE``; None: everywhere unhindered."""
     levels: Levels | None = None
-    """Kept up to date where hops depend on height."""
+    """Measured where hops depend on height."""
 
 
 class Unstable(NamedTuple):

@@ -7,23 +7,62 @@ import ctypes
 import os
 import sys
 import threading
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor, wait
 from contextlib import contextmanager, suppress
+from contextvars import ContextVar
 from functools import cache
 
-import numpy as np
-from numpy.typing import NDArray
+from barchan.errors import BarchanError
 
 LEAST = 4096
 """Slots for each thread below which it is not worth its start."""
 
 
+MOST_THREADS = 1024
+
+VARIABLE = "BARCHAN_THREADS"
+"""The environment variable that states the number of threads."""
+
+_asked: ContextVar[int | None] = ContextVar("threads", default=None)
+
+
+def state_threads(threads: int | None) -> None:
+    """State the number of threads of this process and those that it starts (None: leave it as it is).
+
+    Raises BarchanError where the environment states a number that is none.
+    """
+    if threads is not None:
+        os.environ[VARIABLE] = str(threads)
+    thread_count()
+
+
+@contextmanager
+def asked_for(threads: int | None) -> Iterator[None]:
+    """Use so many threads meanwhile (None: as many as outside), unless the environment states a number."""
+    token = _asked.set(_asked.get() if threads is None else threads)
+    try:
+        yield
+    finally:
+        _asked.reset(token)
+
+
 def thread_count() -> int:
-    """Threads to use: as many as Numba was told to (``NUMBA_NUM_THREADS``), or one for each core."""
+    """Threads to use: as many as the environment, the command line or the scenario states, or all cores.
+
+    Raises BarchanError where ``BARCHAN_THREADS`` is no whole number from 1 to ``MOST_THREADS``.
+    """
     from numba import config
 
-    return int(config.NUMBA_NUM_THREADS)  # type: ignore[attr-defined]
+    stated = os.environ.get(VARIABLE, "").strip()
+    if stated:
+        if not (stated.isascii() and stated.isdigit() and 1 <= int(stated) <= MOST_THREADS):
+            raise BarchanError(
+                f"{VARIABLE} is {stated!r}; a whole number from 1 to {MOST_THREADS} is allowed"
+            )
+        return int(stated)
+    asked = _asked.get()
+    return int(config.NUMBA_NUM_THREADS) if asked is None else asked  # type: ignore[attr-defined]
 
 
 @cache
@@ -110,17 +149,16 @@ if hasattr(os, "register_at_fork"):
 
 
 @contextmanager
-def with_helpers(work: Callable[[], object], board: NDArray[np.int64], helpers: int) -> Iterator[int]:
-    """Have ``work`` done in as many helpers, or as many as are free; tells how many.
+def with_helpers(works: Sequence[Callable[[], object]], dismiss: Callable[[], None]) -> Iterator[int]:
+    """Have each of ``works`` done by a helper of its own, or by as many as are free; tells how many.
 
-    Helpers come to the board when they can, and go when it closes: at the end, whatever ends it.
+    A helper may begin late, or after all is done. ``dismiss`` sends helpers away that wait for more: it is
+    called at the end, whatever ends it.
     """
-    from barchan.kernels.core.work_queue import close
-
-    with _workers[0].taken(helpers) as workers:
+    with _workers[0].taken(len(works)) as workers:
         try:
-            for worker in workers:
+            for worker, work in zip(workers, works, strict=False):
                 worker.submit(work)
             yield len(workers)
         finally:
-            close(board)
+            dismiss()

@@ -14,6 +14,10 @@ from barchan.kernels.slabs.obstacles import hop_until_blocked, way_is_clear
 from barchan.kernels.slabs.shadow import in_shadow
 from barchan.kernels.slabs.state import CELL, MOBILE
 
+HOPS, STAYS, IS_CAPPED, LEAVES, HOPS_FAR = range(5)
+"""Fates of a slab in flight: it hops on, stays by itself, stays because of ``max_hops``, leaves the field, or
+its next hop leads beyond the near rows."""
+
 _ALL = 1 << 32
 """A chance of one."""
 
@@ -52,10 +56,10 @@ def has_fractions(speedup, hop_along, hop_across):
 
 
 @internal(forceinline=True)
-def hop_once(obstacles, surface, sand, heights, along, across, hop_along, hop_across, grid, repose):
+def hop_once(obstacles, surface, sand, view, along, across, hop_along, hop_across, grid, repose):
     """One hop: the new position (negative: left the field), the distance, and whether a wall stopped it."""
     if obstacles is not None:
-        if not way_is_clear(heights, along, across, hop_along, hop_across, grid, obstacles):
+        if not way_is_clear(view.now, along, across, hop_along, hop_across, grid, obstacles):
             return hop_until_blocked(
                 surface, sand, along, across, hop_along, hop_across, grid, repose, obstacles
             )
@@ -76,7 +80,7 @@ def sticks_by_chance(mobility, sandy, wind, cell, chance):
 
 
 @internal(forceinline=True)
-def sticks_in_shadow(axis, ray, grid, sticks, heights, row, col, here, peak):
+def sticks_in_shadow(axis, ray, grid, sticks, view, row, col, here, peak):
     """Whether a slab stays where it landed, by chance or because it landed in shadow.
 
     The test along an axis is so short that it is made in any case: there is no branch to mispredict.
@@ -84,40 +88,60 @@ def sticks_in_shadow(axis, ray, grid, sticks, heights, row, col, here, peak):
     if axis is None:
         if sticks:
             return True
-    return sticks | in_shadow(heights, row, col, here, peak, grid, axis, ray)
+    return sticks | in_shadow(view, row, col, here, peak, grid, axis, ray)
 
 
 @internal(forceinline=True)
-def carry(stacks, rules, heights, row, col, hop_along, hop_across, state, peak):
-    """Carry a slab from a cell, hop by hop, until it stays or leaves the field.
-
-    Returns its last row and column, the random state, whether it is still in the field, whether it stays by
-    itself and not because of ``max_hops``, and the distances travelled in 1/``TRAVEL_UNIT`` cells.
-    """
-    wind, grid = rules.wind, rules.grid
-    surface, sand = stacks.surface, stacks.sand
+def take_off(speedup, row, col, hop_along, hop_across, state):
+    """Where in its cell a slab starts, in 1/``CELL`` cells, and the random state."""
     along = col << 32
     across = row << 32
-    if has_fractions(rules.speedup, hop_along, hop_across):
+    if has_fractions(speedup, hop_along, hop_across):
         state += GOLDEN
         draw = mix(state)
         along |= np.int64(high(draw))
         across |= np.int64(low(draw))
+    return along, across, state
+
+
+@internal(forceinline=True)
+def _goes_far(ray, view, across, hop_across, grid):
+    """Whether a hop leads beyond the near rows; along an axis it never does."""
+    if ray is None:
+        return False
+    near = view.near
+    there = across - (near.first << 32)
+    there += grid.rows << 32 if there < 0 else 0
+    there += hop_across
+    return (there < 0 or there >= near.number << 32) and near.number < grid.rows
+
+
+@internal(forceinline=True)
+def carry(stacks, rules, view, along, across, hop_along, hop_across, state, hops, peak):
+    """Carry a slab on from a position, hop by hop, until it stays, leaves the field or would hop far.
+
+    Returns its position, the next hop, the random state, the number of hops, the slab's fate (``STAYS``,
+    ``IS_CAPPED``, ``LEAVES`` or ``HOPS_FAR``) and the distances travelled in 1/``TRAVEL_UNIT`` cells.
+    """
+    wind, grid = rules.wind, rules.grid
+    surface, sand = stacks.surface, stacks.sand
     travel_along = np.int64(0)
     travel_across = np.int64(0)
-    hops = 0
-    ends = False
-    stays = False
-    while not ends:
+    fate = HOPS
+    while fate == HOPS:
+        if _goes_far(rules.ray, view, across, hop_across, grid):
+            fate = HOPS_FAR
+            break
         # 4 hop
         hops += 1
         along, across, hopped_along, hopped_across, stopped = hop_once(
-            rules.obstacles, surface, sand, heights, along, across, hop_along, hop_across, grid, rules.repose
+            rules.obstacles, surface, sand, view, along, across, hop_along, hop_across, grid, rules.repose
         )
         travel_along += hopped_along >> 16
         travel_across += hopped_across >> 16
         if along < 0 or across < 0:
-            return row, col, state, False, False, travel_along, travel_across
+            fate = LEAVES
+            break
         row = across >> 32
         col = along >> 32
         # 5 settle?
@@ -126,11 +150,13 @@ def carry(stacks, rules, heights, row, col, hop_along, hop_across, state, peak):
         here = surface[cell]
         sandy = has_sand(surface, sand, cell)
         stays = sticks_by_chance(stacks.mobility, sandy, wind, cell, high(mix(state))) | stopped
-        stays = sticks_in_shadow(rules.axis, rules.ray, grid, stays, heights, row, col, here, peak)
+        stays = sticks_in_shadow(rules.axis, rules.ray, grid, stays, view, row, col, here, peak)
         hop_along, hop_across, stays = next_hop(
             rules.speedup, stacks.levels, wind, here, hop_along, hop_across, stays
         )
         ends = stays | (hops == wind.max_hops)
         if hops & _LOOK == 0:
             ends |= rules.interruption[0] != 0
-    return row, col, state, True, stays, travel_along, travel_across
+        if ends:
+            fate = STAYS if stays else IS_CAPPED
+    return along, across, hop_along, hop_across, state, hops, fate, travel_along, travel_across

@@ -37,18 +37,18 @@ def _hop_is_not_zero(speedup, levels, height):
 
 
 @internal(forceinline=True)
-def _erodes_outside_shadow(ray, axis, grid, wind, erodes, heights, row, col, here, peak):
+def _erodes_outside_shadow(ray, axis, grid, wind, erodes, view, row, col, here, peak):
     """Whether a cell that would erode lies outside the shadow zone, where that matters."""
     if wind.lee_erosion:
         return erodes
     if ray is not None:
         if not erodes:
             return False
-    return not in_shadow(heights, row, col, here, peak, grid, axis, ray) and erodes
+    return not in_shadow(view, row, col, here, peak, grid, axis, ray) and erodes
 
 
 @internal(forceinline=True)
-def may_erode(stacks, rules, heights, row, col, state, peak):
+def may_erode(stacks, rules, view, row, col, state, peak):
     """Whether a polled cell gives a slab, and the random state after it was asked."""
     cell = np.uint64(row * rules.grid.cols + col)
     here = stacks.surface[cell]
@@ -57,13 +57,13 @@ def may_erode(stacks, rules, heights, row, col, state, peak):
     erodes &= allowed
     erodes &= _hop_is_not_zero(rules.speedup, stacks.levels, here)
     erodes = _erodes_outside_shadow(
-        rules.ray, rules.axis, rules.grid, rules.wind, erodes, heights, row, col, here, peak
+        rules.ray, rules.axis, rules.grid, rules.wind, erodes, view, row, col, here, peak
     )
     return erodes, state
 
 
 @internal()
-def find_eroding_cell(stacks, rules, heights, band, row, col, state, peak):
+def find_eroding_cell(stacks, rules, view, band, row, col, state, peak):
     """Look for a cell that may erode: at random within the band, then onwards through the lattice.
 
     Returns its row (negative where none is left), column and the advanced random state.
@@ -83,7 +83,7 @@ def find_eroding_cell(stacks, rules, heights, band, row, col, state, peak):
                 row = row + 1 if row + 1 < grid.rows else 0
                 if rules.interruption[0] != 0:
                     break
-        erodes, state = may_erode(stacks, rules, heights, row, col, state, peak)
+        erodes, state = may_erode(stacks, rules, view, row, col, state, peak)
         if erodes:
             return row, col, state
     return -1, col, state

@@ -20,6 +20,7 @@ from barchan.kernels.slabs.carry import (
 )
 from barchan.kernels.slabs.hop import wrapped
 from barchan.kernels.slabs.poll import lay_down
+from barchan.kernels.slabs.shadow import whole_view
 from barchan.kernels.slabs.state import CAPPED, CELL, ENTERED, LEFT, TRAVEL_ACROSS, TRAVEL_ALONG
 
 _ALONG, _ACROSS = range(2)
@@ -29,7 +30,7 @@ _ALONG, _ACROSS = range(2)
 @njit(cache=True)
 def _bring_in(stacks, rules, work, along, across, state, peak, tally):
     """Carry a slab from where it first lands until it stays or leaves; returns a height no cell exceeds."""
-    heights = stacks.surface.ctypes.data
+    view = whole_view(stacks.surface.ctypes.data, rules.grid)
     wind, grid, surface, sand = rules.wind, rules.grid, stacks.surface, stacks.sand
     hop_along, hop_across = wind.hop_along, wind.hop_across
     tally[ENTERED] += 1
@@ -44,7 +45,7 @@ def _bring_in(stacks, rules, work, along, across, state, peak, tally):
         here = surface[cell]
         sandy = has_sand(surface, sand, cell)
         stays = sticks_by_chance(stacks.mobility, sandy, wind, cell, high(state)) | stopped
-        stays = sticks_in_shadow(rules.axis, rules.ray, grid, stays, heights, row, col, here, peak)
+        stays = sticks_in_shadow(rules.axis, rules.ray, grid, stays, view, row, col, here, peak)
         hop_along, hop_across, stays = next_hop(
             rules.speedup, stacks.levels, wind, here, hop_along, hop_across, stays
         )
@@ -55,7 +56,7 @@ def _bring_in(stacks, rules, work, along, across, state, peak, tally):
         # 4 hop
         hops += 1
         along, across, hopped_along, hopped_across, stopped = hop_once(
-            rules.obstacles, surface, sand, heights, along, across, hop_along, hop_across, grid, rules.repose
+            rules.obstacles, surface, sand, view, along, across, hop_along, hop_across, grid, rules.repose
         )
         tally[TRAVEL_ALONG] += hopped_along >> 16
         tally[TRAVEL_ACROSS] += hopped_across >> 16

@@ -7,7 +7,6 @@ an argument of its own, so functions take an optional rule first. All work is do
 
 import numpy as np
 
-from barchan.kernels.bed.levels import move_level
 from barchan.kernels.bed.relax import CHECKED, NO_END, enqueue, enqueue_about, relax_queue
 from barchan.kernels.bed.slopes import next_on_slope, steepest
 from barchan.kernels.bed.state import DOWNSLOPE, STABLE, UPSLOPE
@@ -15,20 +14,30 @@ from barchan.kernels.core.borrow import borrowed
 from barchan.kernels.core.inlining import never_inline
 from barchan.kernels.core.internal import internal
 from barchan.kernels.core.random import GOLDEN, mix
-from barchan.kernels.slabs.carry import carry, first_hop
+from barchan.kernels.slabs.carry import HOPS_FAR, IS_CAPPED, LEAVES, carry, first_hop, take_off
 from barchan.kernels.slabs.erosion import find_eroding_cell, may_erode
-from barchan.kernels.slabs.state import CAPPED, EXHAUSTED, LEFT, MOVED, TRAVEL_ACROSS, TRAVEL_ALONG
+from barchan.kernels.slabs.flights import address_of, put_aside
+from barchan.kernels.slabs.shadow import is_near
+from barchan.kernels.slabs.state import (
+    CAPPED,
+    EXHAUSTED,
+    FULL,
+    LEFT,
+    MOVED,
+    STRAYED,
+    TRAVEL_ACROSS,
+    TRAVEL_ALONG,
+    View,
+)
 
 
 @internal(forceinline=True)
 def _change(stacks, sand, cell, slab, count):
     """Change a cell's stack by ``count`` slabs; returns its new height."""
-    before = np.int64(stacks.surface[cell])
-    move_level(stacks.levels, before, before + slab * count)
     stacks.surface[cell] += slab * count
     if sand is not None:
         sand[cell] += count
-    return before + slab * count
+    return np.int64(stacks.surface[cell])
 
 
 @internal()
@@ -70,6 +79,14 @@ def _relax_after(unstable, stacks, rules, order, row, col, state, sign):
     return state
 
 
+@internal(forceinline=True)
+def _strays(sliding, row, band, grid):
+    """Whether a walk has come to a row that the polls of the band may not touch."""
+    if not sliding:
+        return False
+    return not is_near(row, band.touched, grid)
+
+
 @internal()
 def lay_down(unstable, stacks, rules, row, col, state):
     """Lay a slab on a cell and let it slide down the slope; returns the height of the cell that it raises."""
@@ -87,11 +104,13 @@ def run_polls(stacks, rules, work, band, count, redraw, target, peak, tally):
     """Run ``count`` prepared polls, one after the other, until ``target`` slabs have moved in all.
 
     With ``redraw`` a cell that may not erode is replaced by one that may. Returns a height that no cell
-    exceeds now.
+    exceeds now; or, with polls left undone, ``STRAYED`` before a walk touches a row that it may not, and
+    ``FULL`` where there is no room for another slab that hops far.
     """
     never_inline()
     stacks, rules, work = borrowed((stacks, rules, work))
-    heights = stacks.surface.ctypes.data
+    surface = stacks.surface.ctypes.data
+    view = View(surface, address_of(work.before, surface), band.near)
     grid, polls, unstable = rules.grid, work.polls, work.unstable
     moved = tally[MOVED]
     left = 0
@@ -102,11 +121,11 @@ def run_polls(stacks, rules, work, band, count, redraw, target, peak, tally):
         # 1 choose a cell
         row, col, state = polls.rows[np.uint64(k)], polls.cols[np.uint64(k)], polls.states[np.uint64(k)]
         # 2 may it erode?
-        erodes, state = may_erode(stacks, rules, heights, row, col, state, peak)
+        erodes, state = may_erode(stacks, rules, view, row, col, state, peak)
         if not erodes:
             if not redraw:
                 continue
-            row, col, state = find_eroding_cell(stacks, rules, heights, band, row, col, state, peak)
+            row, col, state = find_eroding_cell(stacks, rules, view, band, row, col, state, peak)
             if row < 0:
                 tally[EXHAUSTED] += 1
                 break
@@ -117,24 +136,33 @@ def run_polls(stacks, rules, work, band, count, redraw, target, peak, tally):
         r, c, order, sliding = row, col, UPSLOPE, True
         while sliding:
             r, c, order, state, sliding = _next_on_slope(unstable, stacks, rules, order, r, c, state, 1)
+            if _strays(sliding, r, band, grid):
+                return np.int64(STRAYED)
         _change(stacks, stacks.sand, np.uint64(r * grid.cols + c), rules.repose.slab, -1)
         state = _relax_after(unstable, stacks, rules, UPSLOPE, r, c, state, 1)
         # 4 hop, 5 settle?
-        row, col, state, inside, stays, way_along, way_across = carry(
-            stacks, rules, heights, row, col, hop_along, hop_across, state, peak
+        along, across, state = take_off(rules.speedup, row, col, hop_along, hop_across, state)
+        along, across, hop_along, hop_across, state, hops, fate, way_along, way_across = carry(
+            stacks, rules, view, along, across, hop_along, hop_across, state, 0, peak
         )
         travel_along += way_along
         travel_across += way_across
-        if not inside:
+        if fate == HOPS_FAR:
+            slab = (along, across, hop_along, hop_across, np.int64(state), hops)
+            if not put_aside(work.flights, band.number, slab):
+                return np.int64(FULL)
+        elif fate == LEAVES:
             left += 1
         else:
             # 6 lay it down, and let it slide down the slope
-            capped += not stays
-            order, sliding = DOWNSLOPE, True
+            capped += fate == IS_CAPPED
+            row, col, order, sliding = across >> 32, along >> 32, DOWNSLOPE, True
             while sliding:
                 row, col, order, state, sliding = _next_on_slope(
                     unstable, stacks, rules, order, row, col, state, -1
                 )
+                if _strays(sliding, row, band, grid):
+                    return np.int64(STRAYED)
             cell = np.uint64(row * grid.cols + col)
             peak = max(peak, _change(stacks, stacks.sand, cell, rules.repose.slab, 1))
             _relax_after(unstable, stacks, rules, DOWNSLOPE, row, col, state, -1)

@@ -10,14 +10,30 @@ import numpy as np
 
 from barchan.kernels.core.internal import internal
 from barchan.kernels.core.random import below, derive, high, low, shuffle
+from barchan.kernels.slabs.state import Band, Rows
 
 
 @internal()
-def shuffle_bands(polls, key):
+def _rows_about(first, own, margin, rows):
+    """Some rows and as many as ``margin`` on either side, at most all."""
+    count = min(own + 2 * margin, rows)
+    return Rows((first - margin) % rows if count < rows else 0, count)
+
+
+@internal()
+def band_of(number, rows, schedule, near, reach):
+    """A band by its number, with ``near`` rows on either side, and ``reach`` rows that it may touch."""
+    first = number * schedule.band_rows
+    own = min(schedule.band_rows, rows - first)
+    return Band(number, first, own, _rows_about(first, own, near, rows), _rows_about(first, own, reach, rows))
+
+
+@internal()
+def shuffle_bands(order, key):
     """Draw the order of the bands."""
-    for band in range(polls.band_order.size):
-        polls.band_order[band] = band
-    shuffle(polls.band_order, polls.band_order.size, key)
+    for band in range(order.size):
+        order[band] = band
+    shuffle(order, order.size, key)
 
 
 @internal()

@@ -13,6 +13,7 @@ from numba import njit
 from barchan.kernels.core.internal import internal
 from barchan.kernels.core.simd import any_above, any_of_last_above, load_at
 from barchan.kernels.core.state import SIMD_WIDTH
+from barchan.kernels.slabs.state import Rows, View
 
 _BLOCK = np.int64(SIMD_WIDTH)
 
@@ -56,10 +57,41 @@ def _in_axis_shadow(surface, row, col, here, peak, grid, axis):
     return False
 
 
+@internal(forceinline=True)
+def whole_view(surface, grid):
+    """The heights of a surface (its address), all as they are now."""
+    return View(surface, surface, Rows(0, grid.rows))
+
+
+@internal(forceinline=True)
+def is_near(row, near, grid):
+    """Whether a row is among the near ones."""
+    beyond = row - near.first
+    beyond += grid.rows if beyond < 0 else 0
+    return beyond < near.number
+
+
+@internal(error_model="numpy", forceinline=True)
+def _crossings_near(view, row, grid, ray):
+    """How many crossings of a ray from a near row lie among the near rows."""
+    near = view.near
+    if near.number == grid.rows:
+        return ray.size
+    beside = row - near.first
+    beside += grid.rows if beside < 0 else 0
+    if ray.rises:
+        beside = near.number - 1 - beside
+    return load_at(ray.near + 8 * beside, np.int64(0))
+
+
 @internal(error_model="numpy")
-def _in_ray_shadow(surface, row, col, here, peak, grid, ray):
+def _in_ray_shadow(view, row, col, here, peak, grid, ray):
     rise = np.float64(peak - here)
+    surface = view.now
+    crossings_near = _crossings_near(view, row, grid, ray)
     for k in range(ray.size):
+        if k == crossings_near:
+            surface = view.before
         fall = load_at(ray.falls + 8 * k, 0.0)
         if fall >= rise:
             return False
@@ -86,17 +118,17 @@ def _in_ray_shadow(surface, row, col, here, peak, grid, ray):
 
 
 @njit(cache=True, error_model="numpy")
-def in_shadow(surface, row, col, here, peak, grid, axis, ray):
+def in_shadow(view, row, col, here, peak, grid, axis, ray):
     """Whether a cell of height ``here`` at (``row``, ``col``) lies in shadow.
 
-    ``surface`` is the surface's address and ``here`` of its type. ``peak`` is a height that no cell
-    exceeds: it bounds how far upwind the test looks. One of ``axis`` and ``ray`` is None.
+    ``here`` is of the surface's type. ``peak`` is a height that no cell exceeds: it bounds how far upwind the
+    test looks. One of ``axis`` and ``ray`` is None.
     """
     shaded = False
     if axis is not None:
-        shaded = peak > here and _in_axis_shadow(surface, row, col, here, peak, grid, axis)
+        shaded = peak > here and _in_axis_shadow(view.now, row, col, here, peak, grid, axis)
     if ray is not None:
-        shaded = peak > here and _in_ray_shadow(surface, row, col, here, peak, grid, ray)
+        shaded = peak > here and _in_ray_shadow(view, row, col, here, peak, grid, ray)
     return shaded
 
 
@@ -104,8 +136,9 @@ def in_shadow(surface, row, col, here, peak, grid, axis, ray):
 def shadow_zone(surface, grid, axis, ray, zone):
     """Mark in ``zone`` (bool, flat) every cell of the bed that lies in shadow."""
     peak = np.int64(surface.max())
+    view = whole_view(surface.ctypes.data, grid)
     for row in range(grid.rows):
         for col in range(grid.cols):
             cell = row * grid.cols + col
             here = surface[cell]
-            zone[cell] = in_shadow(surface.ctypes.data, row, col, here, peak, grid, axis, ray)
+            zone[cell] = in_shadow(view, row, col, here, peak, grid, axis, ray)

@@ -82,6 +82,10 @@ class RayShadow(NamedTuple):
     """Address of the share of the next row's cell in the height at the crossing (float64)."""
     falls: int
     """Address of how far the line has fallen from the crossing to the sheltered cell (float64)."""
+    near: int
+    """Address of how many crossings lie at most so many rows away: none, one and so on (int64)."""
+    rises: bool
+    """Whether the ray goes towards growing rows."""
     size: int
     width: int
 
@@ -136,11 +140,49 @@ class Schedule(NamedTuple):
     band_rows: int
 
 
+class Rows(NamedTuple):
+    """Some rows of the lattice, counted from the first one on, round its edge."""
+
+    first: int
+    number: int
+
+
 class Band(NamedTuple):
     """A band of rows."""
 
+    number: int
     first_row: int
     rows: int
+    near: Rows
+    """The rows that an oblique wind works on at once: slabs that hop farther land when the round ends."""
+    touched: Rows
+    """The rows that its polls may touch."""
+
+
+class View(NamedTuple):
+    """The heights of the surface as the polls of a band see them."""
+
+    now: int
+    """Address of the surface."""
+    before: int
+    """Address of the surface as it was when the round began."""
+    near: Rows
+    """Rows of the band and about it. A shadow line of an oblique wind meets them as they are now, and the
+    others as they were."""
+
+
+class Flights(NamedTuple):
+    """Slabs that hop farther than the near rows of their bands, in the order of the polls of each band."""
+
+    slabs: NDArray[np.int64]
+    """The next slab of the band (``NO_SLAB``: none), position, hop, random state and number of hops."""
+    first: NDArray[np.int64]
+    """The first slab of each band."""
+    last: NDArray[np.int64]
+    used: NDArray[np.int64]
+
+
+NO_SLAB = -1
 
 
 class Round(NamedTuple):
@@ -187,6 +229,10 @@ class Work(NamedTuple):
     polls: Polls
     unstable: Unstable | None
     """For avalanches that go on until every slope stands; None: sand at rest slides at the repose angle."""
+    before: NDArray[np.integer] | None = None
+    """The surface when the round began; None along an axis, where the wind keeps to its row."""
+    flights: Flights | None = None
+    """None along an axis."""
 
 
 def prepared_polls(rows: int, cols: int, schedule: Schedule) -> Polls:
@@ -202,6 +248,9 @@ def prepared_polls(rows: int, cols: int, schedule: Schedule) -> Polls:
         np.zeros(band_cells, np.int32),
     )
 
+
+STRAYED, FULL = -1, -2
+"""In place of a height: a walk left the rows that its band may touch; a slab in flight found no room."""
 
 MOVED, LEFT, CAPPED, TRAVEL_ALONG, TRAVEL_ACROSS, EXHAUSTED, ENTERED = range(7)
 """Places in a tally: slabs moved, slabs that left, slabs put down after ``max_hops``, distances

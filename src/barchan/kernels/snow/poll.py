@@ -13,7 +13,7 @@ from barchan.kernels.core.internal import internal
 from barchan.kernels.core.random import GOLDEN, below, high, low, mix
 from barchan.kernels.slabs.carry import has_fractions
 from barchan.kernels.slabs.hop import wrapped
-from barchan.kernels.slabs.shadow import in_shadow
+from barchan.kernels.slabs.shadow import in_shadow, whole_view
 from barchan.kernels.slabs.state import CAPPED, LEFT, MOVED, TRAVEL_ACROSS, TRAVEL_ALONG
 from barchan.kernels.snow.layers import pop, state_class
 from barchan.kernels.snow.slopes import feed, lay_down
@@ -70,7 +70,7 @@ def _chance_allows(giving, stress, pack, rules, row, col, cell, here, state):
 
 
 @internal(forceinline=True)
-def may_give(pack, rules, heights, row, col, state, peak):
+def may_give(pack, rules, view, row, col, state, peak):
     """Whether a polled cell gives a quantum, and the random state after it was asked."""
     slabs = rules.slabs
     cell = np.uint64(row * slabs.grid.cols + col)
@@ -78,7 +78,7 @@ def may_give(pack, rules, heights, row, col, state, peak):
     gives = pack.quanta[cell] > 0
     if gives:
         allowed, state = _chance_allows(rules.giving, rules.stress, pack, rules, row, col, cell, here, state)
-        gives = allowed and not in_shadow(heights, row, col, here, peak, slabs.grid, slabs.axis, slabs.ray)
+        gives = allowed and not in_shadow(view, row, col, here, peak, slabs.grid, slabs.axis, slabs.ray)
     return gives, state
 
 
@@ -99,7 +99,7 @@ def _stays_by_chance(stress, pack, rules, cell, chance):
 
 
 @internal(forceinline=True)
-def carry(pack, rules, heights, along, across, travelled, state, peak):
+def carry(pack, rules, view, along, across, travelled, state, peak):
     """Carry a quantum hop by hop until it rests or leaves the field.
 
     ``travelled`` says whether it has just come down from a first hop. Returns its last row and column, the
@@ -125,7 +125,7 @@ def carry(pack, rules, heights, along, across, travelled, state, peak):
         cell = np.uint64(row * grid.cols + col)
         here = pack.surface[cell]
         stays = _stays_by_chance(rules.stress, pack, rules, cell, high(mix(state)))
-        stays = stays or in_shadow(heights, row, col, here, peak, grid, slabs.axis, slabs.ray)
+        stays = stays or in_shadow(view, row, col, here, peak, grid, slabs.axis, slabs.ray)
     return row, col, state, True, stays, way_along, way_across
 
 
@@ -159,14 +159,14 @@ def run_polls(pack, rules, work, count, peak, tally):
     """Run ``count`` prepared polls, one after the other; returns a height that no cell exceeds now."""
     never_inline()
     pack, rules, work = borrowed((pack, rules, work))
-    heights = pack.surface.ctypes.data
+    view = whole_view(pack.surface.ctypes.data, rules.slabs.grid)
     grid, wind, polls = rules.slabs.grid, rules.slabs.wind, work.polls
     fractions = has_fractions(None, wind.hop_along, wind.hop_across)
     for k in range(count):
         # 1 choose a cell
         row, col, state = polls.rows[np.uint64(k)], polls.cols[np.uint64(k)], polls.states[np.uint64(k)]
         # 2 does it give a quantum?
-        gives, state = may_give(pack, rules, heights, row, col, state, peak)
+        gives, state = may_give(pack, rules, view, row, col, state, peak)
         if not gives:
             continue
         tally[MOVED] += 1
@@ -181,7 +181,7 @@ def run_polls(pack, rules, work, count, peak, tally):
             along |= np.int64(high(draw))
             across |= np.int64(low(draw))
         row, col, state, inside, stays, way_along, way_across = carry(
-            pack, rules, heights, along, across, False, state, peak
+            pack, rules, view, along, across, False, state, peak
         )
         tally[TRAVEL_ALONG] += way_along
         tally[TRAVEL_ACROSS] += way_across

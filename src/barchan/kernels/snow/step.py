@@ -6,8 +6,15 @@ from numba import njit
 from barchan.kernels.core.borrow import borrowed
 from barchan.kernels.core.random import derive, draw
 from barchan.kernels.slabs.influx import first_landing
-from barchan.kernels.slabs.polling import count_polls_by_row, draw_cells, polls_in_band, shuffle_bands
-from barchan.kernels.slabs.state import BLOCK, CAPPED, ENTERED, LEFT, TRAVEL_ACROSS, TRAVEL_ALONG, Band
+from barchan.kernels.slabs.polling import (
+    band_of,
+    count_polls_by_row,
+    draw_cells,
+    polls_in_band,
+    shuffle_bands,
+)
+from barchan.kernels.slabs.shadow import whole_view
+from barchan.kernels.slabs.state import BLOCK, CAPPED, ENTERED, LEFT, TRAVEL_ACROSS, TRAVEL_ALONG
 from barchan.kernels.snow.poll import carry, run_polls, settle
 
 
@@ -24,12 +31,11 @@ def run_steps(pack, rules, work, schedule, key, step, steps, first, count, tally
         step_key = derive(key, now)
         poll_key = derive(step_key, 0)
         count_polls_by_row(polls, first, count, derive(step_key, 1))
-        shuffle_bands(polls, derive(step_key, 2))
+        shuffle_bands(polls.band_order, derive(step_key, 2))
         peak = np.int64(pack.surface.max())
         poll = first
         for number in polls.band_order:
-            first_row = number * schedule.band_rows
-            band = Band(first_row, min(schedule.band_rows, grid.rows - first_row))
+            band = band_of(number, grid.rows, schedule, grid.rows, grid.rows)
             at, end = 0, polls_in_band(polls, band)
             while at < end:
                 if rules.slabs.interruption[0] != 0:
@@ -45,7 +51,7 @@ def run_steps(pack, rules, work, schedule, key, step, steps, first, count, tally
 def let_enter(pack, rules, influx, key, tally):
     """Let a step's quanta enter across the upwind edges, as ``kernels.slabs.influx.let_enter`` does."""
     pack, rules, influx = borrowed((pack, rules, influx))
-    heights = pack.surface.ctypes.data
+    view = whole_view(pack.surface.ctypes.data, rules.slabs.grid)
     peak = np.int64(pack.surface.max())
     for edge in range(2):
         means = influx.along if edge == 0 else influx.across
@@ -58,7 +64,7 @@ def let_enter(pack, rules, influx, key, tally):
                 along, across = first_landing(edge, cell, state, rules.slabs)
                 tally[ENTERED] += 1
                 row, col, state, inside, stays, way_along, way_across = carry(
-                    pack, rules, heights, along, across, True, state, peak
+                    pack, rules, view, along, across, True, state, peak
                 )
                 tally[TRAVEL_ALONG] += way_along
                 tally[TRAVEL_ACROSS] += way_across

@@ -13,9 +13,11 @@ def run_worker(connection: Connection, name: str) -> None:
     """Be the worker at this end of a connection until it is closed."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is the server's: it ends its workers itself
     from barchan.kernels.core.compile_notice import told_of_compilation
+    from barchan.kernels.core.threads import asked_for, thread_count
 
     worker = Worker(connection, name)
-    with told_of_compilation(lambda: worker.send("compiling")):
+    one_for_the_browser = asked_for(max(1, thread_count() - 1))
+    with one_for_the_browser, told_of_compilation(lambda: worker.send("compiling")):
         try:
             while True:
                 worker.receive()
