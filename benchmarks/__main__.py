@@ -73,11 +73,7 @@ def report(only: str) -> Iterator[str]:
         published = grains.PUBLISHED_SECONDS
         yield f"The 3000 iterations of Szabó 2019: {seconds:.1f} s, against {published:.0f} s there."
     if not only or "export".startswith(only):
-        yield ""
-        yield f"| export of a frame of {exports.SIDE}² cells | seconds of a processor | MB |"
-        yield "|---|---|---|"
-        for name, seconds, megabytes in exports.measure():
-            yield f"| {name} | {seconds:.2f} | {megabytes:.1f} |"
+        yield from exports.report()
     if not only:
         yield ""
         yield "| program | seconds |"

@@ -25,12 +25,11 @@ def sidecar_of(chosen: "Format", source: "Source", files: Files, facts: dict[str
     """What the side-car file of an export says; ``facts`` are those that its writer returned."""
     from barchan.version import __version__
 
-    text = source.scenario.text()
     return {
         "format": chosen.name,
         "program": f"Barchan {__version__}",
         "scenario": {
-            "id": hashlib.sha256(text.encode()).hexdigest()[:16],
+            "id": _digest(source.scenario.data()),
             "title": source.scenario.title,
             "seed": source.scenario.run.seed,
             "citation": source.scenario.citation,
@@ -49,6 +48,12 @@ def sidecar_of(chosen: "Format", source: "Source", files: Files, facts: dict[str
         "ranges": {name: {"lowest": low, "highest": high} for name, (low, high) in source.ranges.items()},
         **facts,
     }
+
+
+def _digest(scenario: dict[str, Any]) -> str:
+    """A name for a scenario by all its keys but the number of threads, which never changes a result."""
+    scenario["run"].pop("threads", None)
+    return hashlib.sha256(json.dumps(scenario, sort_keys=True).encode()).hexdigest()[:16]
 
 
 def _frame(source: "Source") -> dict[str, Any]:
