@@ -40,6 +40,9 @@ _HOMES = {
     "simulate": "entry",
 }
 
+_RETURN_RUNS = ("open_run", "simulate")
+"""Functions whose datasets have the accessor ``run.barchan``."""
+
 __all__ = [
     "ArchiveError",
     "BarchanError",
@@ -70,4 +73,6 @@ def __dir__() -> list[str]:
 def __getattr__(name: str) -> Any:
     if name not in _HOMES:
         raise AttributeError(f"module 'barchan' has no attribute '{name}'")
+    if name in _RETURN_RUNS:
+        import_module("barchan.accessor")
     return getattr(import_module(f"barchan.{_HOMES[name]}"), name)

@@ -67,5 +67,9 @@ class ArchiveError(BarchanError):
     """A run on disk that cannot be written, read or resumed."""
 
 
+class ExportError(BarchanError):
+    """Frames of a run that cannot be written for another program."""
+
+
 class FieldError(BarchanError, ValueError):
     """An array that is no field of the lattice: of another shape or type, or not of numbers."""

@@ -33,7 +33,7 @@ def test_a_film_goes_where_it_is_asked_to(here, finished, barchan):
 @pytest.mark.parametrize(
     ("words", "said"),
     [
-        (["--out", "dunes.mp4"], "a film is .webp or .gif, not '.mp4'"),
+        (["--out", "dunes.avi"], "a film is .webp or .gif or .mp4, not '.avi'"),
         (["--frames-per-second", "0"], "--frames-per-second"),
         (["--size", "0"], "--size"),
         (["--smoothing", "-1"], "--smoothing"),

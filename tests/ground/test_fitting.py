@@ -238,7 +238,7 @@ def test_a_file_that_is_missing_or_of_an_unknown_kind_is_refused(tmp_path):
 def test_a_missing_extra_is_named(model, monkeypatch):
     path = model()
     monkeypatch.setitem(__import__("sys").modules, "rasterio", None)
-    assert "pip install barchan[geo]" in refused(path)
+    assert "python -m pip install rasterio" in refused(path)
 
 
 def test_depths_of_sand_are_slabs_or_metres(array):

@@ -13,6 +13,7 @@ COMMANDS = {
     "info": "Print the contents of a run, its progress, and the measures of its last frame.",
     "show": "Draw a frame of a run, a section, or its measures over time.",
     "film": "Write an animated picture of a run.",
+    "export": "Write frames of a run for another program: GIS, ParaView, Blender, engines, printers, tables.",
     "presets": "List the scenarios that ship with Barchan.",
     "parameters": "List every key of a scenario, with unit, default, bounds, meaning and source.",
     "wind": "Print and draw the effect of a wind on sand: roses, drift, the crests and dunes to expect.",

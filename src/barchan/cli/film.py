@@ -28,7 +28,7 @@ def film(
     run
         The run's folder.
     out
-        The film's file, .webp or .gif; film.webp in the run's folder without it.
+        The film's file, .webp, .gif or, with the library av, .mp4; film.webp in the run's folder without it.
     frames_per_second
         Frames shown in a second.
     size

@@ -41,8 +41,15 @@ def print_warning(text: str) -> None:
 def save_picture(figure: "Figure", path: Path, dpi: float | None = None) -> None:
     """Write a picture, at the figure's dots per inch or ``dpi``, and print its name.
 
-    Raises BarchanError where it cannot be written.
+    Raises BarchanError where it cannot be written, and for a suffix that promises numbers instead.
     """
+    from barchan.export.formats import DATA_SUFFIXES
+
+    if path.suffix.lower() in DATA_SUFFIXES:
+        raise BarchanError(
+            f"{path}: a picture under the name of data would be taken for data; allowed: .png, .pdf, .svg; "
+            f"numbers are written by: barchan export RUN {path.name}"
+        )
     try:
         figure.savefig(path, dpi=figure.dpi if dpi is None else dpi)
     except (OSError, ValueError) as error:

@@ -1,4 +1,4 @@
-"""Animated pictures of a run: WebP or GIF."""
+"""Animated pictures of a run: WebP, GIF or MP4."""
 
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -10,13 +10,18 @@ from PIL import Image
 from barchan.errors import BarchanError
 from barchan.figures.light import exaggeration
 from barchan.figures.maps import elevation_range, shaded, surface_range
+from barchan.figures.mp4 import require_video, write_mp4
 from barchan.figures.style import SMOOTHING, Colours
+from barchan.replacing import replacing
 from barchan.scenario import Scenario
 
 if TYPE_CHECKING:
     import xarray as xr
 
-FORMATS = (".webp", ".gif")
+FORMATS = (".webp", ".gif", ".mp4")
+
+RATE, PIXELS = 12.0, 512
+"""Frames in a second, and pixels on the longer side of a film, where none are given."""
 
 
 def film(
@@ -24,8 +29,8 @@ def film(
     scenario: Scenario,
     path: Path,
     *,
-    frames_per_second: float = 12.0,
-    size: int = 512,
+    frames_per_second: float = RATE,
+    size: int = PIXELS,
     colours: Colours = "natural",
     smoothing: float = SMOOTHING,
     follow: bool = False,
@@ -36,40 +41,50 @@ def film(
 
     With ``follow`` the colour scale follows each frame instead of holding for the whole run; with
     ``layers`` the model's layers, such as plants, lie over the surface. Raises BarchanError for a file that
-    is neither .webp nor .gif, or that cannot be written.
+    is neither .webp, .gif nor .mp4, or that cannot be written.
     """
     ending = path.suffix.lower()
     if ending not in FORMATS:
         raise BarchanError(f"{path}: a film is {' or '.join(FORMATS)}, not '{path.suffix}'")
-    pictures = _pictures(dataset, scenario, size, colours, smoothing, follow, layers, progress)
-    first = next(pictures)
-    partial = path.with_name(path.name + ".partial")
-    options = {"lossless": False, "quality": 80} if ending == ".webp" else {}
+    if ending == ".mp4":
+        require_video()
+    pictures = shaded_frames(dataset, scenario, size, colours, smoothing, follow, layers, progress)
     try:
-        first.save(
-            partial,
-            format=ending[1:].upper(),
-            save_all=True,
-            append_images=pictures,
-            duration=round(1000 / frames_per_second),
-            loop=0,
-            **options,
-        )
-        partial.replace(path)
+        with replacing(path) as partial:
+            encode(partial, pictures, frames_per_second)
     except OSError as error:
         raise BarchanError(f"cannot write {path}: {error}") from None
 
 
-def _pictures(
+def encode(path: Path, pictures: Iterator[Image.Image], frames_per_second: float) -> None:
+    """Write pictures as a film in the format of the suffix; raises OSError where it cannot be written."""
+    kind = path.suffix[1:].upper()
+    if kind == "MP4":
+        write_mp4(path, pictures, frames_per_second)
+        return
+    options = {"lossless": False, "quality": 80} if kind == "WEBP" else {}
+    next(pictures).save(
+        path,
+        format=kind,
+        save_all=True,
+        append_images=pictures,
+        duration=round(1000 / frames_per_second),
+        loop=0,
+        **options,
+    )
+
+
+def shaded_frames(
     dataset: "xr.Dataset",
     scenario: Scenario,
-    size: int,
-    colours: Colours,
-    smoothing: float,
-    follow: bool,
-    layers: bool,
-    progress: Callable[[int], None] | None,
+    size: int = PIXELS,
+    colours: Colours = "natural",
+    smoothing: float = SMOOTHING,
+    follow: bool = False,
+    layers: bool = True,
+    progress: Callable[[int], None] | None = None,
 ) -> Iterator[Image.Image]:
+    """The shaded maps of all frames as pictures, the longer side of about ``size`` pixels; see ``film``."""
     from matplotlib.colors import Normalize
 
     count = dataset.sizes["step"]

@@ -10,7 +10,7 @@ from typing import Any
 from barchan.ground.raster import Hints, Place, UnreadableError
 from barchan.ground.true_cells import is_local, true_cell
 
-MISSING_EXTRA = "needs rasterio to be read; install it with: pip install barchan[geo]"
+MISSING_EXTRA = "needs rasterio to be read; install it with: python -m pip install rasterio"
 
 METRES = "metres"
 """Stands for local coordinates in metres, instead of a reference system."""

@@ -29,13 +29,32 @@ def resampled(
     return np.asarray((across @ (along @ heights).T).T)
 
 
+def with_volume_kept(
+    field: NDArray[np.float64], shape: tuple[int, int], periodic: tuple[bool, bool]
+) -> NDArray[np.float64]:
+    """A field on as many rows and columns over the same area, its mean the same but for rounding.
+
+    Each new cell has the mean over its area: of the old cells where a whole number of them fits in, elsewhere
+    of values that are linear between their centres. Across periodic edges (south to north, west to east) the
+    field goes on with its other side.
+    """
+    for axis in (0, 1):
+        count, available = shape[axis], field.shape[axis]
+        if count != available:
+            weights = _means(count, available, available / count, periodic[axis])
+            field = weights @ field if axis == 0 else (weights @ field.T).T
+    return np.asarray(field)
+
+
 def _shares(count: int, available: int, step: float) -> "csr_array":
     """The share that each of the file's cells (columns) has in each of ours (rows), along one axis."""
     return _means(count, available, step) if step > 1.0 else _between(count, available, step)
 
 
-def _means(count: int, available: int, step: float) -> "csr_array":
-    """Weights of the file's cells in the mean over each of ours; at the file's edge its last cell goes on.
+def _means(count: int, available: int, step: float, joined: bool = False) -> "csr_array":
+    """Weights of the file's cells in the mean over each of ours.
+
+    At the file's edge its last cell goes on, or where edges are ``joined`` those of the other side.
 
     Where ours begin and end between two of the file's cells, the mean is that of the cells; elsewhere it is
     that of the heights between their centres, which keeps a slope free of steps.
@@ -49,7 +68,7 @@ def _means(count: int, available: int, step: float) -> "csr_array":
     cell = np.floor(first).astype(np.int64)[:, None] - 1 + np.arange(reach)
     weight = up_to(first[:, None] + step - cell) - up_to(first[:, None] - cell)
     row = np.repeat(np.arange(count), reach)
-    column = np.clip(cell.ravel(), 0, available - 1)
+    column = cell.ravel() % available if joined else np.clip(cell.ravel(), 0, available - 1)
     return coo_array((weight.ravel() / step, (row, column)), shape=(count, available)).tocsr()
 
 

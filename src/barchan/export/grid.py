@@ -1,0 +1,91 @@
+"""The cells of exported fields: where they lie, how large they are, which edges are joined."""
+
+from dataclasses import dataclass, replace
+from typing import Self
+
+import numpy as np
+from numpy.typing import NDArray
+
+from barchan.errors import ExportError
+from barchan.ground.terrain import Georeference
+from barchan.lattice import Lattice
+
+SQUARE = 1e-9
+"""Relative difference of a cell's sides that rounding explains."""
+
+
+@dataclass(frozen=True)
+class Grid:
+    """Cells in rows from south to north and columns from west to east."""
+
+    rows: int
+    columns: int
+    width: float
+    """Side of a cell from west to east (m)."""
+    height: float
+    """Side of a cell from south to north (m)."""
+    west: float
+    """West edge of the field (m)."""
+    south: float
+    """South edge of the field (m)."""
+    crs: str | None
+    """Coordinate reference system, by its code where it has one; None for coordinates within the field."""
+    wkt: str | None
+    """The same as well-known text."""
+    periodic: tuple[bool, bool]
+    """Whether the field is periodic south to north and west to east."""
+    closed: bool = False
+    """Whether the first row and column stand once more at the end of periodic directions."""
+
+    @classmethod
+    def of(cls, lattice: Lattice, place: Georeference | None) -> Self:
+        """The cells of a lattice that lies at a place on Earth, or anywhere."""
+        west, south, crs, wkt = (
+            (0.0, 0.0, None, None) if place is None else (place.west, place.south, place.crs, place.wkt)
+        )
+        side = lattice.cell_size
+        return cls(lattice.rows, lattice.columns, side, side, west, south, crs, wkt, lattice.periodic)
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        """(rows, columns)."""
+        return self.rows, self.columns
+
+    @property
+    def x(self) -> NDArray[np.float64]:
+        """Eastings of the cells' centres (m)."""
+        return self.west + (np.arange(self.columns, dtype=np.float64) + 0.5) * self.width
+
+    @property
+    def y(self) -> NDArray[np.float64]:
+        """Northings of the cells' centres (m)."""
+        return self.south + (np.arange(self.rows, dtype=np.float64) + 0.5) * self.height
+
+    @property
+    def north(self) -> float:
+        """North edge of the field (m)."""
+        return self.south + self.rows * self.height
+
+    @property
+    def cell_size(self) -> float:
+        """Side of a cell (m); raises ExportError where cells are not square."""
+        if abs(self.width / self.height - 1.0) > SQUARE:
+            raise ExportError(
+                f"the cells are {self.width:.6g} × {self.height:.6g} m; allowed here: square ones, so "
+                "--cells in proportion to the field"
+            )
+        return self.width
+
+    def with_cells(self, columns: int, rows: int) -> Self:
+        """The same area in another number of cells."""
+        width, height = self.columns * self.width / columns, self.rows * self.height / rows
+        return replace(self, rows=rows, columns=columns, width=width, height=height)
+
+    def close(self) -> Self:
+        """One row and column more where the field is periodic; raises ExportError where it nowhere is."""
+        if not any(self.periodic):
+            raise ExportError(
+                "--close repeats the first row and column of a periodic field; this one is open"
+            )
+        rows, columns = self.rows + self.periodic[0], self.columns + self.periodic[1]
+        return replace(self, rows=rows, columns=columns, closed=True)

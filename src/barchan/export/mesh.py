@@ -1,0 +1,116 @@
+"""The surface of a frame as a mesh: a vertex at each cell's centre, two triangles between four of them."""
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from barchan.errors import ExportError
+from barchan.export.source import Source, changed
+from barchan.measures.filters import gradient
+
+MOST_VERTICES = 50_000_000
+"""Vertices of a mesh: some 2 GB of file."""
+
+
+@dataclass(frozen=True)
+class Surface:
+    """A surface over rows and columns of points, z up, its origin at the field's south-west corner."""
+
+    x: NDArray[np.float64]
+    """Eastings of the columns, in units of the mesh."""
+    y: NDArray[np.float64]
+    """Northings of the rows."""
+    z: NDArray[np.float64]
+    """Heights by row and column."""
+    periodic: tuple[bool, bool]
+    closed: bool
+
+    @property
+    def vertices(self) -> NDArray[np.float32]:
+        """(x, y, z) of all points, row by row from the south-west corner."""
+        east, north = np.meshgrid(self.x, self.y)
+        return np.stack([east, north, self.z], axis=-1).reshape(-1, 3).astype("<f4")
+
+    @property
+    def normals(self) -> NDArray[np.float32]:
+        """Unit vectors upwards from the surface at all points."""
+        z, closing = self.z, self.closed
+        inside = tuple(slice(None, -1 if closing and joined else None) for joined in self.periodic)
+        east, north = gradient(z[inside], 1.0, self.periodic)
+        repeated = [(0, int(closing and joined)) for joined in self.periodic]
+        spacing = self.x[1] - self.x[0], self.y[1] - self.y[0]
+        slopes = [
+            np.pad(slope, repeated, mode="wrap") / side
+            for slope, side in zip((east, north), spacing, strict=True)
+        ]
+        up = np.stack([-slopes[0], -slopes[1], np.ones_like(z)], axis=-1).reshape(-1, 3)
+        return (up / np.linalg.norm(up, axis=1, keepdims=True)).astype("<f4")
+
+    @property
+    def quads(self) -> NDArray[np.uint32]:
+        """Numbers of the four vertices of each square, counter-clockwise from above."""
+        rows, columns = self.z.shape
+        number = np.arange(rows * columns, dtype="<u4").reshape(rows, columns)
+        corners = number[:-1, :-1], number[:-1, 1:], number[1:, 1:], number[1:, :-1]
+        return np.stack(corners, axis=-1).reshape(-1, 4)
+
+    @property
+    def triangles(self) -> NDArray[np.uint32]:
+        """Numbers of the three vertices of each triangle, counter-clockwise from above."""
+        return self.quads[:, (0, 1, 2, 0, 2, 3)].reshape(-1, 3)
+
+
+def surface_of(source: Source) -> Surface:
+    """The surface of the only frame of a source, heights exaggerated and lengths scaled as it asks for.
+
+    Raises ExportError for a field of one row or column, and for one of more vertices than a mesh can have.
+    """
+    grid, options = source.grid, source.options
+    if min(grid.shape) < 2:
+        raise ExportError(
+            f"a mesh needs two rows and columns; this field has {grid.rows} × {grid.columns} cells"
+        )
+    if grid.rows * grid.columns > MOST_VERTICES:
+        raise ExportError(
+            f"{grid.columns} × {grid.rows} cells make more vertices than a mesh should have "
+            f"({MOST_VERTICES:,}); choose fewer --cells"
+        )
+    z = source.only(source.steps, ["elevation"]).sheet().values.astype(np.float64)
+    lowest, factor = float(z.min()), options.scale or 1.0
+    z = (lowest + (z - lowest) * (options.exaggerate or 1.0)) * factor
+    return Surface(
+        (grid.x - grid.west) * factor, (grid.y - grid.south) * factor, z, grid.periodic, grid.closed
+    )
+
+
+def mesh_facts(source: Source, axes: str) -> dict[str, Any]:
+    """What the side-car file says of a mesh."""
+    grid, options = source.grid, source.options
+    return {
+        "mesh": {
+            "axes": axes,
+            "origin": {"easting_m": grid.west, "northing_m": grid.south, "elevation_m": 0.0},
+            "metres_a_unit": 1.0 / (options.scale or 1.0),
+            "exaggeration": options.exaggerate or 1.0,
+        }
+    }
+
+
+def colours_of(source: Source) -> NDArray[np.float32]:
+    """Colours (red, green, blue from 0 to 1, as screens show them) of all vertices, without shade."""
+    from matplotlib.colors import Normalize
+
+    from barchan.figures.bare import with_bare_ground
+    from barchan.figures.layers import overlaid
+    from barchan.figures.maps import surface_range
+    from barchan.figures.style import SMOOTHING, colour_map, material_of, smooth
+
+    frame, scenario = source.frame(source.steps[0]), source.scenario
+    shown = smooth(frame["elevation"].values, SMOOTHING, scenario)
+    norm = Normalize(*surface_range(frame, scenario))
+    base = np.asarray(colour_map("natural", material_of(scenario))(norm(shown)))[..., :3]
+    base = overlaid(with_bare_ground(base, frame, scenario, SMOOTHING), frame, scenario)
+    channels = [changed(base[..., k], scenario.lattice.periodic, source.options) for k in range(3)]
+    return np.clip(np.stack(channels, axis=-1).reshape(-1, 3), 0.0, 1.0).astype("<f4")

@@ -1,0 +1,27 @@
+"""Tables as CSV, units in the headings."""
+
+import csv
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+
+def heading(name: str, unit: str) -> str:
+    """The heading of a column."""
+    return name if unit in ("1", "-", "") else f"{name} ({unit})"
+
+
+def write_table(path: Path, headings: Sequence[str], rows: Iterable[Sequence[Any]]) -> None:
+    """Write rows; cells without a value stay empty."""
+    with path.open("w", encoding="utf-8", newline="") as file:
+        table = csv.writer(file, lineterminator="\n")
+        table.writerow(headings)
+        table.writerows([_cell(value) for value in row] for row in rows)
+
+
+def _cell(value: Any) -> Any:
+    if isinstance(value, float | np.floating):
+        return repr(float(value)) if np.isfinite(value) else ""
+    return value

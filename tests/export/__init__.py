@@ -1,0 +1,1 @@
+"""Frames of runs that go to other programs."""
