@@ -14,6 +14,7 @@ from barchan.grains.sized_sand import reseed
 from barchan.heights import FRACTION_BITS
 from barchan.kernels.bed.state import ActiveLayer, Grid, Stacks
 from barchan.kernels.core.state import TRAVEL_UNIT
+from barchan.kernels.grains.air_state import BedStress, Feedback, Flow, Speedup
 from barchan.kernels.grains.state import (
     CAPPED,
     COUNTS,
@@ -24,14 +25,10 @@ from barchan.kernels.grains.state import (
     MOVED,
     TRAVEL_X,
     TRAVEL_Y,
-    BedStress,
     Ejecta,
-    Feedback,
-    Flow,
     Ground,
     Landings,
     Scale,
-    Speedup,
 )
 from barchan.model import Tally
 from barchan.streams import derive

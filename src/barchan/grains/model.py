@@ -26,8 +26,9 @@ from barchan.grains.sized_sand import SizedSand
 from barchan.grains.sizes import Sizes
 from barchan.grains.steps import follow_trajectories, iterate
 from barchan.grains.wind_feedback import Feedback, WindFeedback
+from barchan.kernels.grains.air_state import Air, Table
 from barchan.kernels.grains.rules import Rules
-from barchan.kernels.grains.state import Air, Ejecta, Landings, Scene, Table
+from barchan.kernels.grains.state import Ejecta, Landings, Scene
 from barchan.lattice import Lattice
 from barchan.model import Model, Tally
 from barchan.streams import Stream
