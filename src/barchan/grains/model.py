@@ -28,7 +28,7 @@ from barchan.grains.steps import follow_trajectories, iterate
 from barchan.grains.wind_feedback import Feedback, WindFeedback
 from barchan.kernels.grains.air_state import Air, Table
 from barchan.kernels.grains.rules import Rules
-from barchan.kernels.grains.state import Ejecta, Landings, Scene
+from barchan.kernels.grains.state import Bonds, Ejecta, Landings, Scene
 from barchan.lattice import Lattice
 from barchan.model import Model, Tally
 from barchan.streams import Stream
@@ -159,6 +159,7 @@ class GrainModel(Model):
             ground.counts[:] = 0
             do_step = follow_trajectories if self.parameters.clock == "step" else iterate
             do_step(self, segment, stream, ground)
+            self.pass_time(segment, ground)
             total.add(ground.tally(self.airborne))
             if self.sized_sand is not None:
                 self.sized_sand.left += ground.left_by_size
@@ -174,7 +175,14 @@ class GrainModel(Model):
         plants = None
         if canopy is not None:
             plants = canopy.roughness_of(bed.arrays[PLANT_HEIGHT.name], self.lattice, rules)
-        return GrainGround(rules, bed, direction, work, layer, plants)
+        return GrainGround(rules, bed, direction, work, layer, plants, self.bonds_of(bed))
+
+    def bonds_of(self, bed: Bed) -> Bonds | None:
+        """The bonds between grains of a bed; sand has none."""
+        return None
+
+    def pass_time(self, wind: Segment, ground: GrainGround) -> None:
+        """Let what lies on the ground age by a step; sand does not."""
 
     def _store(self, bed: Bed, ground: GrainGround) -> None:
         if self.sized_sand is not None and ground.arrays.active_layer is not None:

@@ -79,6 +79,19 @@ class Scale(NamedTuple):
     """Parcels that a grain takes along: one, or ``PATCH`` where it takes them from nine stacks."""
 
 
+class Bonds(NamedTuple):
+    """Snow whose grains bond."""
+
+    loose: np.ndarray
+    """Parcels that have not bonded (int32), by cell and age, the youngest first."""
+    yields: bool
+    """Whether the wind is strong enough to lift bonded parcels too."""
+    hardness: float
+    """Probability that an impact sets a bonded parcel in motion where it would a loose one."""
+    restitution: float
+    """Speed after a rebound off bonded snow over the speed before."""
+
+
 class Ground(NamedTuple):
     """The bed as grains meet it."""
 
@@ -109,6 +122,8 @@ class Ground(NamedTuple):
     """None: nothing creeps."""
     canopy: CanopyDrag | None = None
     """None: no plants."""
+    bonds: Bonds | None = None
+    """None: nothing bonds."""
 
 
 class Landings(NamedTuple):
