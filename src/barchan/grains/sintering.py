@@ -115,7 +115,6 @@ class Sintering(Closure):
         if not self.grows or time / AGES > step_seconds:
             return []
         locks = "snow locks at once" if time <= step_seconds else "ages cannot be told apart"
-        return [
-            f"snow bonds in {time:g} s (sintering.bonding_time) and a step is {step_seconds:g} s: {locks}; above "
-            f"{AGES * step_seconds:g} s each age has a step"
-        ]
+        least = AGES * step_seconds
+        text = f"{time:g} s (sintering.bonding_time) beside steps of {step_seconds:g} s: {locks}"
+        return [f"snow bonds in {text}; from {least:g} s on each age lasts a step"]
