@@ -1,0 +1,136 @@
+"""Ripples of snow and a steep hump, with bonds that grow and without, under `snow_grains`.
+
+Flat snow 3 cm deep on 128 × 16 cells of 5 mm, 12 m/s at 10 m, 20 minutes of wind, 3 seeds. A hump 6 cm high,
+4.5 cm wide, in snow 7.5 mm deep on 64 × 64 cells, 15 m/s, 10 minutes, 3 seeds. Sintering is hastened: snow
+bonds in 10 minutes, and in 2.5, instead of 24 hours at -10 °C. Height is 2√2 times the standard deviation of
+the bed, as of a wave. Of the hump, what lies within 1.5 of its widths is compared with what lay there once
+loose snow had slid to rest, before any wind; what it lost went down its slopes or with the wind. Once the snow
+of the start has bonded before the wind begins, so that none slides. Szabó 2019, ch. 6, expects that with
+sintering ripples are flatter and lower, and that less snow flows down a steep hump.
+"""
+
+import numpy as np
+
+import barchan
+from barchan.grains.bonded_snow import bonded_share
+from barchan.measures.migration import migration
+from barchan.measures.spacing import dominant_spacing
+from validation.study import Row, order, over_seeds, spread
+
+TITLE = "Snow that bonds while it lies"
+
+SEEDS = (1, 2, 3)
+CELL, PARCEL = 0.005, 0.2e-3 / 16
+MINUTE = 60.0
+LOOKS = (7, 12, 20)
+"""Minutes after which ripples are measured: before the first bonds, and twice after."""
+HUMP, WIDTH, FIELD, SHEET = 0.06, 0.045, 64, 600
+"""Height and width (m) of the hump, cells along a side of its field, parcels of snow on each."""
+BLOWN = 10
+"""Minutes of wind over the hump."""
+FRAME, FRAMES = 5.0, 7
+"""Seconds of wind between the frames that give the speed, and how many of them."""
+
+SINTERING = {
+    "without bonds": {"grows": False},
+    "bonds in 10 min": {"bonding_time": 600.0},
+    "bonds in 2.5 min": {"bonding_time": 150.0},
+}
+START = {"bonded at the start, bonds in 2.5 min": {"bonding_time": 150.0, "start_bonded": True}}
+"""Sintering of the hump's snow, beside the others."""
+
+
+def scenario(rows, columns, parcels, speed, sintering, seed, **more):
+    """A field of snow under a steady wind from the west."""
+    return barchan.load(
+        {
+            "barchan": 2,
+            "lattice": {"rows": rows, "columns": columns, "cell_size": CELL, "slab_height": PARCEL},
+            "sand": {"kind": "flat", "mean": parcels},
+            "model": {
+                "name": "snow_grains",
+                "wind_speed": speed,
+                "iterations_per_step": 50,
+                "feedback": {"momentum_weight": 0.04},
+                "max_grains_per_cell": 8.0,
+                "sintering": sintering,
+            },
+            "run": {"steps": 10**6, "seed": seed},
+            **more,
+        }
+    )
+
+
+def until(simulation, minutes):
+    """Let the wind blow until some minutes after the start."""
+    simulation.advance(round(minutes * MINUTE / simulation.model.step_seconds) - simulation.steps_done)
+
+
+def ripples(sintering, seed):
+    """Ripples that grow on flat snow."""
+    simulation = barchan.Simulation(scenario(16, 128, 2400, 12.0, sintering, seed))
+    found = {}
+    for look in LOOKS:
+        until(simulation, look)
+        bed = simulation.bed.elevation
+        found[f"height {look}"] = 2e3 * np.sqrt(2.0) * float(bed.std())
+        found[f"spacing {look}"] = 1e2 * dominant_spacing(bed, CELL, 270.0)
+    found["bonded"] = float(bonded_share(simulation.bed).mean())
+    beds = [simulation.bed.elevation]
+    for _ in range(FRAMES - 1):
+        simulation.advance(round(FRAME / simulation.model.step_seconds))
+        beds.append(simulation.bed.elevation)
+    found["speed"] = migration(np.arange(FRAMES), beds, lags=FRAMES - 1).x * CELL / FRAME * 3600.0
+    return found
+
+
+def hump(sintering, seed):
+    """What a steep hump keeps of its snow."""
+    ground = {"kind": "hump", "height": HUMP, "width": WIDTH}
+    simulation = barchan.Simulation(scenario(FIELD, FIELD, SHEET, 15.0, sintering, seed, ground=ground))
+    lattice = simulation.bed.lattice
+    x, y = np.meshgrid(lattice.x - lattice.x.mean(), lattice.y - lattice.y.mean())
+    near = np.hypot(x, y) < 1.5 * WIDTH
+    litres = 1e3 * CELL**2
+    before = float(simulation.bed.depth[near].sum()) * litres
+    until(simulation, BLOWN)
+    after = float(simulation.bed.depth[near].sum()) * litres
+    return {
+        "before": before,
+        "lost": before - after,
+        "kept": after / before,
+        "bare": float((simulation.bed.sand[near] == 0).mean()),
+    }
+
+
+def rows():
+    flat = dict(zip(SINTERING, over_seeds(ripples, [(s,) for s in SINTERING.values()], SEEDS), strict=True))
+    without = flat["without bonds"]
+    for name, result in flat.items():
+        heights = ", ".join(spread(result[f"height {at}"], 2) for at in LOOKS)
+        yield Row(f"height after {', '.join(map(str, LOOKS))} min, {name}", "–", f"{heights} mm")
+        spacings = ", ".join(spread(result[f"spacing {at}"], 2) for at in LOOKS)
+        yield Row(f"spacing, {name}", "5 to 20 cm (Filhol & Sturm 2015)", f"{spacings} cm")
+        yield Row(f"speed after {LOOKS[-1]} min, {name}", "some m/h", f"{spread(result['speed'])} m/h")
+        yield Row(f"share of the snow that has bonded, {name}", "–", spread(result["bonded"]))
+    last = f"height {LOOKS[-1]}"
+    for name, result in flat.items():
+        if result is not without:
+            ratio = np.array(result[last]) / np.array(without[last])
+            yield order(f"height, without bonds against {name}", "more", without[last], result[last], "mm")
+            yield Row(f"height, {name} over without", "below 1", spread(ratio))
+    cases = {**SINTERING, **START}
+    steep = dict(zip(cases, over_seeds(hump, [(s,) for s in cases.values()], SEEDS), strict=True))
+    without = steep["without bonds"]
+    for name, result in steep.items():
+        yield Row(f"hump: snow on it before the wind, {name}", "–", f"{spread(result['before'])} l")
+        yield Row(f"hump: share that it keeps, {name}", "–", spread(result["kept"]))
+        yield Row(f"hump: bare share, {name}", "–", spread(result["bare"]))
+    for name, result in steep.items():
+        if result is not without:
+            yield order(
+                f"hump: snow lost, without bonds against {name}", "more", without["lost"], result["lost"], "l"
+            )
+
+
+READING = ""
