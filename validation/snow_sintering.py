@@ -4,8 +4,8 @@ Flat snow 3 cm deep on 128 × 16 cells of 5 mm, 12 m/s at 10 m, 20 minutes of wi
 4.5 cm wide, in snow 7.5 mm deep on 64 × 64 cells, 15 m/s, 10 minutes, 3 seeds. Sintering is hastened: snow
 bonds in 10 minutes, and in 2.5, instead of 24 hours at -10 °C. Height is 2√2 times the standard deviation of
 the bed, as of a wave. Of the hump, what lies within 1.5 of its widths is compared with what lay there once
-loose snow had slid to rest, before any wind; what it lost went down its slopes or with the wind. Once the snow
-of the start has bonded before the wind begins, so that none slides. Szabó 2019, ch. 6, expects that with
+loose snow had slid to rest, before any wind; what it lost went down its slopes or with the wind. In one case
+the snow has bonded before the wind begins, so that none slides. Szabó 2019, ch. 6, expects that with
 sintering ripples are flatter and lower, and that less snow flows down a steep hump.
 """
 
