@@ -93,8 +93,8 @@ class Sintering(Closure):
     def mistakes(self, rules: "GrainFlight") -> list[InitErrorDetails]:
         """A clock without time, beside which nothing can bond."""
         if self.grows and rules.clock == "step":
-            text = "is true, but steps of complete trajectories have no duration; allowed: clock 'iteration'"
-            return [mistake(("grows",), text)]
+            text = "steps of complete trajectories (clock 'step') have no duration in which bonds grow; allowed: "
+            return [mistake((), text + "clock 'iteration', or grows false")]
         return []
 
     def rate(self, temperature: float | None = None) -> float:

@@ -12,7 +12,7 @@ from barchan.simulation import Simulation
 
 SCENARIO = {
     "barchan": 2,
-    "lattice": {"rows": 5, "columns": 6, "cell_size": 0.005, "slab_height": 0.2e-3 / 16},
+    "lattice": {"rows": 8, "columns": 9, "cell_size": 0.005, "slab_height": 0.2e-3 / 16},
     "sand": {"kind": "flat", "mean": 8},
     "model": {"name": "snow_grains"},
     "run": {"steps": 1, "seed": 3},
@@ -77,14 +77,14 @@ def test_a_grain_takes_the_youngest_and_bonded_snow_only_where_bonds_break(break
     model, bed, loose, bonded = scene(4)
     ground = model.ground_of(bed, 270.0)
     random, given = np.random.default_rng(8), 0
-    for _ in range(60):
+    for _ in range(80):
         cell = int(random.integers(bed.lattice.cells))
         found = taken(bed, loose, bonded, cell, breaks)
         assert take_up(cell, 0, ground.arrays, breaks) == found
         given += found
         assert np.array_equal(ground.arrays.bonds.loose, loose)
         assert np.array_equal(bed.sand.reshape(-1), loose.sum(axis=1) + bonded)
-    assert 3 < given < 60
+    assert 3 < given < 80
     lay_down(14, 0, ground.arrays)
     assert ground.arrays.bonds.loose[14, 0] == loose[14, 0] + 4
 
