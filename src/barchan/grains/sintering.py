@@ -93,7 +93,9 @@ class Sintering(Closure):
     def mistakes(self, rules: "GrainFlight") -> list[InitErrorDetails]:
         """A clock without time, beside which nothing can bond."""
         if self.grows and rules.clock == "step":
-            text = "steps of complete trajectories (clock 'step') have no duration in which bonds grow; allowed: "
+            text = (
+                "steps of complete trajectories (clock 'step') have no duration, so no bonds grow; allowed: "
+            )
             return [mistake((), text + "clock 'iteration', or grows false")]
         return []
 

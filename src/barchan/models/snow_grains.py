@@ -33,7 +33,7 @@ class SnowGrainsParameters(RipplesParameters):
         GrainFlight, "grain_density", 917.0, "ice: Filhol & Sturm 2015, in Szabó 2019, §4.2"
     )
     porosity: float = redeclared(GrainFlight, "porosity", 0.62, "ours: wind-blown snow of 350 kg/m³")
-    air_density: float = redeclared(GrainFlight, "air_density", 1.30, "air of -10 °C at 980 hPa")
+    air_density: float = redeclared(GrainFlight, "air_density", 1.30, "ours: air of -10 °C at 980 hPa")
     threshold_velocity: float | None = redeclared(
         GrainFlight, "threshold_velocity", 0.21, "Clifton et al. 2006: Bagnold's law with A = 0.18"
     )
