@@ -32,22 +32,42 @@ def run(steps, **changes):
     return simulation
 
 
-def as_ripples():
-    """The ripple model with the same snow."""
-    data = barchan.load(SMALL).model_dump(mode="json")
-    model = {k: v for k, v in data["model"].items() if k not in ("sintering", "bounce", "impacts")}
-    simulation = Simulation(barchan.load({**data, "model": {**model, "name": "ripples"}}))
+def under(name, without, **changes):
+    """Twelve steps of another model of grains with the same snow, ``without`` the keys that it does not know."""
+    data = barchan.load(SMALL, **changes).model_dump(mode="json")
+    model = {k: v for k, v in data["model"].items() if k not in (*without, "sintering", "impacts")}
+    simulation = Simulation(barchan.load({**data, "model": {**model, "name": name}}))
     simulation.advance(12)
     return simulation
 
 
+def assert_same_bits(one, other):
+    assert one.ledger.airborne > 100
+    assert np.array_equal(one.bed.sand, other.bed.sand)
+    assert np.array_equal(one.model.pool.motion, other.model.pool.motion)
+    assert one.ledger == other.ledger
+
+
 @pytest.mark.parametrize("sintering", [{"grows": False}, {"bonding_time": 1e6}])
 def test_snow_that_never_bonds_is_the_ripple_models_sand(sintering):
-    snow, sand = run(12, model__sintering=sintering), as_ripples()
-    assert snow.ledger.airborne > 100
-    assert np.array_equal(snow.bed.sand, sand.bed.sand)
-    assert np.array_equal(snow.model.pool.motion, sand.model.pool.motion)
-    assert snow.ledger == sand.ledger
+    assert_same_bits(run(12, model__sintering=sintering), under("ripples", ["bounce"]))
+
+
+def test_snow_that_only_bounces_and_never_bonds_is_the_sand_of_wang_and_hu():
+    bouncing = {"model__impacts": "bounce", "model__entrainment__probability": 1.0}
+    sand = under("wang_hu", ["splash", "creep", "feedback", "relief_flow"], **bouncing)
+    assert_same_bits(run(12, model__sintering={"grows": False}, **bouncing), sand)
+
+
+def test_loose_snow_has_the_threshold_that_was_measured():
+    """0.18 √((917 / 1.3 - 1) · 9.81 m/s² · 0.2 mm) = 0.212 m/s (Bagnold's law); other sizes by Shao & Lu's."""
+    snow = run(0).model.parameters
+    assert snow.threshold() == pytest.approx(0.212, abs=0.002)
+    by_law = run(0, model__threshold_velocity=None).model.parameters
+    assert by_law.threshold() == pytest.approx(0.177, abs=0.001)
+    assert snow.threshold(1e-3) / snow.threshold() == pytest.approx(
+        by_law.threshold(1e-3) / by_law.threshold()
+    )
 
 
 def test_loose_and_bonded_snow_are_all_snow():
