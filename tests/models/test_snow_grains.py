@@ -33,7 +33,7 @@ def run(steps, **changes):
 
 
 def under(name, without, **changes):
-    """Twelve steps of another model of grains with the same snow, ``without`` the keys that it does not know."""
+    """Twelve steps of another model with the same snow, ``without`` the keys that it does not know."""
     data = barchan.load(SMALL, **changes).model_dump(mode="json")
     model = {k: v for k, v in data["model"].items() if k not in (*without, "sintering", "impacts")}
     simulation = Simulation(barchan.load({**data, "model": {**model, "name": name}}))
@@ -60,7 +60,7 @@ def test_snow_that_only_bounces_and_never_bonds_is_the_sand_of_wang_and_hu():
 
 
 def test_loose_snow_has_the_threshold_that_was_measured():
-    """0.18 √((917 / 1.3 - 1) · 9.81 m/s² · 0.2 mm) = 0.212 m/s (Bagnold's law); other sizes by Shao & Lu's."""
+    """0.18 √((917 / 1.3 - 1) · 9.81 m/s² · 0.2 mm) = 0.212 m/s (Bagnold); other sizes as by Shao & Lu."""
     snow = run(0).model.parameters
     assert snow.threshold() == pytest.approx(0.212, abs=0.002)
     by_law = run(0, model__threshold_velocity=None).model.parameters
