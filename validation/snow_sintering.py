@@ -1,7 +1,7 @@
 """Ripples of snow and a steep hump, with bonds that grow and without, under `snow_grains`.
 
-Flat snow 3 cm deep on 96 × 16 cells of 5 mm, 12 m/s at 10 m, 8 minutes of wind, 3 seeds. A hump 5 cm high,
-3.5 cm wide, in snow 7.5 mm deep on 48 × 48 cells, 15 m/s, 4 minutes, 3 seeds. A simulated grain's snow is two
+Flat snow 3 cm deep on 64 × 12 cells of 1 cm, 12 m/s at 10 m, 8 minutes of wind, 3 seeds. A hump 8 cm high,
+6 cm wide, in snow 1 cm deep on 28 × 28 cells, 15 m/s, 4 minutes, 3 seeds. A simulated grain's snow is two
 grain diameters thick. Sintering is hastened 720 times: snow bonds in 2 minutes instead of 24 hours at -10 °C.
 Height is 2√2 times the standard deviation of the bed, as of a wave. Of the hump, what lies within 1.5 of its
 widths is compared with what lay there once loose snow had slid to rest, before any wind; what it lost went
@@ -21,11 +21,11 @@ from validation.study import Row, order, over_seeds, spread
 TITLE = "Snow that bonds while it lies"
 
 SEEDS = (1, 2, 3)
-CELL, PARCEL = 0.005, 0.4e-3 / 16
+CELL, PARCEL = 0.01, 0.4e-3 / 16
 MINUTE = 60.0
 LOOKS = (1.5, 4, 8)
 """Minutes after which ripples are measured: before the first bonds, and twice after."""
-HUMP, WIDTH, FIELD, SHEET = 0.05, 0.035, 48, 300
+HUMP, WIDTH, FIELD, SHEET = 0.08, 0.06, 28, 400
 """Height and width (m) of the hump, cells along a side of its field, parcels of snow on each."""
 BLOWN = 4
 """Minutes of wind over the hump."""
@@ -51,6 +51,7 @@ def scenario(rows, columns, parcels, speed, sintering, seed, **more):
                 "name": "snow_grains",
                 "wind_speed": speed,
                 "iterations_per_step": 50,
+                "time_step": 1e-3,
                 "feedback": {"momentum_weight": 0.04},
                 "max_grains_per_cell": 8.0,
                 "sintering": sintering,
@@ -68,7 +69,7 @@ def until(simulation, minutes):
 
 def ripples(sintering, seed):
     """Ripples that grow on flat snow."""
-    simulation = barchan.Simulation(scenario(16, 96, 1200, 12.0, sintering, seed))
+    simulation = barchan.Simulation(scenario(12, 64, 1200, 12.0, sintering, seed))
     found = {}
     for look in LOOKS:
         until(simulation, look)
