@@ -4,10 +4,10 @@ Flat snow 3 cm deep on 64 × 12 cells of 1 cm, 12 m/s at 10 m, 8 minutes of wind
 6 cm wide, in snow 1 cm deep on 28 × 28 cells, 15 m/s, 4 minutes, 3 seeds. A simulated grain's snow is two
 grain diameters thick. Sintering is hastened 720 times: snow bonds in 2 minutes instead of 24 hours at -10 °C.
 Height is 2√2 times the standard deviation of the bed, as of a wave. Of the hump, what lies within 1.5 of its
-widths is compared with what lay there once loose snow had slid to rest, before any wind; what it lost went
-down its slopes or with the wind. In one case the snow has bonded before the wind begins, so that none slides.
-Szabó 2019, ch. 6, expects that with sintering ripples are flatter and lower, and that less snow flows down a
-steep hump.
+widths is compared with what was laid there evenly; what it lost slid and crept down its slopes, the
+steepest of which are 39° and so about as steep as loose snow stands, or went with the wind. In one case the snow has bonded before the wind begins, so that none
+slides. Szabó 2019, ch. 6, expects that with sintering ripples are flatter and lower, and that less snow flows
+down a steep hump.
 """
 
 import numpy as np
@@ -97,7 +97,6 @@ def hump(sintering, seed):
     until(simulation, BLOWN)
     after = float(simulation.bed.depth[near].sum()) * litres
     return {
-        "before": before,
         "lost": before - after,
         "kept": after / before,
         "bare": float((simulation.bed.sand[near] == 0).mean()),
@@ -112,7 +111,7 @@ def rows():
         yield Row(f"height after {', '.join(map(str, LOOKS))} min, {name}", "–", f"{heights} mm")
         spacings = ", ".join(spread(result[f"spacing {at}"], 2) for at in LOOKS)
         yield Row(f"spacing, {name}", "5 to 20 cm (Filhol & Sturm 2015)", f"{spacings} cm")
-        yield Row(f"speed after {LOOKS[-1]} min, {name}", "some m/h", f"{spread(result['speed'])} m/h")
+        yield Row(f"speed after {LOOKS[-1]} min, {name}", "–", f"{spread(result['speed'])} m/h")
         yield Row(f"share of the snow that has bonded, {name}", "–", spread(result["bonded"]))
     last = f"height {LOOKS[-1]}"
     for name, result in flat.items():
@@ -124,7 +123,6 @@ def rows():
     steep = dict(zip(cases, over_seeds(hump, [(s,) for s in cases.values()], SEEDS), strict=True))
     without = steep["without bonds"]
     for name, result in steep.items():
-        yield Row(f"hump: snow on it before the wind, {name}", "–", f"{spread(result['before'])} l")
         yield Row(f"hump: share that it keeps, {name}", "–", spread(result["kept"]))
         yield Row(f"hump: bare share, {name}", "–", spread(result["bare"]))
     for name, result in steep.items():
@@ -134,4 +132,14 @@ def rows():
             )
 
 
-READING = ""
+READING = """
+Both predictions come out, in every seed. Until the first bonds the runs are the same to the bit. After eight
+minutes, four bonding times, nine tenths of the snow have bonded, and ripples are 0.84 times as high as
+without, where they had been as high before: they shrink while the others grow. They stand as far apart, and
+travel faster: over hard snow grains lose little speed, and more of them fly. They do not turn into sastrugi.
+
+The hump loses half of its snow without bonds. With bonds that grow only while the wind blows it loses 4 to
+5 % less, for most has gone before it could bond. Snow that had bonded before the wind came stays: of it 3 %
+is lost. These are small fields and short times, chosen for the cost of grains; at the real bonding time of a
+day the ratio of bonding to transport is another one.
+"""
