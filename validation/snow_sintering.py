@@ -1,13 +1,13 @@
 """Ripples of snow and a steep hump, with bonds that grow and without, under `snow_grains`.
 
-Flat snow 3 cm deep on 64 × 12 cells of 1 cm, 12 m/s at 10 m, 8 minutes of wind, 3 seeds. A hump 8 cm high,
-6 cm wide, in snow 1 cm deep on 28 × 28 cells, 15 m/s, 4 minutes, 3 seeds. A simulated grain's snow is two
-grain diameters thick. Sintering is hastened 720 times: snow bonds in 2 minutes instead of 24 hours at -10 °C.
-Height is 2√2 times the standard deviation of the bed, as of a wave. Of the hump, what lies within 1.5 of its
-widths is compared with what was laid there evenly; what it lost slid and crept down its slopes, the
-steepest of which are 39° and so about as steep as loose snow stands, or went with the wind. In one case the snow has bonded before the wind begins, so that none
-slides. Szabó 2019, ch. 6, expects that with sintering ripples are flatter and lower, and that less snow flows
-down a steep hump.
+Flat snow 3 cm deep on 64 × 12 cells of 1 cm, 12 m/s at 10 m, 8 minutes of wind, 3 seeds. A hump 8 cm high, 6
+cm wide, in snow 1 cm deep on 28 × 28 cells, 15 m/s, 4 minutes, 3 seeds. A simulated grain's snow is two
+grain diameters thick. Sintering is hastened 720 times: snow bonds in 2 minutes instead of 24 hours at -10
+°C. Height is 2√2 times the standard deviation of the bed, as of a wave. Of the hump, what lies within 1.5 of
+its widths is compared with what was laid there evenly; what it lost slid and crept down its slopes, the
+steepest of which are 39° and so about as steep as loose snow stands, or went with the wind. In one case the
+snow has bonded before the wind begins, so that none slides. Szabó 2019, ch. 6, expects that with sintering
+ripples are flatter and lower, and that less snow flows down a steep hump.
 """
 
 import numpy as np
