@@ -1,13 +1,13 @@
 """Ripples of snow and a steep hump, with bonds that grow and without, under `snow_grains`.
 
-Flat snow 3 cm deep on 64 × 12 cells of 1 cm, 12 m/s at 10 m, 8 minutes of wind, 3 seeds. A hump 8 cm high, 6
-cm wide, in snow 1 cm deep on 28 × 28 cells, 15 m/s, 4 minutes, 3 seeds. A simulated grain's snow is two
+Flat snow 3 cm deep on 64 × 12 cells of 1 cm, 12 m/s at 10 m, 8 minutes of wind, 3 seeds. A hump 8 cm high,
+4.5 cm wide, in snow 1 cm deep on 28 × 28 cells, 15 m/s, 4 minutes, 3 seeds. A simulated grain's snow is two
 grain diameters thick. Sintering is hastened 720 times: snow bonds in 2 minutes instead of 24 hours at -10
 °C. Height is 2√2 times the standard deviation of the bed, as of a wave. Of the hump, what lies within 1.5 of
 its widths is compared with what was laid there evenly; what it lost slid and crept down its slopes, the
-steepest of which are 39° and so about as steep as loose snow stands, or went with the wind. In one case the
-snow has bonded before the wind begins, so that none slides. Szabó 2019, ch. 6, expects that with sintering
-ripples are flatter and lower, and that less snow flows down a steep hump.
+steepest of which are 47°, or went with the wind. In one case the snow has bonded before the wind begins, so
+that none slides. Szabó 2019, ch. 6, expects that with sintering ripples are flatter and lower, and that less
+snow flows down a steep hump.
 """
 
 import numpy as np
@@ -25,7 +25,7 @@ CELL, PARCEL = 0.01, 0.4e-3 / 16
 MINUTE = 60.0
 LOOKS = (1.5, 4, 8)
 """Minutes after which ripples are measured: before the first bonds, and twice after."""
-HUMP, WIDTH, FIELD, SHEET = 0.08, 0.06, 28, 400
+HUMP, WIDTH, FIELD, SHEET = 0.08, 0.045, 28, 400
 """Height and width (m) of the hump, cells along a side of its field, parcels of snow on each."""
 BLOWN = 4
 """Minutes of wind over the hump."""
@@ -138,8 +138,8 @@ minutes, four bonding times, nine tenths of the snow have bonded, and ripples ar
 without, where they had been as high before: they shrink while the others grow. They stand as far apart, and
 travel faster: over hard snow grains lose little speed, and more of them fly. They do not turn into sastrugi.
 
-The hump loses half of its snow without bonds. With bonds that grow only while the wind blows it loses 4 to
-5 % less, for most has gone before it could bond. Snow that had bonded before the wind came stays: of it 3 %
-is lost. These are small fields and short times, chosen for the cost of grains; at the real bonding time of a
+The hump loses two thirds of its snow without bonds. With bonds that grow only while the wind blows it loses 3
+to 4 % less, for most has gone before it could bond. Snow that had bonded before the wind came stays: of it
+6 % is lost. These are small fields and short times, chosen for the cost of grains; at the real bonding time of a
 day the ratio of bonding to transport is another one.
 """
