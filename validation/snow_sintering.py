@@ -140,6 +140,6 @@ travel faster: over hard snow grains lose little speed, and more of them fly. Th
 
 The hump loses two thirds of its snow without bonds. With bonds that grow only while the wind blows it loses 3
 to 4 % less, for most has gone before it could bond. Snow that had bonded before the wind came stays: of it
-6 % is lost. These are small fields and short times, chosen for the cost of grains; at the real bonding time of a
-day the ratio of bonding to transport is another one.
+6 % is lost. These are small fields and short times, chosen for the cost of grains; at the real bonding
+time of a day the ratio of bonding to transport is another one.
 """
