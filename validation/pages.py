@@ -65,8 +65,8 @@ THEMES = (
     Theme(
         "grains",
         "Grains in flight",
-        "Ripples out of single grains: speed, growth and spacing, over terrain, with several grain sizes.",
-        ("grown_ripples", "grain_drift", "grain_terrains", "grain_sizes"),
+        "Ripples out of single grains: speed, growth and spacing, over terrain, with several sizes, of snow.",
+        ("grown_ripples", "grain_drift", "grain_terrains", "grain_sizes", "snow_sintering"),
     ),
     Theme(
         "lattice",

@@ -126,7 +126,7 @@ def _lets_go_above_rest(data: dict[str, Any]) -> dict[str, Any]:
 
 
 def _flies(data: dict[str, Any]) -> dict[str, Any]:
-    """Grains heavier than air, ranges in order, sizes that make up all sand or a spread."""
+    """Grains heavier than air, ranges in order, sizes that make up all sand or a spread, bonds by time."""
     sizes = data.get("sizes", {})
     if sizes.get("classes"):
         share = 1.0 / len(sizes["classes"])
@@ -141,7 +141,8 @@ def _flies(data: dict[str, Any]) -> dict[str, Any]:
         given = [lifted[key] for key in (f"min_{name}", f"max_{name}") if key in lifted]
         if given:
             lifted |= {f"min_{name}": min(given), f"max_{name}": max(given)}
-    return {name: value for name, value in data.items() if name not in ("air_density", "grain_density")}
+    idle = ("air_density", "grain_density", *(("clock",) if data["name"] == "snow_grains" else ()))
+    return {name: value for name, value in data.items() if name not in idle}
 
 
 def _is_a_function(data: dict[str, Any]) -> dict[str, Any]:

@@ -11,7 +11,7 @@ from barchan.directions import downwind
 from barchan.grains.closure import Setting
 from barchan.grains.parameters import GrainFlight
 from barchan.grains.wind_feedback import WindFeedback
-from barchan.kernels.grains.state import TABLE_SHIFT, Air, Table
+from barchan.kernels.grains.air_state import TABLE_SHIFT, Air, Table
 
 _PER_DOUBLING = 64
 """Entries of a table from a number to its double, as the kernels read them."""

@@ -14,6 +14,7 @@ from barchan.grains.sized_sand import reseed
 from barchan.heights import FRACTION_BITS
 from barchan.kernels.bed.state import ActiveLayer, Grid, Stacks
 from barchan.kernels.core.state import TRAVEL_UNIT
+from barchan.kernels.grains.air_state import BedStress, Feedback, Flow, Speedup
 from barchan.kernels.grains.state import (
     CAPPED,
     COUNTS,
@@ -24,14 +25,11 @@ from barchan.kernels.grains.state import (
     MOVED,
     TRAVEL_X,
     TRAVEL_Y,
-    BedStress,
+    Bonds,
     Ejecta,
-    Feedback,
-    Flow,
     Ground,
     Landings,
     Scale,
-    Speedup,
 )
 from barchan.model import Tally
 from barchan.streams import derive
@@ -52,10 +50,12 @@ class GrainGround:
         work: tuple[Landings, Ejecta] | None = None,
         layer: ActiveLayer | None = None,
         plants: PlantRoughness | None = None,
+        bonds: Bonds | None = None,
     ) -> None:
         """Take a bed under a wind from ``direction`` (degrees), with ``work`` space for a pool of grains.
 
-        Sand of several sizes comes with its active ``layer``, a field with ``plants`` with their roughness.
+        Sand of several sizes comes with its active ``layer``, a field with ``plants`` with their roughness,
+        snow that bonds with its ``bonds``.
         """
         from barchan.kernels.grains.surface import renew_mesh
 
@@ -63,7 +63,7 @@ class GrainGround:
         self.direction, self.frame = direction, WindFrame.of(direction)
         self.slopes = slopes_of(rules, bed.lattice, PARCEL)
         self.filter = filter_of(rules, bed.lattice, PARCEL)
-        self.arrays = _ground_of(rules, bed, layer)
+        self.arrays = _ground_of(rules, bed, layer)._replace(bonds=bonds)
         self.roughen(0.0)
         renew_mesh(self.arrays)
         self.counts = np.zeros(COUNTS + (1 if layer is None else len(layer.surface)), np.int64)
@@ -118,6 +118,11 @@ class GrainGround:
         if self.plants is not None:
             self.arrays = self.arrays._replace(canopy=self.plants.drag(ustar))
 
+    def loosen(self, yields: bool) -> None:
+        """Set whether the wind is strong enough to lift bonded snow."""
+        if self.arrays.bonds is not None:
+            self.arrays = self.arrays._replace(bonds=self.arrays.bonds._replace(yields=yields))
+
     def reseed(self, key: int) -> None:
         """Restart the random sequence of sizes under a key."""
         if self.arrays.active_layer is not None:
@@ -151,13 +156,16 @@ class GrainGround:
 
     def relax_where(self, where: NDArray[np.bool_]) -> int:
         """Relax slopes about some cells until all hold; returns the number of parcels that slid."""
+        from barchan.kernels.bed.loose import join, part_loose
         from barchan.kernels.bed.relax import relax_field
 
         ground, slopes, changed = self.arrays, self.slopes, where.copy()
-        stacks = Stacks(ground.level, ground.sand)
-        return int(
-            relax_field(stacks, changed, slopes.orders, ground.grid, slopes.repose, ground.active_layer)
-        )
+        loose = None if ground.bonds is None else ground.bonds.loose
+        free = part_loose(loose, ground.sand)
+        stacks = Stacks(ground.level, free, loose=loose)
+        slid = relax_field(stacks, changed, slopes.orders, ground.grid, slopes.repose, ground.active_layer)
+        join(loose, free, ground.sand)
+        return int(slid)
 
     def tally(self, airborne: int) -> Tally:
         """The tally of a step, with a number of parcels in the air at its end."""

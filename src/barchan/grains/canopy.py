@@ -12,7 +12,7 @@ from barchan.bed import Bed
 from barchan.fields import FieldInfo
 from barchan.grains.closure import Closure
 from barchan.ground.area import Area
-from barchan.kernels.grains.state import CanopyDrag
+from barchan.kernels.grains.air_state import CanopyDrag
 from barchan.lattice import Lattice
 from barchan.model import Derived, Overlay
 from barchan.parameters import parameter

@@ -60,6 +60,17 @@ class GrainInAir(Composition, Air, Sand):
         source="Prague thesis, §4.3: a rough sphere",
     )
 
+    threshold_velocity: float | None = parameter(
+        None,
+        unit="m/s",
+        gt=0,
+        le=10,
+        group="sand",
+        meaning="Friction velocity at which the wind begins to lift grains of mean diameter; by the law of "
+        "Shao & Lu where not given. Other sizes lie as far above or below as by that law.",
+        source="Shao & Lu 2000",
+    )
+
     @model_validator(mode="after")
     def _heavier_than_air(self) -> Self:
         if self.grain_density <= 2.0 * self.air_density:
@@ -88,8 +99,15 @@ class GrainInAir(Composition, Air, Sand):
 
     def threshold(self, diameter: float | None = None) -> float:
         """Friction velocity (m/s) at which the wind begins to lift grains, by default of mean diameter."""
+        size = self.diameter if diameter is None else diameter
+        by_law = self._shao_lu(size)
+        if self.threshold_velocity is None:
+            return by_law
+        return self.threshold_velocity * by_law / self._shao_lu(self.diameter)
+
+    def _shao_lu(self, diameter: float) -> float:
         weight = self.grain_density * self.gravity / GRAVITY
-        return float(shao_lu(self.diameter if diameter is None else diameter, weight, self.air_density))
+        return float(shao_lu(diameter, weight, self.air_density))
 
     def impact_threshold(self, diameter: float | None = None) -> float:
         """Friction velocity (m/s) at which impacts keep grains going."""

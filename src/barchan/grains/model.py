@@ -1,46 +1,39 @@
 """The engine of grains in flight: the grains in the air, their iterations, the bed they meet."""
 
-from collections.abc import Hashable, Sequence
-from functools import cached_property
+from collections.abc import Hashable
 from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
 
-from barchan.aeolian.flow_over_relief import ReliefWind
 from barchan.bed import Bed
 from barchan.errors import ScenarioError
 from barchan.grains import checks
-from barchan.grains.air import air_of, drag_table, wind_profile
 from barchan.grains.bed import GrainGround
 from barchan.grains.canopy import PAINTED, PLANT_HEIGHT, PLANT_SHARE, PLANTS, Canopy, planted
-from barchan.grains.closure import Closure, Setting
+from barchan.grains.closure import Closure
 from barchan.grains.collapse import repose_limits
-from barchan.grains.cost import work_of_step
-from barchan.grains.creep import Creep
 from barchan.grains.parameters import GrainFlight
 from barchan.grains.pool import SLOT_BYTES, Pool
-from barchan.grains.relief_flow import ReliefFlow
 from barchan.grains.rules import entrainment_of
 from barchan.grains.sized_sand import SizedSand
 from barchan.grains.sizes import Sizes
 from barchan.grains.steps import follow_trajectories, iterate
 from barchan.grains.wind_feedback import Feedback, WindFeedback
+from barchan.grains.wind_over_bed import ANY_DIRECTION, WindOverGrains
+from barchan.kernels.grains.air_state import Air
 from barchan.kernels.grains.rules import Rules
-from barchan.kernels.grains.state import Air, Ejecta, Landings, Scene, Table
+from barchan.kernels.grains.state import Bonds, Ejecta, Landings, Scene
 from barchan.lattice import Lattice
-from barchan.model import Model, Tally
+from barchan.model import Tally
 from barchan.streams import Stream
 from barchan.wind.segment import Segment
 
 _CELL_BYTES = 120
 """Memory (bytes) that flight over a cell takes at most, with wind that varies in space."""
 
-_ANY = 270.0
-"""A wind direction where none matters."""
 
-
-class GrainModel(Model):
+class GrainModel(WindOverGrains):
     """A model that follows grains through the air, each standing for the parcel that it takes along.
 
     A subclass names its ``closures`` and composes its parameters of them.
@@ -111,10 +104,6 @@ class GrainModel(Model):
         """Parcels unlike those of the sources."""
         return checks.remarks(self.parameters, self.lattice)
 
-    def wind_facts(self, speeds: Sequence[float]) -> dict[str, str]:
-        """Friction velocity of the winds, and the threshold."""
-        return checks.wind_facts(self.parameters, speeds or [self.parameters.wind_speed])
-
     def state(self) -> dict[str, NDArray | float | int | str]:
         """The grains in the air, the number of iterations done, and the stress that grains take."""
         found: dict[str, NDArray | float | int | str] = {**self.pool.state(), "iteration": self.iteration}
@@ -136,7 +125,6 @@ class GrainModel(Model):
     def change(self, parameters: Any) -> None:
         """Take new parameters from now on; state is kept."""
         super().change(parameters)
-        self.__dict__.pop("_drag_table", None)
         closure = self.parameters.part(Feedback)
         if self.feedback is not None and closure is not None:
             self.feedback.change(closure, self.parameters)
@@ -158,6 +146,7 @@ class GrainModel(Model):
             ground.counts[:] = 0
             do_step = follow_trajectories if self.parameters.clock == "step" else iterate
             do_step(self, segment, stream, ground)
+            self.pass_time(segment, ground)
             total.add(ground.tally(self.airborne))
             if self.sized_sand is not None:
                 self.sized_sand.left += ground.left_by_size
@@ -173,64 +162,23 @@ class GrainModel(Model):
         plants = None
         if canopy is not None:
             plants = canopy.roughness_of(bed.arrays[PLANT_HEIGHT.name], self.lattice, rules)
-        return GrainGround(rules, bed, direction, work, layer, plants)
+        return GrainGround(rules, bed, direction, work, layer, plants, self.bonds_of(bed))
+
+    def bonds_of(self, bed: Bed) -> Bonds | None:
+        """The bonds between grains of a bed; sand has none."""
+        return None
+
+    def pass_time(self, wind: Segment, ground: GrainGround) -> None:
+        """Let what lies on the ground age by a step; sand does not."""
 
     def _store(self, bed: Bed, ground: GrainGround) -> None:
         if self.sized_sand is not None and ground.arrays.active_layer is not None:
             self.sized_sand.store(bed, ground.arrays.active_layer)
 
-    def setting(self, wind: Segment | None = None) -> Setting:
-        """Parameters, lattice and wind for closures."""
-        direction = _ANY if wind is None else wind.direction
-        return Setting(
-            self.parameters, self.lattice, direction, self.parameters.friction_velocity(self.speed(wind))
-        )
-
     def scene(self, ground: GrainGround, air: Air, rules: Rules, pool: Pool | None = None) -> Scene:
         """Everything that takes part in an iteration, with the model's grains or those of another pool."""
         grains = (pool or self.pool).grains
         return Scene(grains, air, ground.arrays, rules, ground.landings, ground.ejecta, ground.counts)
-
-    def blow(self, ground: GrainGround, wind: Segment) -> Air:
-        """Recompute the wind over the ground, and its effect on grains."""
-        setting, relief = self.setting(wind), self.parameters.part(ReliefFlow)
-        near_bed, over_relief = np.asarray(setting.ustar), ReliefWind()
-        if relief is not None:
-            surface = ground.arrays.height.reshape(self.lattice.shape)
-            over_relief = relief.over(surface, setting)
-            ground.bend_wind(over_relief)
-        if self.feedback is not None:
-            near_bed = self.feedback.near_bed_ustar(setting.ustar)
-            if self.feedback.closure.varies_in_space:
-                ground.slow(near_bed)
-        if self.parameters.part(Creep) is not None:
-            ground.drag(near_bed, over_relief)
-        ground.roughen(setting.ustar)
-        return air_of(setting, self.feedback, self._drag_table)
-
-    @cached_property
-    def _drag_table(self) -> Table:
-        return drag_table(self.parameters)
-
-    def wind_profile(self, height: NDArray[np.float64], ustar: float) -> NDArray[np.float64]:
-        """Wind speed (m/s) at heights (m) above the surface, for a friction velocity ``ustar`` (m/s)."""
-        return wind_profile(self.parameters, height, ustar, self.feedback)
-
-    def speed(self, wind: Segment | None) -> float:
-        """Speed of the wind (m/s at 10 m); a calm has none."""
-        if wind is not None and wind.polls == 0:
-            return 0.0
-        if wind is None or wind.speed is None:
-            return self.parameters.wind_speed
-        return wind.speed
-
-    def expected_work(self, segment: Segment) -> float:
-        """The grains expected in the air, times iterations; of complete trajectories those of a first hop."""
-        return segment.steps * work_of_step(self.parameters, self.lattice, self.speed(segment), segment.share)
-
-    def moves(self, wind: Segment | None = None) -> bool:
-        """Whether the wind is above the threshold."""
-        return self.setting(wind).ustar > self.parameters.threshold()
 
     def paths(
         self, bed: Bed, wind: Segment, stream: Stream, count: int, longest: float = 10.0
@@ -242,7 +190,7 @@ class GrainModel(Model):
 
     def relax(self, bed: Bed, where: NDArray[np.bool_] | None = None) -> int:
         """Relax slopes to the angle of repose."""
-        ground = self.ground_of(bed, _ANY)
+        ground = self.ground_of(bed, ANY_DIRECTION)
         slid = ground.relax_where(np.ones(bed.sand.size, np.bool_) if where is None else where.ravel())
         self._store(bed, ground)
         return slid

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from barchan.kernels.bed.active_layer import slide
 from barchan.kernels.bed.grid import neighbour
+from barchan.kernels.bed.loose import slide_loose
 from barchan.kernels.bed.slopes import has_sand, steepest
 from barchan.kernels.bed.state import STABLE, ActiveLayer, Grid, Repose, Stacks, unstable_cells
 from barchan.kernels.core.borrow import borrowed
@@ -115,6 +116,7 @@ def relax_queue(stacks, orders, unstable, progress, most, key, grid, repose, mix
             count = _sliding(stacks.surface, stacks.sand, cell, lower, limit, repose.slab)
         _move_slabs(stacks.surface, stacks.sand, cell, lower, repose.slab, count)
         slide(mixture, cell, lower, count)
+        slide_loose(stacks.loose, cell, lower, count)
         slides += 1
         slid += count
         length = enqueue(unstable, lower, MOVING, at, length)

@@ -50,6 +50,8 @@ class Stacks(NamedTuple):
     """How freely the wind works on each cell, in 1/``MOBILE``; None: everywhere unhindered."""
     levels: Levels | None = None
     """Measured where hops depend on height."""
+    loose: NDArray[np.int32] | None = None
+    """Loose parcels by cell and age, of which alone ``sand`` counts those that slide; None: nothing bonds."""
 
 
 class Unstable(NamedTuple):

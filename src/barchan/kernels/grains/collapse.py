@@ -4,9 +4,11 @@ import numpy as np
 from numba import njit
 
 from barchan.kernels.bed.grid import neighbour
+from barchan.kernels.bed.loose import join, part_loose
 from barchan.kernels.bed.relax import CHECKED, NO_END, enqueue, enqueue_about, relax_queue
 from barchan.kernels.bed.state import Stacks
 from barchan.kernels.core.borrow import borrowed
+from barchan.kernels.grains.bonds import loose_of
 from barchan.kernels.grains.surface import renew_mesh
 
 
@@ -43,9 +45,12 @@ def _find_steep(level, rows, cols, repose, grid, steep):
 
 @njit(cache=True, nogil=True, error_model="numpy")
 def _relax(ground, slopes, key, length):
-    stacks, layer = Stacks(ground.level, ground.sand, None, None), ground.active_layer
+    loose, layer = loose_of(ground.bonds), ground.active_layer
+    free = part_loose(loose, ground.sand)
+    stacks = Stacks(ground.level, free, None, None, loose)
     grid, repose, orders, unstable = ground.grid, slopes.repose, slopes.orders, slopes.unstable
     progress = relax_queue(stacks, orders, unstable, (0, length, 0, 0), NO_END, key, grid, repose, layer)
+    join(loose, free, ground.sand)
     slid = progress[3]
     if slid > 0:
         renew_surface(ground)

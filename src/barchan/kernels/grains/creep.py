@@ -13,6 +13,7 @@ from numba import njit
 from barchan.kernels.bed.active_layer import parcels_of
 from barchan.kernels.core.random import draw
 from barchan.kernels.core.state import TRAVEL_UNIT
+from barchan.kernels.grains.bonds import impact_breaks
 from barchan.kernels.grains.exchange import lay_down, take_up
 from barchan.kernels.grains.state import COUNTS, LEFT, MOVED, TRAVEL_X, TRAVEL_Y
 from barchan.kernels.grains.surface import surface_at
@@ -28,6 +29,9 @@ CREEP_DRAWS, DRAWS_PER_SIZE = 80, 64
 
 STRIDE = 1024
 """Draws between those of one cell of a displacement and the next."""
+
+_BOND_DRAW = (FARTHEST + 1) * STRIDE
+"""Draw, from those of a push on, that decides whether it breaks bonds."""
 
 _LEAST = 1e-9
 """Displacements shorter than this (cells) are treated as zero."""
@@ -86,9 +90,9 @@ def _move(cell, size_class, step, draws, creep, ground, counts):
     ``step`` is the first step (columns, rows); ``draws`` are the start of the impact's random numbers and
     the number of the first of this grain.
     """
-    if not take_up(cell, size_class, ground):
-        return
     grid, start, at = ground.grid, draws[0], draws[1]
+    if not take_up(cell, size_class, ground, impact_breaks(ground.bonds, start, at + _BOND_DRAW)):
+        return
     step_x, step_y = step
     counts[MOVED] += 1
     for count in range(1, FARTHEST + 1):

@@ -7,6 +7,7 @@ from numba import njit
 
 from barchan.kernels.bed.active_layer import class_of_parcel, parcels_of, set_class
 from barchan.kernels.core.random import draw
+from barchan.kernels.grains.bonds import movable, wind_breaks
 from barchan.kernels.grains.pool import launch
 from barchan.kernels.grains.state import NOWHERE
 from barchan.kernels.grains.surface import nearest_cell, surface_at
@@ -36,7 +37,9 @@ def entrain(slot, start, grains, ground, rule):
     grid = ground.grid
     x, y = place(draw(start, 2), grid.cols), place(draw(start, 3), grid.rows)
     cell = nearest_cell(x, y, grid)
-    if ground.sand[cell] == 0 or ground.shelter_surface[cell] > ground.height[cell]:
+    if movable(ground.bonds, ground.sand, cell, wind_breaks(ground.bonds)) == 0:
+        return NOWHERE
+    if ground.shelter_surface[cell] > ground.height[cell]:
         return NOWHERE
     size_class = _random_class(ground.active_layer, cell, draw(start, 6), rule.creeps)
     if size_class < 0:

@@ -12,11 +12,12 @@ from numba import njit
 from barchan.kernels.bed.active_layer import available, class_at, put, take
 from barchan.kernels.bed.grid import COL_STEP, ROW_STEP, neighbour
 from barchan.kernels.core.borrow import borrowed
+from barchan.kernels.grains.bonds import movable, note_change, wind_breaks
 from barchan.kernels.grains.pool import free_slot
 from barchan.kernels.grains.state import CAPPED, COUNTS, LEFT, MOVED, NOWHERE, OUT, PATCH, TRAVEL_X, TRAVEL_Y
 from barchan.kernels.grains.surface import note_stale
 
-_MIDDLE = 4
+MIDDLE = 4
 """Parcels of a patch on the middle stack, where none is missing."""
 
 
@@ -26,6 +27,7 @@ def pile_up(cell, parcels, ground):
     ground.sand[cell] += parcels
     ground.level[cell] += parcels * ground.scale.parcel
     ground.height[cell] = np.float32(ground.level[cell] * ground.scale.part)
+    note_change(ground.bonds, cell, parcels)
 
 
 @njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
@@ -68,17 +70,26 @@ def _lay_shares(cell, size_class, ground):
 
 
 @njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
-def _is_deep(cell, sand, grid):
+def _is_deep(cell, ground, breaks):
     """Whether all nine stacks of a patch have what it may ask of any."""
-    least = sand[np.uint64(cell)]
-    for middle in (cell - grid.cols, cell, cell + grid.cols):
-        least = min(least, min(sand[np.uint64(middle - 1)], sand[np.uint64(middle + 1)]))
-        least = min(least, sand[np.uint64(middle)])
-    return least >= _MIDDLE
+    bonds, sand, cols = ground.bonds, ground.sand, ground.grid.cols
+    least = movable(bonds, sand, np.uint64(cell), breaks)
+    for middle in (cell - cols, cell, cell + cols):
+        west, east = np.uint64(middle - 1), np.uint64(middle + 1)
+        least = min(least, min(movable(bonds, sand, west, breaks), movable(bonds, sand, east, breaks)))
+        least = min(least, movable(bonds, sand, np.uint64(middle), breaks))
+    return least >= MIDDLE
+
+
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+def _given(cell, size_class, ground, breaks):
+    """Parcels of a size class that a cell can give to what may or may not break bonds."""
+    held = available(ground.active_layer, ground.sand, size_class, cell)
+    return min(held, movable(ground.bonds, ground.sand, cell, breaks))
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
-def _take_shares(cell, size_class, ground):
+def _take_shares(cell, size_class, ground, breaks):
     """Take a grain's parcels; the cell gives what others have not. False: it cannot, nothing changed."""
     grid = ground.grid
     row, col = cell // grid.cols, cell % grid.cols
@@ -87,8 +98,8 @@ def _take_shares(cell, size_class, ground):
         r, c = neighbour(row, col, k, grid)
         other = r * grid.cols + c
         if other != cell:
-            rest -= min(_share(k), available(ground.active_layer, ground.sand, size_class, other))
-    if available(ground.active_layer, ground.sand, size_class, cell) < rest:
+            rest -= min(_share(k), _given(other, size_class, ground, breaks))
+    if _given(cell, size_class, ground, breaks) < rest:
         return False
     pile_up(cell, -rest, ground)
     take(ground.active_layer, cell, size_class, rest)
@@ -96,7 +107,7 @@ def _take_shares(cell, size_class, ground):
         r, c = neighbour(row, col, k, grid)
         other = r * grid.cols + c
         if other != cell:
-            parcels = min(_share(k), available(ground.active_layer, ground.sand, size_class, other))
+            parcels = min(_share(k), _given(other, size_class, ground, breaks))
             pile_up(other, -parcels, ground)
             take(ground.active_layer, other, size_class, parcels)
     return True
@@ -110,24 +121,24 @@ def _lay_patch(cell, size_class, ground):
     note_stale(row, 1, 1, ground)
     if _is_plain(ground.active_layer, row, col, grid):
         _lay_row(cell - grid.cols - 1, 1, 2, ground)
-        _lay_row(cell - 1, 2, _MIDDLE, ground)
+        _lay_row(cell - 1, 2, MIDDLE, ground)
         _lay_row(cell + grid.cols - 1, 1, 2, ground)
     else:
         _lay_shares(cell, size_class, ground)
 
 
 @njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
-def _take_patch(cell, size_class, ground):
+def _take_patch(cell, size_class, ground, breaks):
     """Do the same as ``_take_shares``, the usual case without a call."""
     grid = ground.grid
     row, col = cell // grid.cols, cell % grid.cols
     note_stale(row, 1, 1, ground)
-    if _is_plain(ground.active_layer, row, col, grid) and _is_deep(cell, ground.sand, grid):
+    if _is_plain(ground.active_layer, row, col, grid) and _is_deep(cell, ground, breaks):
         _lay_row(cell - grid.cols - 1, -1, -2, ground)
-        _lay_row(cell - 1, -2, -_MIDDLE, ground)
+        _lay_row(cell - 1, -2, -MIDDLE, ground)
         _lay_row(cell + grid.cols - 1, -1, -2, ground)
         return True
-    return _take_shares(cell, size_class, ground)
+    return _take_shares(cell, size_class, ground, breaks)
 
 
 @njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
@@ -142,11 +153,14 @@ def lay_down(cell, size_class, ground):
 
 
 @njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
-def take_up(cell, size_class, ground):
-    """Take the sand of a grain of some size from a cell, or from it and its neighbours; False: too little."""
+def take_up(cell, size_class, ground, breaks):
+    """Take the sand of a grain of some size from a cell, or from it and its neighbours; False: too little.
+
+    Bonded snow gives none but to what ``breaks`` bonds.
+    """
     if ground.scale.carried > 1:
-        return _take_patch(cell, size_class, ground)
-    if available(ground.active_layer, ground.sand, size_class, cell) == 0:
+        return _take_patch(cell, size_class, ground, breaks)
+    if _given(cell, size_class, ground, breaks) == 0:
         return False
     pile_up(cell, -1, ground)
     take(ground.active_layer, cell, size_class, 1)
@@ -158,9 +172,10 @@ def take_up(cell, size_class, ground):
 def exchange(first, count, grains, ground, landings, counts):
     """Lay down the sand of grains that came to rest and take that of those lifted, entry by entry.
 
-    A cell that has too little left by then gives none, and the slot stays free.
+    A cell that has too little left by then, or too little loose, gives none, and the slot stays free.
     """
     grains, ground, landings, counts = borrowed((grains, ground, landings, counts))
+    breaks = wind_breaks(ground.bonds)
     for k in range(first, first + count):
         deposit, lift = landings.deposit_cell[k], landings.lift_cell[k]
         if deposit != NOWHERE:
@@ -173,7 +188,7 @@ def exchange(first, count, grains, ground, landings, counts):
             counts[CAPPED] += landings.capped[k]
             lay_down(deposit, class_at(landings.size_class, k), ground)
         if lift != NOWHERE:
-            if take_up(lift, class_at(grains.size_class, landings.slot[k]), ground):
+            if take_up(lift, class_at(grains.size_class, landings.slot[k]), ground, breaks):
                 counts[MOVED] += 1
             else:
                 free_slot(landings.slot[k], grains)

@@ -14,6 +14,7 @@ from numba import njit
 from barchan.kernels.bed.active_layer import slide
 from barchan.kernels.bed.grid import neighbour
 from barchan.kernels.core.borrow import borrowed
+from barchan.kernels.grains.bonds import movable
 from barchan.kernels.grains.exchange import pile_up
 from barchan.kernels.grains.surface import note_stale, renew_stale
 
@@ -88,7 +89,8 @@ def _exchange(cell, before, marks, ground, rule):
         weight = FACE_WEIGHT if k < 4 else CORNER_WEIGHT
         flow = rule.gain * weight * np.float64(before[other] - before[cell]) / ground.scale.parcel
         parcels = np.int64(flow)
-        parcels = min(max(parcels, -np.int64(ground.sand[cell])), np.int64(ground.sand[other]))
+        mine = movable(ground.bonds, ground.sand, cell, False)
+        parcels = min(max(parcels, -mine), movable(ground.bonds, ground.sand, other, False))
         if parcels != 0:
             pile_up(cell, parcels, ground)
             pile_up(other, -parcels, ground)

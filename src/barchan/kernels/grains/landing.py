@@ -6,13 +6,15 @@ from numba import njit
 from barchan.kernels.bed.active_layer import class_at, set_class
 from barchan.kernels.core.borrow import borrowed
 from barchan.kernels.core.random import derive
+from barchan.kernels.grains.bonds import restitution_at
 from barchan.kernels.grains.bounce import bounce
 from barchan.kernels.grains.entrainment import entrain
+from barchan.kernels.grains.exchange import MIDDLE
 from barchan.kernels.grains.flight import move
 from barchan.kernels.grains.pool import record_end
 from barchan.kernels.grains.splash import rebound
 from barchan.kernels.grains.state import FLYING, GONE, LOSS_UNIT, NOWHERE
-from barchan.kernels.grains.surface import height_at, surface_at
+from barchan.kernels.grains.surface import height_at, nearest_cell, surface_at
 
 _ZERO = np.float32(0.0)
 
@@ -55,14 +57,22 @@ def _come_in(slot, grains, grid):
 
 
 @njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
-def _splash(k, slot, start, place, grains, air, splash, most, landings):
+def _restitution(splash, x, y, ground):
+    """Restitution of rebounds where a grain hits the bed: snow is bonded where it cannot fill a footprint."""
+    least = 1 if ground.scale.carried == 1 else MIDDLE
+    return restitution_at(ground.bonds, nearest_cell(x, y, ground.grid), least, splash.restitution)
+
+
+@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+def _splash(k, slot, start, place, grains, air, ground, splash, most, landings):
     """Rebound a grain or leave it where it is, and write the impact into entry ``k``."""
     x, y, surface, east, north = place
     u, v = grains.u[slot], grains.v[slot]
     landings.x[k], landings.y[k], landings.u[k], landings.v[k] = x, y, u, v
     landings.start[k] = start
     set_class(landings.size_class, k, class_at(grains.size_class, slot))
-    landings.impact_speed[k] = rebound(slot, start, (surface, east, north), grains, splash, most)
+    restitution = _restitution(splash, x, y, ground)
+    landings.impact_speed[k] = rebound(slot, start, (surface, east, north), grains, splash, restitution, most)
     if grains.status[slot] == FLYING:
         u, v = u - grains.u[slot], v - grains.v[slot]
     loss = np.float64(u) * air.wind_x + np.float64(v) * air.wind_y
@@ -70,7 +80,7 @@ def _splash(k, slot, start, place, grains, air, splash, most, landings):
 
 
 @njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
-def _hit(k, slot, key, place, grains, air, splash, bounce_rule, landings):
+def _hit(k, slot, key, place, grains, air, ground, splash, bounce_rule, landings):
     """Let a grain bounce or splash; whether that is an impact to be written into entry ``k``.
 
     ``place`` is where the grain hit the bed (cells), and the surface there: height (m) and slopes.
@@ -78,7 +88,7 @@ def _hit(k, slot, key, place, grains, air, splash, bounce_rule, landings):
     if splash is None:
         bounce(slot, place[2], place[3], place[4], grains, bounce_rule)
         return False
-    _splash(k, slot, derive(key, slot), place, grains, air, splash, bounce_rule.most, landings)
+    _splash(k, slot, derive(key, slot), place, grains, air, ground, splash, bounce_rule.most, landings)
     return True
 
 
@@ -105,7 +115,7 @@ def land(first, count, key, grains, air, ground, rules, landings):
                 continue
             surface, east, north = surface_at(x, y, ground)
             place = x, y, surface, east, north
-            hits = _hit(found, slot, key, place, grains, air, rules.splash, rules.bounce, landings)
+            hits = _hit(found, slot, key, place, grains, air, ground, rules.splash, rules.bounce, landings)
         if grains.status[slot] != FLYING:
             if not hits:
                 landings.impact_speed[found] = 0.0

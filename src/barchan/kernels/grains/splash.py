@@ -13,6 +13,7 @@ from numba import njit
 from barchan.kernels.bed.active_layer import class_at, parcels_of, set_class
 from barchan.kernels.core.borrow import borrowed
 from barchan.kernels.core.random import draw
+from barchan.kernels.grains.bonds import impact_breaks
 from barchan.kernels.grains.creep import push
 from barchan.kernels.grains.exchange import take_up
 from barchan.kernels.grains.pool import launch
@@ -22,7 +23,7 @@ from barchan.kernels.grains.surface import nearest_cell, surface_at
 MOST_EJECTA = 8
 """Ejecta of one impact at most."""
 
-REBOUND_DRAWS, EJECTA_DRAWS, DRAWS_PER_EJECTUM, CLASS_DRAWS = 10, 20, 3, 60
+REBOUND_DRAWS, EJECTA_DRAWS, DRAWS_PER_EJECTUM, CLASS_DRAWS, BOND_DRAWS = 10, 20, 3, 60, 70
 """Where in a slot's sequence the draws of an impact begin."""
 
 _QUARTER_TURN = math.pi / 2
@@ -48,8 +49,11 @@ def thrown(u, v, angles, speed, east, north):
 
 
 @njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
-def rebound(slot, start, surface, grains, rule, most):
-    """Throw a grain back off a ``surface`` (height and slopes), or leave it there; its impact speed (m/s)."""
+def rebound(slot, start, surface, grains, rule, restitution, most):
+    """Throw a grain back off a ``surface`` (height and slopes), or leave it there; its impact speed (m/s).
+
+    ``restitution`` is that of the surface.
+    """
     height, east, north = surface
     u, v, w = np.float64(grains.u[slot]), np.float64(grains.v[slot]), np.float64(grains.w[slot])
     speed = math.sqrt(u * u + v * v + w * w)
@@ -60,7 +64,7 @@ def rebound(slot, start, surface, grains, rule, most):
         return speed
     angle = exponential(draw(start, REBOUND_DRAWS + 1), rule.rebound_angle, _QUARTER_TURN)
     azimuth = rule.spread * (2.0 * draw(start, REBOUND_DRAWS + 2) - 1.0)
-    u, v, w = thrown(u, v, (azimuth, angle), rule.restitution * speed, east, north)
+    u, v, w = thrown(u, v, (azimuth, angle), restitution * speed, east, north)
     grains.u[slot], grains.v[slot], grains.w[slot] = np.float32(u), np.float32(v), np.float32(w)
     grains.bounces[slot] += 1
     return speed
@@ -138,7 +142,8 @@ def _dig(k, cell, number, slots, grains, ground, by_size, landings, ejecta):
         surface, east, north = surface_at(x, y, ground)
         part = draw(start, CLASS_DRAWS + one)
         size_class = _random_class(by_size, hitting, cell, ground.active_layer, part)
-        if size_class < 0 or not take_up(cell, size_class, ground):
+        breaks = impact_breaks(ground.bonds, start, BOND_DRAWS + one)
+        if size_class < 0 or not take_up(cell, size_class, ground, breaks):
             continue
         slot = ejecta.free[taken]
         ejecta.entry[taken], ejecta.number[taken], ejecta.slot[taken] = k, one, slot

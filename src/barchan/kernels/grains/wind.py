@@ -6,7 +6,7 @@ A pass over a block of grains does one thing, so that the compiler turns it into
 import numpy as np
 from numba import njit
 
-from barchan.kernels.grains.state import TABLE_SHIFT
+from barchan.kernels.grains.air_state import TABLE_SHIFT
 from barchan.kernels.grains.surface import mesh_cell
 
 _SHIFT = np.int32(TABLE_SHIFT)
