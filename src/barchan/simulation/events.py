@@ -16,7 +16,7 @@ from barchan.scenario import Scenario, nearest, validate
 from barchan.scenario.definition import without_empty_notes
 from barchan.scenario.migrations import current_key, current_value, current_wind
 from barchan.simulation.change import Change, wrong
-from barchan.simulation.strokes import PlantStroke, RockStroke, Stroke
+from barchan.simulation.strokes import IceStroke, PlantStroke, RockStroke, SnowfallStroke, Stroke
 from barchan.wind import Wind
 
 if TYPE_CHECKING:
@@ -92,7 +92,7 @@ class SetWind(Change):
         scenario["wind"] = self.wind.model_dump(mode="json")
 
 
-AnyEvent = SetParameter | SetWind | Stroke | RockStroke | PlantStroke
+AnyEvent = SetParameter | SetWind | Stroke | SnowfallStroke | RockStroke | IceStroke | PlantStroke
 
 Event = Annotated[AnyEvent, Field(discriminator="kind")]
 
