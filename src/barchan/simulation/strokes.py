@@ -182,7 +182,7 @@ class RockStroke(GroundStroke):
 
 
 class IceStroke(GroundStroke):
-    """A lump of ice: ground raised or lowered by a height on a round patch, under the snow that lies there."""
+    """A lump of ice: ground raised or lowered by a height on a round patch, under what lies there."""
 
     kind: Literal["ice"] = parameter("ice", unit="-", meaning="Ground raised or lowered by a height.")
     amount: float = parameter(
