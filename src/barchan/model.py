@@ -76,6 +76,8 @@ class Derived:
     """Whether it is 0 on cells in shadow, and curves along a section leave these out."""
     least: float | None = None
     """The value that it cannot lie below, where there is one."""
+    of_layers: bool = False
+    """Whether it belongs to what lies on the ground: on bare ground it has no value, and is 0."""
 
 
 @dataclass(frozen=True)

@@ -119,6 +119,7 @@ DERIVED = (
         "density of the uppermost layer",
         lambda _model, bed, _wind: surface_density(bed),
         least=0.0,
+        of_layers=True,
     ),
     Derived(
         "age",
@@ -126,6 +127,7 @@ DERIVED = (
         "age of the bonds of the uppermost layer",
         lambda _model, bed, _wind: surface_age(bed),
         least=0.0,
+        of_layers=True,
     ),
     Derived(
         "threshold_wind",
@@ -133,6 +135,7 @@ DERIVED = (
         "wind at 10 m that the uppermost layer withstands",
         lambda model, bed, wind: threshold_wind(bed, model.conditions(wind)),
         least=0.0,
+        of_layers=True,
     ),
     Derived(
         "loose_depth",
@@ -147,6 +150,7 @@ DERIVED = (
         "mass over thickness of all snow",
         lambda model, bed, _wind: mean_density(bed, model.parameters.quantum),
         least=0.0,
+        of_layers=True,
     ),
     Derived(
         "stress",

@@ -17,6 +17,8 @@ export interface Status {
   can_branch: boolean;
   rate: number;
   highest: number;
+  /** Depth (m) of all layers where they are deepest. */
+  deepest: number;
   volume: number;
   wind: number;
   time: number | null;
@@ -39,6 +41,8 @@ export interface Field {
   meaning: string;
   centre: number | null;
   choice: boolean;
+  /** Whether it has no value on bare ground. */
+  of_layers: boolean;
 }
 
 export interface Lattice {

@@ -43,7 +43,8 @@ export function group(context: FormContext, schema: Schema, value: JsonObject, p
 function rampField(context: FormContext, name: string, schema: Schema, values: JsonObject, path: Path): HTMLElement {
   const first = schema.properties?.[name.endsWith("_ramp") ? name.slice(0, -"_ramp".length) : "first"];
   const unit = first && entryOf(first, context.root).schema.unit;
-  return rampEditor(name, values, unit && unit !== "-" ? ` ${unit}` : "", (ramp) => context.drag([...path, name], ramp));
+  const own = unit?.includes(" or ") ? String(values.unit ?? "") : unit;
+  return rampEditor(name, values, own && own !== "-" ? ` ${own}` : "", (ramp) => context.drag([...path, name], ramp));
 }
 
 /** One parameter, whatever it is. */

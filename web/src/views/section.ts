@@ -110,6 +110,7 @@ export class SectionView {
     const p = profile(run, this.current(run));
     const length = p.distance.at(-1)!;
     let [low, high] = ends(p.surface);
+    high = Math.max(high, this.layers.highest(run, this.current(run)));
     const foot = Math.min(...ends(p.ground));
     if (low - foot < DEEP * (high - low)) low = foot;
     const room = Math.max((high - low) * 0.12, run.description!.lattice.thickness);
@@ -127,12 +128,12 @@ export class SectionView {
       c.fill();
     };
     if (p.shadow) this.shadows(c, p, x, y(high), y(low));
-    area(p.surface, themeColour("loose"));
     const layered = this.layers.draw(c, run, this.current(run), x, y, low);
+    if (!layered) area(p.surface, themeColour(run.material === "snow" ? "snow" : "loose"));
     area(p.ground, themeColour("rock"));
-    this.crest(c, p, x, y, run.description!.repose);
+    if (!layered) this.crest(c, p, x, y, run.description!.repose);
     this.legend(c, width, p.shadow !== null, run.description!.repose);
-    if (layered) this.layers.legend(c, run, MARGIN.left + 6, MARGIN.top + 4);
+    if (layered) this.layers.legend(c, run, MARGIN.left + 60, MARGIN.top);
     this.point(c, p, x, y, length, width, run);
   }
 

@@ -4,7 +4,7 @@ import type { App } from "../core/app";
 import type { Strata } from "../core/protocol";
 import type { Run } from "../core/run";
 import type { SectionLine } from "../core/section";
-import { h, short } from "../ui/dom";
+import { h, short, themeColour } from "../ui/dom";
 import { labelOf } from "../ui/labels";
 
 /** Milliseconds from one request to the next, at least. */
@@ -60,11 +60,23 @@ export class SectionLayers {
     return run.description!.strata.find((one) => one.name === this.select.value);
   }
 
+  /** The highest surface (m) of the layers under a line; minus infinity where there are none yet. */
+  highest(run: Run, line: SectionLine): number {
+    if (!this.layers || this.of !== this.wanted(run, line)) return Number.NEGATIVE_INFINITY;
+    const { ground, thickness } = this.layers;
+    return Math.max(...ground.map((base, i) => thickness.reduce((sum, heights) => sum + heights[i]!, base)));
+  }
+
+  /** What is asked for: a line of a run, and what colours its layers. */
+  private wanted(run: Run, line: SectionLine): string {
+    return JSON.stringify([run.name, line, this.select.value]);
+  }
+
   /** Draw the layers under a line, and ask for newer ones; false where there are none yet. */
   draw(c: CanvasRenderingContext2D, run: Run, line: SectionLine, x: (d: number) => number, y: (z: number) => number, low: number): boolean {
     const strata = this.chosen(run);
     if (!strata) return false;
-    const wanted = JSON.stringify([run.name, line, strata.name]);
+    const wanted = this.wanted(run, line);
     void this.ask(run, line, strata.name, wanted);
     if (!this.layers || this.of !== wanted) return false;
     const { place, ground, thickness, values } = this.layers;
@@ -80,7 +92,21 @@ export class SectionLayers {
         c.fillRect(x(place[i]!), y(to), x(place[i + 1]!) - x(place[i]!) + 0.5, y(from) - y(to) + 0.5);
       });
     });
+    this.outline(c, base, x, y);
     return true;
+  }
+
+  /** The surface of the cells that the layers are read from. */
+  private outline(c: CanvasRenderingContext2D, tops: number[], x: (d: number) => number, y: (z: number) => number): void {
+    const { place } = this.layers!;
+    c.beginPath();
+    tops.forEach((top, i) => {
+      c.lineTo(x(place[i]!), y(top));
+      c.lineTo(x(place[i + 1]!), y(top));
+    });
+    c.strokeStyle = themeColour("ink");
+    c.lineWidth = 1;
+    c.stroke();
   }
 
   /** The key of the colours, in the section's lower corner. */
@@ -125,7 +151,7 @@ export class SectionLayers {
   }
 
   private text(c: CanvasRenderingContext2D, text: string, x: number, y: number): void {
-    c.fillStyle = getComputedStyle(c.canvas).color;
+    c.fillStyle = themeColour("ink");
     c.fillText(text, x, y);
   }
 

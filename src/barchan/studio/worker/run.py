@@ -156,6 +156,7 @@ class StudioRun:
             "can_branch": self.looking is not None and self.can_branch,
             "rate": self.speed.rate if self.busy else 0.0,
             "highest": highest_stack(shown.bed.stack),
+            "deepest": float(shown.bed.depth.max()),
             "volume": shown.bed.volume,
             "balance": {"unit": balance.unit, "mass": balance.mass, "parts": balance.rows()},
             "wind": shown.wind_direction,
