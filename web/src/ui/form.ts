@@ -85,11 +85,12 @@ export function variantField(context: FormContext, name: string, given: Schema, 
 }
 
 function optionalGroup(context: FormContext, name: string, schema: Schema, value: JsonObject | null, path: Path): HTMLElement {
+  const { default: _, ...filled } = schema;
   const box = h("input", {
     type: "checkbox",
     checked: value !== null,
     id: id("group"),
-    onchange: () => context.change(path, box.checked ? initial(schema, context.root) : null, false),
+    onchange: () => context.change(path, box.checked ? initial(filled, context.root) : null, false),
   });
   const rows = value === null ? [] : group(context, schema, value, path);
   const head = h("div", { className: "row" }, h("label", { for: box.id, title: schema.description ?? "" }, labelOf(name)), box);
