@@ -36,6 +36,7 @@ from barchan.snow.drift_meter import DRIFTING, DriftMeter
 from barchan.snow.pack import SNOW, STRESS, Field, field_of, fields_of, layer_of, leave
 from barchan.snow.packing import INTERVAL, let_pack
 from barchan.snow.parameters import SnowParameters
+from barchan.snow.remarks import remarks_on
 from barchan.snow.rules import rules_under
 from barchan.snow.snowfall import Fallen
 from barchan.snow.start import check_counts, lay_first_snow, start_problems
@@ -81,6 +82,10 @@ class SnowModel(Model):
             text = f"is {wind:g} m/s, which moves no fresh drift; allowed: stronger winds"
             found.append(("reference_wind", text))
         return found
+
+    def remarks(self, _hop_length: float | None, _direction: float) -> list[str]:
+        """Wide cells, and bonds that grow within a step."""
+        return remarks_on(self.parameters, self.lattice)
 
     def slope_rules(self) -> Hashable:
         """All that decides which slopes stand."""

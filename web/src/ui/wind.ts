@@ -183,7 +183,9 @@ export class WindPanel {
   private async become(kind: string): Promise<void> {
     const direction = Number((this.wind.regimes as JsonObject[] | undefined)?.[0]?.direction ?? this.wind.direction ?? 270);
     const first: JsonObject = kind === "regimes" ? { regimes: [{ direction, steps: 100 }] } : {};
-    const answer = await this.app.ask({ command: "variant", group: "wind", value: { kind, ...first } });
+    const { model, clock } = this.app.current!.description!.scenario;
+    const beside = { model: model ?? null, clock: clock ?? null };
+    const answer = await this.app.ask({ command: "variant", group: "wind", value: { kind, ...first }, beside });
     if (!answer) {
       this.draw();
       return;

@@ -57,6 +57,12 @@ class RecordFormat(Parameters):
         unit="-",
         meaning="Column of the type of precipitation in ERA5's codes (ptype); guessed where it is not given.",
     )
+    accumulated: bool | None = parameter(
+        None,
+        unit="-",
+        meaning="Whether amounts of snowfall and precipitation are running sums that start over at one time "
+        "of the day, as in ERA5-Land; where it is not given they are those since the row before.",
+    )
     snow_depth: str | None = parameter(
         None,
         unit="-",

@@ -12,6 +12,7 @@ from barchan.wind.records.format import RecordFormat
 from barchan.wind.records.gaps import bridged
 from barchan.wind.records.quantities import QUANTITIES, WEATHER
 from barchan.wind.records.snowfall import HEAVIEST, HOUR, Fallen, rates, snowfall_of
+from barchan.wind.records.sums import amounts_of
 from barchan.wind.records.units import AMOUNTS, FALL, ZEROS
 from barchan.wind.records.values import Unit
 from barchan.wind.weather import COLDEST, WARMEST
@@ -60,7 +61,7 @@ def weather_of(
         if not claims or not _wanted(quantity, form, documented):
             continue
         try:
-            found[quantity] = _reading(claims[0], read, time, numbers, source)
+            found[quantity] = _reading(claims[0], read, time, numbers, source, form.accumulated)
         except RecordError as error:
             if getattr(form, quantity):
                 raise
@@ -122,7 +123,12 @@ _LIMITS = {
 
 
 def _reading(
-    claim: Claim, read: Numbers, time: NDArray[np.float64], numbers: NDArray[np.int64], source: str
+    claim: Claim,
+    read: Numbers,
+    time: NDArray[np.float64],
+    numbers: NDArray[np.int64],
+    source: str,
+    accumulated: bool | None,
 ) -> Reading:
     """A column in °C, kg/m²/s or m; raises RecordError where its unit or a value cannot be."""
     kind = QUANTITIES[claim.quantity]
@@ -137,7 +143,8 @@ def _reading(
         name = "K"
     in_amounts = kind.dimension is FALL and name in AMOUNTS
     values = raw * kind.dimension.sizes[name] + ZEROS.get(name, 0.0)
-    values = rates(values, time) if in_amounts else values
+    if in_amounts:
+        values = rates(amounts_of(values, time, accumulated, numbers, claim.column, source), time)
     low, high, shown_in = _LIMITS[claim.quantity]
     wrong = (values < low) | (values > high)
     if wrong.any():
