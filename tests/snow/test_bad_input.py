@@ -69,7 +69,7 @@ def test_a_stated_weather_keeps_to_what_air_can_be(wind, said):
 
 
 def test_more_quanta_than_a_layer_can_count_are_refused():
-    """A layer counts up to 2**20 - 1 quanta; a start has a million of the least quantum, 100 t/m², at most."""
+    """A layer counts up to 2**20 - 1 quanta; a start has a million at most."""
     with pytest.raises(ScenarioError, match=r"sand\.mean: is 1048576; allowed: .* ≤ 1000000"):
         scene(sand={"kind": "flat", "mean": 1_048_576})
 

@@ -89,8 +89,8 @@ def refuse_weather(scenario: "Scenario", wind: Wind) -> None:
     at = f"{record.time[row]:g} s" if record.start is None else str(record.start + _seconds(record.time[row]))
     others = f" ({np.count_nonzero(wrong)} rows in all)" if np.count_nonzero(wrong) > 1 else ""
     message = (
-        f"{record.source} has a temperature of {record.temperature[row]:.4g} °C at {at}; allowed with {model.title}: "
-        f"{low:g} to {high:g} °C{others}"
+        f"{record.source} has a temperature of {record.temperature[row]:.4g} °C at {at}; allowed with "
+        f"{model.title}: {low:g} to {high:g} °C{others}"
     )
     raise ScenarioError([Problem("wind", message)], record.source)
 
