@@ -4,6 +4,7 @@ import csv
 import io
 import json
 import os
+import re
 
 import pytest
 
@@ -178,3 +179,27 @@ def test_paint_is_listed_and_long_lists_are_cut(here, barchan):
     assert told[0].endswith("5 times before")
     assert told[-1].endswith("at step 0: sand +5 slabs within 3 m of x 4 m, y 5 m")
     assert len(told) == 21
+
+
+def test_the_balance_of_snow_is_told_to_the_quantum(here, barchan):
+    """0.01 kg/m²/s on 16 × 24 cells: all quanta held were there or fell, for the field is periodic."""
+    words = [
+        "--lattice.rows",
+        "16",
+        "--lattice.columns",
+        "24",
+        "--run.steps",
+        "10",
+        "--quiet",
+        "--no-picture",
+    ]
+    snowing = ["--wind.regimes[0].snowfall", "0.01"]
+    assert barchan("run", "snow-storm", *words, *snowing, "--out", "snow").code == 0
+    (line,) = (row for row in barchan("info", "snow").out.splitlines() if row.startswith("balance"))
+    numbers = re.fullmatch(
+        r"balance\s+(\d+) quanta held = (\d+) at the start \+ (\d+) fallen \+ 0 entered - 0 left", line
+    )
+    held, start, fallen = map(int, numbers.groups())
+    assert start == 7 * 16 * 24
+    assert fallen == pytest.approx(14.8, abs=1)
+    assert held == start + fallen
