@@ -17,11 +17,21 @@ if TYPE_CHECKING:
     from barchan.errors import ArchiveError, BarchanError, ScenarioError
     from barchan.models import model_names
     from barchan.scenario import Scenario, preset_names
-    from barchan.simulation import PlantStroke, RockStroke, SetParameter, SetWind, Simulation, Stroke
+    from barchan.simulation import (
+        IceStroke,
+        PlantStroke,
+        RockStroke,
+        SetParameter,
+        SetWind,
+        Simulation,
+        SnowfallStroke,
+        Stroke,
+    )
 
 _HOMES = {
     "ArchiveError": "errors",
     "BarchanError": "errors",
+    "IceStroke": "simulation",
     "PlantStroke": "simulation",
     "RockStroke": "simulation",
     "Scenario": "scenario",
@@ -29,6 +39,7 @@ _HOMES = {
     "SetParameter": "simulation",
     "SetWind": "simulation",
     "Simulation": "simulation",
+    "SnowfallStroke": "simulation",
     "Stroke": "simulation",
     "branch": "archive",
     "load": "entry",
@@ -46,6 +57,7 @@ _RETURN_RUNS = ("open_run", "simulate")
 __all__ = [
     "ArchiveError",
     "BarchanError",
+    "IceStroke",
     "PlantStroke",
     "RockStroke",
     "Scenario",
@@ -53,6 +65,7 @@ __all__ = [
     "SetParameter",
     "SetWind",
     "Simulation",
+    "SnowfallStroke",
     "Stroke",
     "__version__",
     "branch",

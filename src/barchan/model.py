@@ -31,6 +31,9 @@ class Tally:
     left: int = 0
     """Slabs that left through open edges."""
     entered: int = 0
+    """Slabs that entered across open edges or fell as snow."""
+    fallen: int = 0
+    """Slabs among those that entered which fell as snow."""
     airborne: int = 0
     """Slabs in the air at the end."""
     capped: int = 0
@@ -50,7 +53,7 @@ class Tally:
 
     def add(self, other: "Tally") -> None:
         """Add the counts of the steps that followed."""
-        for name in ("steps", "polls", "moved", "crept", "left", "entered", "capped", "exhausted"):
+        for name in ("steps", "polls", "moved", "crept", "left", "entered", "fallen", "capped", "exhausted"):
             setattr(self, name, getattr(self, name) + getattr(other, name))
         self.travel_x += other.travel_x
         self.travel_y += other.travel_y
@@ -73,6 +76,8 @@ class Derived:
     """Whether it is 0 on cells in shadow, and curves along a section leave these out."""
     least: float | None = None
     """The value that it cannot lie below, where there is one."""
+    of_layers: bool = False
+    """Whether it belongs to what lies on the ground: on bare ground it has no value, and is 0."""
 
 
 @dataclass(frozen=True)
@@ -102,10 +107,13 @@ class Overlay:
 class Strata:
     """The layers of a bed from the ground up, each with a value that sections show, such as its age."""
 
+    name: str
     title: str
     unit: str
     compute: Callable[[Any, Bed], list[tuple[NDArray, NDArray]]]
     """Computes thickness (m) and value of each layer on every cell, the lowest first, from model and bed."""
+    states: tuple[str, ...] = ()
+    """Words for the values 0, 1 and so on, of layers that are told apart by a state."""
 
 
 @dataclass(frozen=True)
@@ -118,6 +126,10 @@ class Curve:
     x_title: str
     y_title: str
     remark: str = ""
+    source: str = ""
+    """The publication that it is taken from, where it is a law and no choice of the user's."""
+    log_x: bool = False
+    """Whether it is drawn over the logarithm of ``x``."""
 
 
 class Model(ABC):
@@ -149,8 +161,10 @@ class Model(ABC):
     overlays: tuple[Overlay, ...] = ()
     """Fields that pictures draw over the surface; parameters may ask for more."""
 
-    strata: ClassVar[Strata | None] = None
-    """The layers that sections show, of a model that keeps any."""
+    strata: ClassVar[tuple[Strata, ...]] = ()
+    """What sections show of the layers, of a model that keeps any; the first unless another is asked for."""
+    fresh_densities: ClassVar[tuple[float, float] | None] = None
+    """The densities (kg/m³) at which a brush may lay fresh snow, of a model that keeps densities."""
 
     def __init__(self, parameters: Any, lattice: Lattice) -> None:
         """Set the model up for a lattice."""
@@ -173,6 +187,13 @@ class Model(ABC):
     def paintable(self) -> dict[str, tuple[float, float]]:
         """The model's fields that a brush may change, and the values that it holds them within."""
         return {}
+
+    def lay_fresh(self, bed: Bed, quanta: NDArray[np.int64], density: float) -> None:
+        """Lay fresh snow of a density (kg/m³) on each cell, where ``fresh_densities`` says that this may be.
+
+        Raises OverflowError where a cell cannot count as many.
+        """
+        raise NotImplementedError
 
     def start(self, bed: Bed) -> None:
         """Take note of the bed once it has come to rest, before the first step."""

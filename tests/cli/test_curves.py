@@ -24,7 +24,7 @@ def test_the_curves_of_a_run_are_drawn(here, barchan):
 @pytest.mark.parametrize(
     ("words", "said"),
     [
-        (["tiny.json"], "tiny.json: its model, werner, has no curves among its parameters"),
+        (["tiny.json"], "tiny.json: its model, werner, has no curves"),
         (["nowhere.json"], "nowhere.json"),
         (["nebkhas", "--out", "curves.txt"], "cannot write curves.txt"),
         (["nebkhas", "--uot", "x.png"], "did you mean '--out'"),

@@ -4,6 +4,7 @@ import csv
 import io
 import json
 import os
+import re
 
 import pytest
 
@@ -178,3 +179,17 @@ def test_paint_is_listed_and_long_lists_are_cut(here, barchan):
     assert told[0].endswith("5 times before")
     assert told[-1].endswith("at step 0: sand +5 slabs within 3 m of x 4 m, y 5 m")
     assert len(told) == 21
+
+
+def test_the_balance_of_snow_is_told_to_the_quantum(here, barchan):
+    """0.000463 kg/m²/s for 10 steps of 24.9 s are 0.0384 quanta of 3 kg/m² on each of 384 cells: 14.8."""
+    words = ["--lattice.rows", "16", "--lattice.columns", "24", "--run.steps", "10", "--quiet"]
+    assert barchan("run", "snow-storm", *words, "--no-picture", "--out", "snow").code == 0
+    (line,) = (row for row in barchan("info", "snow").out.splitlines() if row.startswith("balance"))
+    numbers = re.fullmatch(
+        r"balance\s+(\d+) quanta held = (\d+) at the start \+ (\d+) fallen \+ 0 entered - 0 left", line
+    )
+    held, start, fallen = map(int, numbers.groups())
+    assert start == 7 * 16 * 24
+    assert fallen == pytest.approx(14.8, abs=1)
+    assert held == start + fallen

@@ -5,6 +5,7 @@ import pytest
 from matplotlib.patches import Rectangle
 
 from barchan.entry import simulate
+from barchan.errors import BarchanError
 from barchan.figures.sections import profile
 from barchan.figures.style import colour_map
 from tests.tiny import COLUMNS, tiny
@@ -29,3 +30,29 @@ def test_snow_is_nearly_white_where_it_is_highest_and_sand_is_not():
     assert min(snow) > 0.95
     assert sand[2] < 0.8
     assert snow != pytest.approx(np.array(sand))
+
+
+def drawn_layers(strata):
+    model = {"name": "snow", "beneath": OLDER, "start_density": 100.0}
+    scenario = tiny(model=model, sand={"kind": "flat", "mean": 3}, run__steps=0)
+    figure = profile(simulate(scenario).isel(step=-1), scenario, at=0.5, strata=strata)
+    bars = [patch for patch in figure.axes[0].patches if isinstance(patch, Rectangle)]
+    return figure, {bar.get_facecolor() for bar in bars}
+
+
+def test_layers_are_told_apart_by_their_state_in_two_colours():
+    """Bonds of 24 and 288 h count as bonded, those of 0.1 h as loose: two colours for three layers."""
+    figure, colours = drawn_layers("state")
+    assert len(colours) == 2
+    assert [text.get_text() for text in figure.axes[1].get_yticklabels()] == ["loose", "bonded"]
+
+
+def test_layers_have_the_colour_of_their_density():
+    figure, colours = drawn_layers("density")
+    assert len(colours) == 3
+    assert figure.axes[1].get_ylabel() == "density (kg/m³)"
+
+
+def test_strata_that_a_model_has_not_are_refused():
+    with pytest.raises(BarchanError, match="no strata 'hardness' with snow; allowed: age, density, state"):
+        drawn_layers("hardness")

@@ -239,6 +239,64 @@ def test_winds_in_turn_with_a_curve(studio):
     studio.until(f"{wind}.regimes.length === 1")
 
 
+SNOW = {
+    "barchan": 2,
+    "lattice": {"rows": 32, "columns": 48, "cell_size": 0.1},
+    "sand": {"kind": "flat", "mean": 6},
+    "wind": {"kind": "steady", "speed": 10, "unit": "m/s", "snowfall": 0.01, "temperature": -10},
+    "model": {"name": "snow", "beneath": [{"mass": 5, "density": 300, "age": 24}]},
+    "run": {"steps": 10000, "seed": 3, "save_every": 10},
+}
+
+
+def test_snow_shows_its_layers_its_balance_its_brushes_and_a_curve_of_its_temperature(studio):
+    page, run = studio.page, "window.barchan.app.runs[0]"
+    studio.ask(f"window.barchan.app.create({json.dumps(SNOW)}, true)")
+    studio.until(f"{run}.description.model.name === 'snow' && {run}.status?.step > 5")
+    studio.pause()
+    page.keyboard.press("1")
+    plot = page.locator(".view canvas.plot:visible")
+    drawn = []
+    for by in ("age", "density", "state"):
+        page.locator("[data-strata]").select_option(by)
+        studio.catch_up()
+        time.sleep(0.4)
+        drawn.append(plot.screenshot())
+    assert len(set(drawn)) == 3
+    plot.hover(position={"x": 300, "y": 60})
+    studio.until("document.querySelector('.readout').textContent.includes('bonded')")
+    page.keyboard.press("2")
+    parts = f"{run}.status.balance.parts"
+    balance = studio.ask(parts)
+    assert balance["fallen"] > 0
+    assert balance["held"] == balance["at the start"] + balance["fallen"] - balance["left"]
+    assert "fallen" in page.locator(".balance").text_content()
+    page.get_by_role("tab", name="Paint").click()
+    for what, number in (("snowfall", "density"), ("ice nucleus", None)):
+        page.locator("[data-paint=what]").select_option(what)
+        assert page.locator("[data-paint=density]").count() == (number is not None)
+        page.get_by_text("paint (B)").click()
+        studio.drag((0.5, 0.5), (0.52, 0.5))
+        page.get_by_text("paint (B)").click()
+        studio.until(f"{run}.status.undo === 1")
+        studio.until(f"{parts}['entered'] > 0" if number else f"Math.max(...{run}.ground) > 0.05")
+        page.keyboard.press("Control+z")
+        studio.until(f"{run}.status.undo === 0")
+        studio.until(f"JSON.stringify({parts}) === '{json.dumps(balance, separators=(',', ':'))}'")
+    page.get_by_role("tab", name="Wind").click()
+    page.locator("[data-path='wind.kind']").select_option("regimes")
+    for key, value in (("temperature", "-20"), ("final_temperature", "-2")):
+        box = page.locator(f"[data-path='regimes.0.{key}']")
+        box.fill(value)
+        box.press("Enter")
+        studio.until(f"{run}.description.scenario.wind.regimes?.[0]?.{key} === {value}")
+    curve = page.get_by_label("Curve of the temperature")
+    grip = curve.get_by_label("Control point 2")
+    grip.focus()
+    page.keyboard.press("ArrowUp")
+    studio.until(f"{run}.description.scenario.wind.regimes[0].temperature_ramp.kind === 'bezier'")
+
+
 def test_a_recorded_wind_shows_its_roses(studio):
     scenario = load_scenario("recorded-wind", list(SMALL.items())).data()
     studio.ask(f"window.barchan.app.create({json.dumps(scenario)}, false)")

@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from barchan.analysis import doubts
 from barchan.analysis.measured_frame import MeasuredFrame
@@ -59,18 +59,21 @@ def _towards(frame: MeasuredFrame) -> float:
 def _flux(frame: MeasuredFrame) -> float:
     lattice = frame.scenario.lattice
     travel = math.hypot(*frame.travel)
-    return flux(travel, lattice.cells, frame.steps, lattice.thickness, lattice.cell_size)
+    return flux(travel, lattice.cells, frame.steps, frame.unit_height, lattice.cell_size)
 
 
 def _per_year(frame: MeasuredFrame, per_step: float) -> float:
     return per_step * YEAR / (frame.scenario.step_seconds or math.nan)
 
 
+SLABS = "slabs"
+"""Unit of measures that count whole units of the layers, by whatever name a scenario's layers call them."""
+
 FROM_NORTH = "clockwise from north"
 
 MEASURES = (
     Measure("highest", "highest stack", "m", lambda m: float(m.bed.depth.max())),
-    Measure("highest_stack", "highest stack", "slabs", lambda m: highest_stack(m.bed.stack), row="highest"),
+    Measure("highest_stack", "highest stack", SLABS, lambda m: highest_stack(m.bed.stack), row="highest"),
     Measure("bare_fraction", "bare ground", "fraction", lambda m: bare_fraction(m.bed.stack)),
     Measure("spacing", "dominant spacing", "m", lambda m: m.spacing, doubts.of_spacing),
     Measure("dune_height", "height, crest to toe", "m", lambda m: m.dune_height, doubts.of_height),
@@ -140,7 +143,9 @@ PER_YEAR = (
 def measures_of(scenario: Scenario) -> tuple[Measure, ...]:
     """Every measure of a scenario's frames: those of any frame, by year too, and its model's own."""
     timed = () if scenario.step_seconds is None else PER_YEAR
-    return (*MEASURES, *timed, *map(_own, models()[scenario.model.name].measures))
+    unit = scenario.layers[-1].unit
+    common = (replace(m, unit=unit) if m.unit == SLABS else m for m in MEASURES)
+    return (*common, *timed, *map(_own, models()[scenario.model.name].measures))
 
 
 def in_rows(values: list[Value]) -> list[list[Value]]:

@@ -37,11 +37,11 @@ def none(_frame: MeasuredFrame) -> str:
 
 def of_relief(frame: MeasuredFrame) -> str:
     """Of any measure of the bedforms' shape."""
-    slabs = frame.bedform_height / frame.scenario.lattice.thickness
+    slabs = frame.bedform_height / frame.unit_height
     if not slabs > ROUNDING:
         return "no relief"
     if slabs < SLABS:
-        return f"relief of {slabs:.1f} slabs is roughness"
+        return f"relief of {slabs:.1f} {frame.bed.layers[-1].unit} is roughness"
     ground, sandy = frame.bed.ground, frame.bed.stack > 0
     if not is_level(ground) and sandy.any():
         relief = 2.0 * math.sqrt(2.0) * float(ground[sandy].std())

@@ -52,8 +52,8 @@ def field_of(frame: "xr.Dataset", scenario: Scenario, name: str) -> "xr.DataArra
     """A field of one frame, with ``unit`` and ``long_name`` among its attributes.
 
     Where there is one, the attribute ``centre`` is the value that pictures show it evenly about and ``least``
-    the one that it cannot lie below; ``sheltered`` is 1 where it is 0 on cells in shadow. Raises BarchanError
-    where there is no such field.
+    the one that it cannot lie below; ``sheltered`` is 1 where it is 0 on cells in shadow, ``of_layers`` 1
+    where it has no value on bare ground. Raises BarchanError where there is no such field.
     """
     known = field_names(frame, scenario)
     if name not in known:
@@ -84,6 +84,7 @@ def _computed(frame: "xr.Dataset", scenario: Scenario, derived: Derived) -> "xr.
         centre=centre_of(model, derived, wind),
         least=derived.least,
         sheltered=int(derived.sheltered) or None,
+        of_layers=int(derived.of_layers) or None,
     )
 
 

@@ -69,6 +69,14 @@ class MeasuredFrame:
         """Width of a cell (m)."""
         return self.scenario.lattice.cell_size
 
+    @cached_property
+    def unit_height(self) -> float:
+        """Mean thickness (m) of a unit of the layers: a slab's, or that of quanta as dense as those there."""
+        lattice, units = self.scenario.lattice, self.bed.units
+        if self.bed.layers[-1].mass is None or units == 0:
+            return lattice.thickness
+        return self.bed.volume / (units * lattice.cell_size**2)
+
     @property
     def upwind(self) -> float:
         """Direction (degrees) that the chosen wind comes from; the last one's where all winds cancel."""

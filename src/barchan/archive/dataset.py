@@ -33,7 +33,10 @@ def dataset_of(simulation: Simulation, frames: Iterable[Frame]) -> "xr.Dataset":
     }
     if mapping := mapping_attributes(place):
         coordinates[GRID_MAPPING] = ((), 0, mapping)
-    values = {c.name: ("step", np.array([c.of(f) for f in frames], c.dtype), c.attributes) for c in COUNTERS}
+    slabs = simulation.bed.layers[-1].unit
+    values = {
+        c.name: ("step", np.array([c.of(f) for f in frames], c.dtype), c.attributes(slabs)) for c in COUNTERS
+    }
     fields = {
         name: (
             ("step", "y", "x"),

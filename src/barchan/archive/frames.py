@@ -29,30 +29,30 @@ class Counter:
     of: Callable[[Frame], float]
     dtype: str = "int64"
 
-    @property
-    def attributes(self) -> dict[str, Any]:
-        """Unit and meaning, in CF's words and in ours."""
+    def attributes(self, slabs: str) -> dict[str, Any]:
+        """Unit and meaning, in CF's words and in ours; ``slabs`` are the whole units of the bed."""
         units = "degree" if self.unit == "degrees" else "1"
-        return {"units": units, "long_name": self.meaning, "unit": self.unit}
+        return {"units": units, "long_name": self.meaning.format(slabs), "unit": self.unit.format(slabs)}
 
 
 COUNTERS = (
-    Counter("moved", "slabs", "slabs that the wind took since the start", lambda f: f.tally.moved),
-    Counter("left", "slabs", "slabs that left the field since the start", lambda f: f.ledger.left),
-    Counter("entered", "slabs", "slabs that entered the field since the start", lambda f: f.ledger.entered),
-    Counter("airborne", "slabs", "slabs in the air", lambda f: f.ledger.airborne),
-    Counter("capped", "slabs", "slabs put down because they never settled", lambda f: f.tally.capped),
+    Counter("moved", "{}", "{} that the wind took since the start", lambda f: f.tally.moved),
+    Counter("left", "{}", "{} that left the field since the start", lambda f: f.ledger.left),
+    Counter("entered", "{}", "{} that entered the field since the start", lambda f: f.ledger.entered),
+    Counter("fallen", "{}", "{} among these that fell as snow", lambda f: f.tally.fallen),
+    Counter("airborne", "{}", "{} in the air", lambda f: f.ledger.airborne),
+    Counter("capped", "{}", "{} put down because they never settled", lambda f: f.tally.capped),
     Counter(
         "travel_x",
         "cells",
-        "distance all slabs travelled eastwards on the wind",
+        "distance all {} travelled eastwards on the wind",
         lambda f: f.tally.travel_x,
         "float64",
     ),
     Counter(
         "travel_y",
         "cells",
-        "distance all slabs travelled northwards on the wind",
+        "distance all {} travelled northwards on the wind",
         lambda f: f.tally.travel_y,
         "float64",
     ),
@@ -110,6 +110,8 @@ class Frames:
             unfinished.unlink()
         self.group = zarr.open_group(path, mode="r+", use_consolidated=False)
         self._stored = {current_field(name): name for name in self.group.array_keys()}
+        # Archives of earlier versions lack counters that came later.
+        self._counters = [counter for counter in COUNTERS if counter.name in self._stored]
 
     @classmethod
     def create(cls, path: Path, scenario: Scenario, text: str, fields: dict[str, FieldInfo]) -> "Frames":
@@ -126,7 +128,7 @@ class Frames:
         _make(group, "step", (0,), (_CHUNK,), "int64", ("step",)).attrs.update(STEP)
         for counter in COUNTERS:
             array = _make(group, counter.name, (0,), (_CHUNK,), counter.dtype, ("step",))
-            array.attrs.update(counter.attributes)
+            array.attrs.update(counter.attributes(scenario.layers[-1].unit))
         for field in fields.values():
             if field.in_frames:
                 shape, chunk = (0, *lattice.shape), (1, *lattice.shape)
@@ -141,7 +143,7 @@ class Frames:
         count = self.count
         values: dict[str, Any] = {
             "step": frame.step,
-            **{c.name: c.of(frame) for c in COUNTERS},
+            **{c.name: c.of(frame) for c in self._counters},
             **frame.fields,
         }
         for name, value in values.items():
@@ -152,7 +154,7 @@ class Frames:
 
     def keep(self, count: int) -> None:
         """Drop all but the first ``count`` frames; readers who know of the others still find their chunks."""
-        for name in ["step", *(c.name for c in COUNTERS), *self.fields]:
+        for name in ["step", *(c.name for c in self._counters), *self.fields]:
             array = self._array(name)
             sync(array.async_array.resize((count, *array.shape[1:]), delete_outside_chunks=False))
         self.commit()

@@ -17,7 +17,7 @@ COMMANDS = {
     "presets": "List the scenarios that ship with Barchan.",
     "parameters": "List every key of a scenario, with unit, default, bounds, meaning and source.",
     "wind": "Print and draw the effect of a wind on sand: roses, drift, the crests and dunes to expect.",
-    "curves": "Draw the curves among a scenario's parameters, such as the growth of plants.",
+    "curves": "Draw the curves of a scenario's model, such as the winds that snow withstands.",
     "check": "Check a scenario without running it.",
     "schema": "Print the JSON schema of scenarios.",
 }

@@ -17,7 +17,7 @@ def check(scenario: str, /, *values: Tokens) -> None:
     from barchan.archive import source_at
     from barchan.cli.terminal import console, print_note
     from barchan.scenario.cost import expected_seconds, spoken_estimate
-    from barchan.scenario.effects import can_move
+    from barchan.scenario.effects import can_move, refuse_weather
     from barchan.scenario.files import load_scenario
     from barchan.scenario.summary import field_size
     from barchan.simulation.memory import in_words, memory_needed, refuse_too_large
@@ -27,6 +27,7 @@ def check(scenario: str, /, *values: Tokens) -> None:
     model = sound.new_model()
     with sound.source_map.locating_errors():
         sound.forcing().wind_of(0)
+        refuse_weather(sound, sound.wind)
         bed = sound.first_bed()
         model.initialise(bed, sound.seed)
     still = sound.run.steps > 0 and not can_move(sound)

@@ -1,4 +1,4 @@
-"""``barchan curves``: the curves among a scenario's parameters."""
+"""``barchan curves``: the curves of a scenario's model."""
 
 from pathlib import Path
 
@@ -7,7 +7,11 @@ from barchan.errors import BarchanError
 
 
 def curves(scenario: str, /, *values: Tokens, out: Path = Path("curves.png")) -> None:
-    """Draw the curves among a scenario's parameters, such as the growth of plants.
+    """Draw the curves of a scenario's model, with their sources.
+
+    Of snow: what wind it withstands by age and temperature, how fast it bonds, how dense it falls, drifts and
+    packs, how much of it a wind carries. Of snow_werner: its assumed densities. Of momiji and bishop: the hop
+    by height. Of nield_baas: the growth of plants.
 
     Parameters
     ----------
@@ -26,5 +30,5 @@ def curves(scenario: str, /, *values: Tokens, out: Path = Path("curves.png")) ->
     model = models()[chosen.model.name]
     found = model.curves(chosen.model)
     if not found:
-        raise BarchanError(f"{scenario}: its model, {model.name}, has no curves among its parameters")
+        raise BarchanError(f"{scenario}: its model, {model.name}, has no curves")
     save_picture(curves_of(found, chosen), out)

@@ -85,6 +85,13 @@ class Drawing:
             "Draw the model's layers over the surface, such as plants, light to dark green; yes without it."
         ),
     ] = None
+    strata: Annotated[
+        str | None,
+        _option(
+            "What colours the layers of snow in a section: the age of their bonds (age, without it), their "
+            "density, or their state, loose or bonded."
+        ),
+    ] = None
     grains: Annotated[
         int | None,
         _option(

@@ -42,6 +42,7 @@ def info(
     as_csv
         Print the measures as CSV, a row each.
     """
+    from barchan.analysis.balance import balance_of
     from barchan.analysis.time_series import last_values
     from barchan.archive import open_run
     from barchan.cli import measure_table
@@ -54,6 +55,7 @@ def info(
     values = []
     if frames:
         with open_run(run) as dataset:
+            rows.append(("balance", balance_of(dataset, scenario).text()))
             values = last_values(dataset, scenario, wind)
     if as_json:
         data = {"run": str(run), "contents": dict(rows), "measures": measure_table.as_data(values)}

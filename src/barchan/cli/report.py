@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from rich.text import Text
 
+from barchan.analysis.balance import balance_now
 from barchan.archive import Outcome, open_run
 from barchan.cli import INTERRUPTED
 from barchan.cli.terminal import console, print_note
@@ -47,16 +48,18 @@ def print_outcome(outcome: Outcome, quiet: bool, picture: bool) -> None:
         drawn = _draw(outcome, quiet)
     if quiet:
         return
-    tally = outcome.simulation.tally
+    tally, slabs = outcome.simulation.tally, outcome.simulation.bed.layers[-1].unit
     speed = outcome.work_per_second / 1e6
     pace = f" ({speed:.1f} million {outcome.simulation.model.work_unit}/s)" if speed else ""
     console.print(f"{outcome.reason} at step {outcome.simulation.steps_done}{pace}")
     if tally.left:
-        console.print(f"{tally.left} slabs left through open edges")
+        console.print(f"{tally.left} {slabs} left through open edges")
     if tally.capped:
-        console.print(f"{tally.capped} slabs never settled and were put down")
+        console.print(f"{tally.capped} {slabs} never settled and were put down")
     if tally.exhausted:
         console.print(f"{tally.exhausted} steps ended early because no cell could erode")
+    if tally.fallen:
+        console.print(f"balance: {balance_now(outcome.simulation).text()}")
     console.print(f"run: {outcome.path}")
     if drawn:
         console.print(f"picture: {drawn}")

@@ -38,8 +38,8 @@ def show(
         follow grains.
     field
         Draw this field instead of the elevation (map), or below it (profile): one that frames carry, such as
-        sand, or one derived, such as slope, shadow, hop, speedup, stress, effectiveness; an unknown name is
-        answered with those that the run has.
+        sand, or one derived, such as slope, shadow, hop, speedup, stress, effectiveness, and of snow
+        threshold_wind, age, loose_depth, density; an unknown name is answered with those that the run has.
     out
         The picture's file (PNG, PDF or SVG by its ending); in the run's folder without it.
     """

@@ -150,7 +150,7 @@ class Reporter:
                 self.task,
                 completed=simulation.steps_done,
                 speed=f"{speed:.0f} steps/s",
-                highest=f"highest stack {simulation.bed.stack.max()} slabs",
+                highest=f"highest stack {simulation.bed.stack.max()} {simulation.bed.layers[-1].unit}",
             )
         elif not self.quiet and now - self.last >= LOG_EVERY:
             self.last = now
@@ -160,7 +160,7 @@ class Reporter:
                 pace = f"{speed:.0f} steps/s, {left:.0f} s left, "
             console.print(
                 f"step {simulation.steps_done} of {self.total}, {pace}"
-                f"highest stack {simulation.bed.stack.max()} slabs"
+                f"highest stack {simulation.bed.stack.max()} {simulation.bed.layers[-1].unit}"
             )
 
 

@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from barchan.figures.bare import bare_cells, ground_colours
 from barchan.figures.layers import layer_map, layers_of
 from barchan.figures.light import lit
 from barchan.figures.maps import Limits
@@ -38,12 +39,17 @@ def field_map(
 
     Without ``limits`` the colours of a field that has a centre lie evenly about it; a few outlying cells
     may lie beyond the scale, which then ends in arrows. A scale begins at the lowest possible value at least.
+    A field of the layers alone leaves bare ground out of its scale, and shows it as ground.
     """
+    held = ~bare_cells(frame) if field.attrs.get("of_layers") else np.ones(field.shape, np.bool_)
+    if limits is None and held.any() and not held.all():
+        limits = limits_of(field.values[held], None)
     scale, ends = (_choice if field.values.dtype == bool else _scale)(
         field, scenario, colours, limits, smoothing
     )
     shown = smooth(field.values, smoothing, scenario)
-    image = lit(scale.to_rgba(shown)[..., :3], frame, scenario, max(smoothing, SMOOTHING), RELIEF)
+    colour = np.where(held[..., None], scale.to_rgba(shown)[..., :3], ground_colours(scenario))
+    image = lit(colour, frame, scenario, max(smoothing, SMOOTHING), RELIEF)
     figure, axes = map_panel(scenario, frame, image)
     bar = colour_bar(figure, axes, scale, label_of(field), extend=ends)
     if field.values.dtype == bool:

@@ -53,11 +53,13 @@ def profile(
     at: float | None = None,
     smoothing: float = 0.0,
     field: "xr.DataArray | None" = None,
+    strata: str | None = None,
 ) -> "Figure":
     """The section along the wind through the highest stack, or at ``at``, its shadow zones shaded.
 
     The title says where it lies and how much it exaggerates heights. A ``field`` of the frame (see
-    ``analysis.fields.field_of``) is drawn along the section below it.
+    ``analysis.fields.field_of``) is drawn along the section below it. Layers have the colour of the model's
+    ``strata`` of that name, by default its first; raises BarchanError where it has none of that name.
     """
     direction = float(frame["wind_direction"])
     section = section_along_wind(scenario, direction, through_highest(frame, scenario) if at is None else at)
@@ -79,7 +81,7 @@ def profile(
     axes.set_aspect(exaggeration)
     axes.set_ylim(bottom, top)
     draw_ground(axes, edges, ground, bottom, scenario, section)
-    if draw_strata(figure, axes, frame, scenario, section, edges):
+    if draw_strata(figure, axes, frame, scenario, section, edges, strata):
         draw_shadow(axes, edges, surface, line)
     else:
         draw_sand(axes, edges, ground, surface, line)

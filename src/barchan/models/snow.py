@@ -2,7 +2,9 @@
 
 from typing import Literal
 
+from barchan.model import Curve
 from barchan.parameters import parameter
+from barchan.snow.curves import snow_curves
 from barchan.snow.fields import DERIVED, STRATA
 from barchan.snow.model import SnowModel
 from barchan.snow.parameters import SnowParameters
@@ -41,3 +43,8 @@ class Snow(SnowModel):
     Parameters = SnowModelParameters
     derived = DERIVED
     strata = STRATA
+
+    @classmethod
+    def curves(cls, parameters: SnowModelParameters) -> list[Curve]:
+        """The closures of snow."""
+        return snow_curves(parameters)

@@ -8,7 +8,7 @@ from barchan.wind.segment import Segment
 if TYPE_CHECKING:
     from barchan.scenario.definition import Scenario
 
-_SAMPLES = 100
+SAMPLES = 100
 """Steps of the forcing that stand for all, where the wind changes."""
 
 _SECOND, _MINUTE, _HOUR, _DAY = 1, 60, 3600, 86400
@@ -24,13 +24,13 @@ def expected_work(scenario: "Scenario") -> float:
     """
     model, steps = scenario.new_model(), scenario.run.steps
     work = sum(map(model.expected_work, sampled_segments(scenario)))
-    return work * max(steps / _SAMPLES, 1.0)
+    return work * max(steps / SAMPLES, 1.0)
 
 
 def sampled_segments(scenario: "Scenario") -> list[Segment]:
     """The winds of up to 100 steps, one of each equal part of the run."""
     forcing, steps = scenario.seeded().forcing(), scenario.run.steps
-    chosen = range(steps) if steps <= _SAMPLES else _spread(steps, _SAMPLES)
+    chosen = range(steps) if steps <= SAMPLES else _spread(steps, SAMPLES)
     return [s for step in chosen for segments in forcing.segments(step, 1) for s in segments]
 
 

@@ -1,10 +1,14 @@
 """What a scenario's wind does: whether it moves anything, and which keys it leaves without effect."""
 
+import math
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from barchan.scenario.cost import sampled_segments
-from barchan.wind import SeriesWind
+import numpy as np
+
+from barchan.errors import Problem, ScenarioError
+from barchan.scenario.cost import SAMPLES, sampled_segments
+from barchan.wind import SeriesWind, Wind
 from barchan.wind.segment import Segment
 
 if TYPE_CHECKING:
@@ -41,9 +45,58 @@ def _strongest(scenario: "Scenario") -> list[Segment]:
     if not isinstance(scenario.wind, SeriesWind):
         return []
     speed = float(scenario.wind.series(scenario.seeded().seed).record.speed.max())
-    clock = scenario.clock
-    polls = 1 if speed > 0 and (clock is None or float(clock.volume_flux(speed)) > 0) else 0
+    clock, strength = scenario.clock, scenario.new_model().strength
+    moving = speed > 0.0
+    if clock is not None:
+        moving &= float(clock.volume_flux(speed)) > 0.0
+    elif strength is not None:
+        moving &= float(strength(np.array([speed]))[0]) > 0.0
+    polls = int(moving)
     return [replace(scenario.seeded().forcing().wind_of(0), speed=speed, polls=polls)]
+
+
+def falls_too_little(scenario: "Scenario") -> list[str]:
+    """A remark where less than a quantum of snow falls on a cell during the run."""
+    layer, seconds = scenario.layers[-1], scenario.step_seconds
+    segments = sampled_segments(scenario)
+    rates = [(s.weather.snowfall or 0.0) * s.share for s in segments]
+    if layer.mass is None or seconds is None or not any(rates):
+        return []
+    sampled = min(scenario.run.steps, SAMPLES)
+    fallen = math.fsum(rates) / sampled * scenario.run.steps * seconds
+    if fallen >= layer.mass:
+        return []
+    text = (
+        f"about {fallen:.2g} kg/m² of snow fall during the run, {fallen / layer.mass:.2g} quanta of "
+        f"{layer.mass:g} kg/m² on a cell: most cells get none"
+    )
+    return [text]
+
+
+def refuse_weather(scenario: "Scenario", wind: Wind) -> None:
+    """Raise ScenarioError where a record is colder or warmer than the model's rules hold for."""
+    model = scenario.new_model()
+    if model.temperature_range is None or not isinstance(wind, SeriesWind):
+        return
+    record = wind.series(scenario.seeded().seed).record
+    if record.temperature is None:
+        return
+    low, high = model.temperature_range
+    wrong = (record.temperature < low) | (record.temperature > high)
+    if not wrong.any():
+        return
+    row = int(np.argmax(wrong))
+    at = f"{record.time[row]:g} s" if record.start is None else str(record.start + _seconds(record.time[row]))
+    others = f" ({np.count_nonzero(wrong)} rows in all)" if np.count_nonzero(wrong) > 1 else ""
+    message = (
+        f"{record.source} has a temperature of {record.temperature[row]:.4g} °C at {at}; allowed with "
+        f"{model.title}: {low:g} to {high:g} °C{others}"
+    )
+    raise ScenarioError([Problem("wind", message)], record.source)
+
+
+def _seconds(time: float) -> np.timedelta64:
+    return np.timedelta64(round(time), "s")
 
 
 def unused(scenario: "Scenario") -> list[str]:

@@ -15,7 +15,15 @@ from barchan.simulation.ledger import Ledger
 from barchan.simulation.state import State
 from barchan.simulation.step_pacer import StepPacer
 from barchan.simulation.stop import StopCondition
-from barchan.simulation.strokes import AnyStroke, BrushStroke, PlantStroke, RockStroke, Stroke
+from barchan.simulation.strokes import (
+    AnyStroke,
+    BrushStroke,
+    IceStroke,
+    PlantStroke,
+    RockStroke,
+    SnowfallStroke,
+    Stroke,
+)
 
 __all__ = [
     "AnyEvent",
@@ -23,6 +31,7 @@ __all__ = [
     "BrushStroke",
     "Event",
     "Frame",
+    "IceStroke",
     "Ledger",
     "PlantStroke",
     "Record",
@@ -30,6 +39,7 @@ __all__ = [
     "SetParameter",
     "SetWind",
     "Simulation",
+    "SnowfallStroke",
     "State",
     "StepPacer",
     "StopCondition",

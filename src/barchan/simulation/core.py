@@ -13,6 +13,7 @@ from barchan.kernels.core.threads import asked_for
 from barchan.lattice import Lattice
 from barchan.models import Model, Tally
 from barchan.scenario import Scenario, validate
+from barchan.scenario.effects import refuse_weather
 from barchan.scenario.summary import html_table, summary
 from barchan.simulation.events import AnyEvent, Record
 from barchan.simulation.frame import Frame
@@ -43,6 +44,7 @@ class Simulation:
         refuse_too_large(scene)
         with scene.source_map.locating_errors():
             self.forcing.wind_of(0)
+            refuse_weather(scene, scene.wind)
             self.bed = scene.first_bed()
             self.model.initialise(self.bed, scene.seed)
         self.ledger = Ledger(self.bed.units)

@@ -14,9 +14,10 @@ from barchan.errors import Problem, ScenarioError
 from barchan.parameters import declarations, parameter
 from barchan.scenario import Scenario, nearest, validate
 from barchan.scenario.definition import without_empty_notes
+from barchan.scenario.effects import refuse_weather
 from barchan.scenario.migrations import current_key, current_value, current_wind
 from barchan.simulation.change import Change, wrong
-from barchan.simulation.strokes import PlantStroke, RockStroke, Stroke
+from barchan.simulation.strokes import IceStroke, PlantStroke, RockStroke, SnowfallStroke, Stroke
 from barchan.wind import Wind
 
 if TYPE_CHECKING:
@@ -81,6 +82,7 @@ class SetWind(Change):
         wanted = _amended(simulation, self).wind
         # A record that cannot be read is refused before anything changes.
         replace(simulation.forcing, wind=wanted).wind_of(simulation.steps_done)
+        refuse_weather(simulation.scenario, wanted)
         simulation.wind = wanted
 
     def summary(self) -> str:
@@ -92,7 +94,7 @@ class SetWind(Change):
         scenario["wind"] = self.wind.model_dump(mode="json")
 
 
-AnyEvent = SetParameter | SetWind | Stroke | RockStroke | PlantStroke
+AnyEvent = SetParameter | SetWind | Stroke | SnowfallStroke | RockStroke | IceStroke | PlantStroke
 
 Event = Annotated[AnyEvent, Field(discriminator="kind")]
 

@@ -5,9 +5,10 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from barchan.aeolian.snow.density import GREATEST_DENSITY, LEAST_DENSITY
 from barchan.bed import Bed
 from barchan.errors import BarchanError, Problem, ScenarioError
-from barchan.fields import GROUND
+from barchan.fields import GROUND, HEIGHT_UNIT
 from barchan.ground.brush import Falloff, brush, brushed, grown, raised
 from barchan.ground.sand import MOST_SLABS
 from barchan.lattice import Lattice
@@ -21,6 +22,10 @@ if TYPE_CHECKING:
 
 MOST_PLANTS = 100.0
 """Largest change of plants by one stroke, in the unit of the field."""
+
+
+MOST_ICE = 100.0
+"""Largest rise of the ground by one stroke of ice (m)."""
 
 
 class BrushStroke(Change):
@@ -67,20 +72,15 @@ class BrushStroke(Change):
         raise NotImplementedError
 
 
-class Stroke(BrushStroke):
-    """Units added to the uppermost layer, or taken from the layers, on a round patch."""
+class UnitStroke(BrushStroke):
+    """Whole units added to the uppermost layer, or taken from the layers, on a round patch."""
 
-    kind: Literal["stroke"] = parameter("stroke", unit="-", meaning="Sand (or snow) added or taken away.")
     amount: int = parameter(
         unit="slabs",
         ge=-MOST_SLABS,
         le=MOST_SLABS,
         meaning="Slabs at the centre; negative to take away.",
     )
-
-    def painted(self) -> str:
-        """What is painted, and how much of it."""
-        return f"sand {self.amount:+d} slabs"
 
     def change(self, bed: Bed, model: Model) -> NDArray:  # noqa: ARG002
         """Units added to each cell; no more are taken than lie there."""
@@ -93,7 +93,7 @@ class Stroke(BrushStroke):
     def _lay(self, change: NDArray, simulation: "Simulation") -> None:
         bed, ledger = simulation.bed, simulation.ledger
         try:
-            bed.lay(change)
+            self._add(change, simulation)
         except OverflowError:
             unit = bed.layers[-1].unit
             message = f"a stroke of {self.amount} {unit} is more than a cell can hold on what it has"
@@ -101,9 +101,64 @@ class Stroke(BrushStroke):
         ledger.entered += int(change[change > 0].sum())
         ledger.left -= int(change[change < 0].sum())
 
+    def _add(self, change: NDArray, simulation: "Simulation") -> None:
+        """Add the units; raises OverflowError where a cell cannot count as many."""
+        simulation.bed.lay(change)
 
-class RockStroke(BrushStroke):
-    """Ground raised or lowered on a round patch, under the sand that lies there."""
+
+class Stroke(UnitStroke):
+    """Units added to the uppermost layer, or taken from the layers, on a round patch."""
+
+    kind: Literal["stroke"] = parameter("stroke", unit="-", meaning="Sand (or snow) added or taken away.")
+
+    def painted(self) -> str:
+        """What is painted, and how much of it."""
+        return f"sand {self.amount:+d} slabs"
+
+
+class SnowfallStroke(UnitStroke):
+    """Fresh snow of a stated density laid on a round patch, in whole quanta."""
+
+    kind: Literal["snowfall"] = parameter("snowfall", unit="-", meaning="Fresh snow laid, or taken away.")
+    density: float = parameter(
+        100.0,
+        unit="kg/m³",
+        ge=LEAST_DENSITY,
+        le=GREATEST_DENSITY,
+        meaning="Density of the fresh snow; of no account where snow is taken away.",
+    )
+
+    def painted(self) -> str:
+        """What is painted, and how much of it."""
+        return f"fresh snow {self.amount:+d} quanta of {self.density:g} kg/m³"
+
+    def change(self, bed: Bed, model: Model) -> NDArray:
+        """Quanta added to each cell; raises ScenarioError for a model that keeps no densities of snow."""
+        if model.fresh_densities is None:
+            text = f"is snowfall; allowed with {model.name}: stroke, for it keeps no densities of snow"
+            raise ScenarioError([Problem("kind", text)], "event")
+        return super().change(bed, model)
+
+    def _add(self, change: NDArray, simulation: "Simulation") -> None:
+        simulation.model.lay_fresh(simulation.bed, change, self.density)
+
+
+class GroundStroke(BrushStroke):
+    """Ground raised or lowered on a round patch, under what lies there, never below the lowest ground."""
+
+    def _lay(self, change: NDArray, simulation: "Simulation") -> None:
+        bed = simulation.bed
+        before = bed.ground
+        bed.add(GROUND, before + change)
+        try:
+            simulation.model.check_bed(bed)
+        except ScenarioError:
+            bed.add(GROUND, before)
+            raise
+
+
+class RockStroke(GroundStroke):
+    """Ground raised or lowered by whole slabs on a round patch, under the sand that lies there."""
 
     kind: Literal["rock"] = parameter("rock", unit="-", meaning="Ground raised or lowered.")
     amount: int = parameter(
@@ -125,15 +180,30 @@ class RockStroke(BrushStroke):
         """Rise of the ground on each cell (m), in whole slabs."""
         return np.rint(self.amount * self.strength(lattice)) * lattice.thickness
 
-    def _lay(self, change: NDArray, simulation: "Simulation") -> None:
-        bed = simulation.bed
-        before = bed.ground
-        bed.add(GROUND, before + change)
-        try:
-            simulation.model.check_bed(bed)
-        except ScenarioError:
-            bed.add(GROUND, before)
-            raise
+
+class IceStroke(GroundStroke):
+    """A lump of ice: ground raised or lowered by a height on a round patch, under what lies there."""
+
+    kind: Literal["ice"] = parameter("ice", unit="-", meaning="Ground raised or lowered by a height.")
+    amount: float = parameter(
+        unit="m",
+        ge=-MOST_ICE,
+        le=MOST_ICE,
+        meaning="Height at the centre; negative to lower, to the lowest ground at most.",
+    )
+
+    def painted(self) -> str:
+        """What is painted, and how much of it."""
+        return f"ice {self.amount:+g} m"
+
+    def change(self, bed: Bed, model: Model) -> NDArray:  # noqa: ARG002
+        """Rise of the ground on each cell (m), never below the lowest ground."""
+        return np.maximum(self.requested(bed.lattice), bed.ground.min() - bed.ground)
+
+    def requested(self, lattice: Lattice) -> NDArray[np.float64]:
+        """Rise of the ground on each cell (m), in whole units of snow's heights."""
+        units = np.rint(self.amount * self.strength(lattice) / HEIGHT_UNIT)
+        return np.asarray(units * HEIGHT_UNIT)
 
 
 class PlantStroke(BrushStroke):
@@ -173,4 +243,4 @@ class PlantStroke(BrushStroke):
         return known[self.field]
 
 
-AnyStroke = Stroke | RockStroke | PlantStroke
+AnyStroke = Stroke | SnowfallStroke | RockStroke | IceStroke | PlantStroke

@@ -1,12 +1,12 @@
 """Slab transport under a wind that speeds up with height: what Momiji's and Bishop's models share."""
 
-from typing import ClassVar, Literal
+from typing import Any, ClassVar, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
 from barchan.bed import Bed
-from barchan.model import Derived, ModelMeasure
+from barchan.model import Curve, Derived, ModelMeasure
 from barchan.parameters import parameter
 from barchan.slabs.model import SlabModel
 from barchan.slabs.parameters import SlabParameters
@@ -57,6 +57,15 @@ class SpeedupParameters(SlabParameters):
     )
 
 
+def hops_at(
+    parameters: SpeedupParameters, hop_length: float, rise: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    """Hop length (cells) at heights (slabs) above the reference, before it is rounded."""
+    hops = hop_length + parameters.speedup_linear * rise
+    hops += np.where(rise > 0.0, parameters.speedup_quadratic * rise**2, 0.0)
+    return hops
+
+
 class SpeedupModel(SlabModel):
     """A slab model whose hops grow with height; see ``follows_relief`` for the reference."""
 
@@ -95,6 +104,21 @@ class SpeedupModel(SlabModel):
         ),
     )
 
+    @classmethod
+    def curves(cls, parameters: Any) -> list[Curve]:
+        """Hops by the height above the reference; below it only their linear part counts."""
+        rises = np.linspace(-10.0, 40.0, 51)
+        return [
+            Curve(
+                title="hop",
+                x=tuple(rises.tolist()),
+                y=tuple(hops_at(parameters, parameters.hop_length, rises).tolist()),
+                x_title="height above the reference (slabs)",
+                y_title="hop length (cells)",
+                source="Momiji et al. 2000; Bishop et al. 2002",
+            )
+        ]
+
     def rules(self) -> Rules:
         """Hops that grow with height."""
         return Rules(
@@ -116,10 +140,7 @@ class SpeedupModel(SlabModel):
     def hops(self, bed: Bed, hop_length: float) -> NDArray[np.float64]:
         """Hop length (cells) from each cell, before it is rounded; negative: against the wind."""
         rise = bed.elevation / self.lattice.thickness - self.reference_height(bed)
-        parameters = self.parameters
-        hops = hop_length + parameters.speedup_linear * rise
-        hops += np.where(rise > 0.0, parameters.speedup_quadratic * rise**2, 0.0)
-        return hops
+        return hops_at(self.parameters, hop_length, rise)
 
     def open_hops(self, bed: Bed, wind: Segment) -> NDArray[np.float64]:
         """Hop length (cells) of slabs that the wind takes: 0 in shadow, unless ``lee_erosion`` is on.

@@ -1,6 +1,7 @@
 """Fields that show the snow of a bed: density, age, what wind it withstands, and how much of it is loose."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -57,8 +58,7 @@ def loose_depth(bed: Bed, parameters: SnowParameters) -> Field:
     above = np.ones(bed.lattice.shape, np.bool_)
     for words in layers_of(bed):
         held = words >= ONE_QUANTUM
-        bonded = (age_of(bed, words) >= parameters.bonding.loose_hours) & parameters.bonding.grows
-        above &= ~(held & bonded)
+        above &= ~(held & bonded(bed, words, parameters))
         depth += np.where(above & held, _thickness(words, parameters), 0.0)
     return depth
 
@@ -79,13 +79,37 @@ def _where_snow(bed: Bed, field: Field) -> Field:
     return np.where(bed.arrays[TOP] >= ONE_QUANTUM, field, 0.0)
 
 
-def strata(parameters: SnowParameters, bed: Bed) -> list[tuple[Field, Field]]:
-    """Thickness (m) and age of the bonds (h at -10 °C) of all layers, the lowest first."""
-    return [(_thickness(words, parameters), age_of(bed, words)) for words in reversed(list(layers_of(bed)))]
+def bonded(bed: Bed, words: NDArray[np.int64], parameters: SnowParameters) -> NDArray[np.bool_]:
+    """Whether packed layers of a bed have bonded."""
+    return (age_of(bed, words) >= parameters.bonding.loose_hours) & parameters.bonding.grows
 
 
-STRATA = Strata("age of the bonds", "h at -10 °C", lambda model, bed: strata(model.parameters, bed))
-"""The layers of snow that sections show."""
+def strata(
+    parameters: SnowParameters, bed: Bed, value: Callable[[NDArray[np.int64]], NDArray]
+) -> list[tuple[Field, NDArray]]:
+    """Thickness (m) of all layers and a value of each, found from its packed words, the lowest first."""
+    return [(_thickness(words, parameters), value(words)) for words in reversed(list(layers_of(bed)))]
+
+
+STRATA = (
+    Strata(
+        "age",
+        "age of the bonds",
+        "h at -10 °C",
+        lambda model, bed: strata(model.parameters, bed, partial(age_of, bed)),
+    ),
+    Strata("density", "density", "kg/m³", lambda model, bed: strata(model.parameters, bed, density_of)),
+    Strata(
+        "state",
+        "state",
+        "-",
+        lambda model, bed: strata(
+            model.parameters, bed, lambda words: bonded(bed, words, model.parameters).astype(np.float64)
+        ),
+        ("loose", "bonded"),
+    ),
+)
+"""What sections show of the layers of snow."""
 
 
 DERIVED = (
@@ -95,6 +119,7 @@ DERIVED = (
         "density of the uppermost layer",
         lambda _model, bed, _wind: surface_density(bed),
         least=0.0,
+        of_layers=True,
     ),
     Derived(
         "age",
@@ -102,6 +127,7 @@ DERIVED = (
         "age of the bonds of the uppermost layer",
         lambda _model, bed, _wind: surface_age(bed),
         least=0.0,
+        of_layers=True,
     ),
     Derived(
         "threshold_wind",
@@ -109,6 +135,7 @@ DERIVED = (
         "wind at 10 m that the uppermost layer withstands",
         lambda model, bed, wind: threshold_wind(bed, model.conditions(wind)),
         least=0.0,
+        of_layers=True,
     ),
     Derived(
         "loose_depth",
@@ -123,6 +150,7 @@ DERIVED = (
         "mass over thickness of all snow",
         lambda model, bed, _wind: mean_density(bed, model.parameters.quantum),
         least=0.0,
+        of_layers=True,
     ),
     Derived(
         "stress",

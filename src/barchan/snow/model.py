@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Callable, Hashable
+from dataclasses import replace
 from functools import partial
 from typing import Any
 
@@ -9,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from barchan.aeolian.bed_stress import bed_stress
+from barchan.aeolian.snow.density import GREATEST_DENSITY, LEAST_DENSITY
 from barchan.bed import Bed
 from barchan.fields import HEIGHT_UNIT
 from barchan.kernels.core.interruption import interruptible
@@ -22,18 +24,19 @@ from barchan.kernels.slabs.state import (
     Work,
     prepared_polls,
 )
-from barchan.kernels.snow.state import DENSITY_UNIT, SnowRules
+from barchan.kernels.snow.state import DENSITY_UNIT, MOST_QUANTA, SnowRules
 from barchan.lattice import Lattice
 from barchan.model import Model, Tally
 from barchan.slabs.influx import INFLUX, edge_influx
 from barchan.slabs.model import SHORT
 from barchan.slabs.tally import tally_of
 from barchan.snow.clock import BondClock
-from barchan.snow.conditions import Conditions, relative_flux, step_seconds
+from barchan.snow.conditions import Conditions, quantum_heights, relative_flux, step_seconds
 from barchan.snow.drift_meter import DRIFTING, DriftMeter
 from barchan.snow.pack import SNOW, STRESS, Field, field_of, fields_of, layer_of, leave
 from barchan.snow.packing import INTERVAL, let_pack
 from barchan.snow.parameters import SnowParameters
+from barchan.snow.remarks import remarks_on
 from barchan.snow.rules import rules_under
 from barchan.snow.snowfall import Fallen
 from barchan.snow.start import check_counts, lay_first_snow, start_problems
@@ -49,6 +52,7 @@ class SnowModel(Model):
     takes_hops = False
     temperature_range = (-90.0, 5.0)
     material = "snow"
+    fresh_densities = (LEAST_DENSITY, GREATEST_DENSITY)
     work_per_second = 1e7
     Parameters = SnowParameters
     parameters: SnowParameters
@@ -78,6 +82,10 @@ class SnowModel(Model):
             text = f"is {wind:g} m/s, which moves no fresh drift; allowed: stronger winds"
             found.append(("reference_wind", text))
         return found
+
+    def remarks(self, _hop_length: float | None, _direction: float) -> list[str]:
+        """Wide cells, and bonds that grow within a step."""
+        return remarks_on(self.parameters, self.lattice)
 
     def slope_rules(self) -> Hashable:
         """All that decides which slopes stand."""
@@ -119,7 +127,7 @@ class SnowModel(Model):
         time, bonding = round(seconds * 1e6), round(seconds * 1e6 * now.rate)
         field = self._enter(bed, WindFrame.of(segment.direction))
         counts = np.zeros(TALLY_SIZE, np.int64)
-        done = 0
+        done = fallen = 0
         while done < segment.steps:
             rest = segment.part(done, segment.steps - done)
             steps = min(rest.steps, self._until_due(rest), self.clock.steps_to_next_epoch(bonding))
@@ -127,12 +135,12 @@ class SnowModel(Model):
             if part.step % self.parameters.relief.every == 0 and part.step != self._stock:
                 self._take_stock(field, now, stream)
                 self._stock = part.step
-            self._snow(field, part, now, seconds, counts)
+            fallen += self._snow(field, part, now, seconds, counts)
             self._drift(bed, field, part, now, stream, counts)
             self.clock.pass_time(bonding, time, steps)
             done += steps
         leave(bed, field.pack, field.ground, field.frame, self.clock.epoch)
-        return tally_of(counts, segment, field.frame)
+        return replace(tally_of(counts, segment, field.frame), fallen=fallen)
 
     def _until_due(self, segment: Segment) -> int:
         """Steps until the stress is due, one by one where snow falls: work does not depend on cuts."""
@@ -182,11 +190,11 @@ class SnowModel(Model):
 
     def _snow(
         self, field: Field, segment: Segment, now: Conditions, seconds: float, counts: NDArray[np.int64]
-    ) -> None:
-        """Let the snow of a step fall."""
+    ) -> int:
+        """Let the snow of a step fall; returns how many quanta."""
         rate = segment.weather.snowfall
         if not rate:
-            return
+            return 0
         from barchan.kernels.snow.layers import lay_quanta
 
         quanta = self.fallen.quanta(rate * seconds / self.parameters.quantum, self.lattice)
@@ -194,10 +202,12 @@ class SnowModel(Model):
         if now.flux > 0.0 and self.drift.share > DRIFTING:
             density = now.drift_density
         rules = self._rules(field, now)
-        counts[ENTERED] += int(quanta.sum())
+        fallen = int(quanta.sum())
+        counts[ENTERED] += fallen
         laid = np.ascontiguousarray(field.frame.enter(quanta)).ravel()
         lay_quanta(field.pack, rules.tables.thickness, laid, rules.epoch, round(density * DENSITY_UNIT))
         self._relax(field, rules, laid > 0)
+        return fallen
 
     def _drift(
         self, bed: Bed, field: Field, segment: Segment, now: Conditions, stream: Stream, counts: NDArray
@@ -268,6 +278,18 @@ class SnowModel(Model):
         moved = self._relax(field, rules, changed)
         leave(bed, field.pack, field.ground, field.frame, self.clock.epoch)
         return moved
+
+    def lay_fresh(self, bed: Bed, quanta: NDArray[np.int64], density: float) -> None:
+        """Lay quanta of fresh snow of a density (kg/m³) on each cell; where negative, take as many away."""
+        from barchan.kernels.snow.layers import lay_quanta
+
+        if (bed.arrays[SNOW] + quanta).max() > MOST_QUANTA:
+            raise OverflowError("more quanta than a cell can count")
+        field = self._enter(bed, WindFrame(0, 0.0))
+        thickness = quantum_heights(self.parameters.quantum)
+        counts = np.ascontiguousarray(quanta).ravel()
+        lay_quanta(field.pack, thickness, counts, self.clock.epoch, round(density * DENSITY_UNIT))
+        leave(bed, field.pack, field.ground, field.frame, self.clock.epoch)
 
     def state(self) -> dict[str, Any]:
         """The bond clock, snow that has not come to a quantum, and the drift in the air."""

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-PROTOCOL = 3
+PROTOCOL = 4
 """Version of the messages; client and server of different versions do not talk."""
 
 MESSAGES = {

@@ -1,6 +1,6 @@
 /** Names that server and client share; written by `python -m barchan.studio.commands`. */
 
-export const PROTOCOL = 3;
+export const PROTOCOL = 4;
 
 export type CommandName =
   /** A frame was drawn; another one may follow. */
@@ -37,6 +37,8 @@ export type CommandName =
   | "switch"
   /** Ask for the section along a line over the whole run. */
   | "space_time"
+  /** Ask for the layers of the bed along a line, as it is looked at. */
+  | "strata"
   /** Start a scenario, in both runs where two are compared. */
   | "create"
   /** Start a second run with another model. */

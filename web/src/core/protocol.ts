@@ -17,11 +17,22 @@ export interface Status {
   can_branch: boolean;
   rate: number;
   highest: number;
+  /** Depth (m) of all layers where they are deepest. */
+  deepest: number;
   volume: number;
   wind: number;
   time: number | null;
   undo: number;
   redo: number;
+  /** What was, came, went and is on the field, in whole units. */
+  balance: Balance;
+}
+
+export interface Balance {
+  unit: string;
+  /** Mass of a unit (kg/m²), of layers that count masses. */
+  mass: number | null;
+  parts: Record<string, number>;
 }
 
 export interface Field {
@@ -30,6 +41,8 @@ export interface Field {
   meaning: string;
   centre: number | null;
   choice: boolean;
+  /** Whether it has no value on bare ground. */
+  of_layers: boolean;
 }
 
 export interface Lattice {
@@ -57,6 +70,26 @@ export interface Brush {
   most: number;
   usual: number;
   whole: boolean;
+  /** Further numbers that its strokes take, such as a density. */
+  numbers: BrushNumber[];
+}
+
+export interface BrushNumber {
+  key: string;
+  title: string;
+  unit: string;
+  least: number;
+  most: number;
+  usual: number;
+}
+
+/** Something that a section can show of the layers of a bed. */
+export interface Strata {
+  name: string;
+  title: string;
+  unit: string;
+  /** Words for the values 0, 1 and so on. */
+  states: string[];
 }
 
 export interface Description {
@@ -69,6 +102,8 @@ export interface Description {
   fields: Field[];
   layers: { field: string; title: string; colours: string }[];
   brushes: Brush[];
+  /** What a section can show of the layers; empty for a model that keeps none. */
+  strata: Strata[];
   measures: Measure[];
   /** Whether the model follows grains, whose paths can be shown. */
   paths: boolean;

@@ -20,10 +20,10 @@ const NATURAL = "natural";
 
 /** Fields that every run has, which the page computes itself. */
 export const plainFields = (material: string): Field[] => [
-  { name: NATURAL, unit: "", meaning: `${material}, as it looks`, centre: null, choice: false },
-  { name: "elevation", unit: "m", meaning: "elevation of the surface", centre: null, choice: false },
-  { name: "depth", unit: "m", meaning: `depth of the ${material}`, centre: null, choice: false },
-  { name: "slope", unit: "degrees", meaning: "slope of the surface", centre: null, choice: false },
+  { name: NATURAL, unit: "", meaning: `${material}, as it looks`, centre: null, choice: false, of_layers: false },
+  { name: "elevation", unit: "m", meaning: "elevation of the surface", centre: null, choice: false, of_layers: false },
+  { name: "depth", unit: "m", meaning: `depth of the ${material}`, centre: null, choice: false, of_layers: false },
+  { name: "slope", unit: "degrees", meaning: "slope of the surface", centre: null, choice: false, of_layers: false },
 ];
 
 const OUTLIERS = 0.005;
@@ -43,7 +43,7 @@ export function colouring(app: App, run: Run, surface: Float32Array): Colouring 
   const own = field.choice ? "choice" : field.centre !== null ? "centred" : (layer?.colours ?? "perceptual");
   return {
     values,
-    limits: look.limits ?? (field.choice ? [0, 1] : layer ? [0, 1] : endsOf(values, field)),
+    limits: look.limits ?? (field.choice ? [0, 1] : layer ? [0, 1] : endsOf(field.of_layers ? held(values, run.depth) : values, field)),
     map: look.map === "perceptual" || (usual && look.map !== "grey") ? own : look.map,
     title: field.meaning,
     unit: field.unit === "1" || field.unit === "-" ? "" : field.unit,
@@ -86,6 +86,12 @@ function endsOf(values: Float32Array, field: { name?: string; centre: number | n
     [low, high] = [field.centre - reach, field.centre + reach];
   }
   return high > low ? [low, high] : [low - 0.5, high + 0.5];
+}
+
+/** The values of cells that hold something; all where none does. */
+function held(values: Float32Array, depth: Float32Array): Float32Array {
+  const found = values.filter((_, i) => depth[i]! > 0);
+  return found.length ? found : values;
 }
 
 function extremes(values: Float32Array): [number, number] {

@@ -109,12 +109,11 @@ export class Bar {
     this.play.setAttribute("aria-pressed", String(running));
     if (!status || !description) return;
     this.numbers.volume!.previousElementSibling!.textContent = run!.material;
-    const { thickness } = description.lattice;
     const texts: Record<string, string> = {
       step: short(status.step, 9),
       rate: running ? short(status.rate, 3) : "paused",
       clock: status.time === null || status.time === undefined ? "" : duration(status.time),
-      highest: `${short(status.highest)} · ${metres(status.highest * thickness, 3)}`,
+      highest: `${short(status.highest)} · ${metres(status.deepest, 3)}`,
       volume: `${short(status.volume)} m³`,
     };
     for (const [name, text] of Object.entries(texts)) {

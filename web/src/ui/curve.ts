@@ -33,14 +33,14 @@ export class CurveEditor {
 
   constructor(
     ramp: Ramp,
-    labels: { from: string; to: string; duration: string },
+    labels: { of: string; from: string; to: string; duration: string },
     private readonly take: (ramp: Ramp) => void,
   ) {
     this.ramp = { ...ramp };
     this.grips = [1, 2].map((number) => this.grip(number as 1 | 2));
     this.drawing = svg(
       "svg",
-      { viewBox: `0 0 ${W} ${H}`, class: "curve-editor", role: "group", "aria-label": "Ramp of the speed" },
+      { viewBox: `0 0 ${W} ${H}`, class: "curve-editor", role: "group", "aria-label": `Curve of the ${labels.of}` },
       svg("rect", { x: MARGIN, y: this.y(1), width: W - 2 * MARGIN, height: this.y(0) - this.y(1), class: "frame" }),
       svg("text", { x: MARGIN + 3, y: this.y(0) - 4 }, labels.from),
       svg("text", { x: W - MARGIN - 3, y: this.y(1) + 11, class: "end" }, labels.to),

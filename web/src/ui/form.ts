@@ -5,7 +5,7 @@ import { type Schema, bounds, entryOf, initial } from "../core/schema";
 import { h, id, short } from "./dom";
 import { numberControl } from "./number";
 import { labelOf } from "./labels";
-
+import { isCurve, isRamp, rampEditor } from "./ramp";
 
 export type Path = (string | number)[];
 
@@ -13,6 +13,8 @@ export interface FormContext {
   root: Schema;
   /** Take a new value at a path. */
   change: (path: Path, value: Json, live: boolean) => void;
+  /** Take a value while it is being dragged, without drawing the form again. */
+  drag: (path: Path, value: Json) => void;
   /** Ask for a variant with all its defaults. */
   variant: (path: Path, key: string, name: string) => void;
   /** Whether a path can change while the run goes on. */
@@ -30,10 +32,19 @@ export function group(context: FormContext, schema: Schema, value: JsonObject, p
     if (entry.kind === "choice" && entry.choices.length === 1) continue;
     const under = property.group || entry.schema.group || "";
     const rows = gathered.get(under) ?? [];
-    rows.push(field(context, name, property, value[name] ?? null, [...path, name]));
+    const ramp = isRamp(entry) && isCurve((value[name] ?? null) as JsonObject | null);
+    rows.push(ramp ? rampField(context, name, schema, value, path) : field(context, name, property, value[name] ?? null, [...path, name]));
     gathered.set(under, rows);
   }
   return [...gathered].flatMap(([heading, rows]) => (heading ? [h("h4", {}, heading), ...rows] : rows));
+}
+
+/** A change in time as a curve between the values that stand beside it. */
+function rampField(context: FormContext, name: string, schema: Schema, values: JsonObject, path: Path): HTMLElement {
+  const first = schema.properties?.[name.endsWith("_ramp") ? name.slice(0, -"_ramp".length) : "first"];
+  const unit = first && entryOf(first, context.root).schema.unit;
+  const own = unit?.includes(" or ") ? String(values.unit ?? "") : unit;
+  return rampEditor(name, values, own && own !== "-" ? ` ${own}` : "", (ramp) => context.drag([...path, name], ramp));
 }
 
 /** One parameter, whatever it is. */
@@ -74,11 +85,12 @@ export function variantField(context: FormContext, name: string, given: Schema, 
 }
 
 function optionalGroup(context: FormContext, name: string, schema: Schema, value: JsonObject | null, path: Path): HTMLElement {
+  const { default: _, ...filled } = schema;
   const box = h("input", {
     type: "checkbox",
     checked: value !== null,
     id: id("group"),
-    onchange: () => context.change(path, box.checked ? initial(schema, context.root) : null, false),
+    onchange: () => context.change(path, box.checked ? initial(filled, context.root) : null, false),
   });
   const rows = value === null ? [] : group(context, schema, value, path);
   const head = h("div", { className: "row" }, h("label", { for: box.id, title: schema.description ?? "" }, labelOf(name)), box);

@@ -1,7 +1,7 @@
-/** The brush: the model's material, rock or plants added or taken away where it is drawn over the surface. */
+/** The brush: the model's material, the ground or plants added or taken away where it is drawn over the surface. */
 
 import type { App } from "../core/app";
-import type { Brush } from "../core/protocol";
+import type { Brush, BrushNumber } from "../core/protocol";
 import type { Run } from "../core/run";
 import type { Place } from "../scene/pick";
 import { button, h, id } from "./dom";
@@ -24,6 +24,9 @@ export class Paint {
   private readonly what = h("select", { "data-paint": "what", onchange: () => this.choose(this.what.value) });
   private readonly strength = h("input", { type: "number", "data-paint": "strength", onchange: () => this.strengthen(Number(this.strength.value)) });
   private readonly unit = h("span", { className: "unit" });
+  private readonly numbers = h("div", {});
+  /** Further numbers of brushes, by brush and key. */
+  private readonly chosen = new Map<string, number>();
 
   constructor(private readonly app: App) {
     this.toggle = h("button", { type: "button", className: "wide", "aria-pressed": "false", onclick: () => this.activate(!this.active) }, "paint (B)");
@@ -49,6 +52,7 @@ export class Paint {
       row("brush", way),
       row("radius", this.radiusInput, h("span", { className: "unit" }, "m")),
       row("strength", this.strength, this.unit),
+      this.numbers,
       row("falloff", falloff),
       h("div", { className: "buttons" }, this.undo, this.redo),
       h("p", { className: "hint" }, "Draw over the surface, while it runs or paused. [ and ] change the radius; hold Alt to turn the view."),
@@ -116,6 +120,21 @@ export class Paint {
     this.strength.max = String(brush.most);
     this.strength.step = brush.whole ? "1" : "any";
     this.strengthen(this.strengths.get(title) ?? brush.usual);
+    this.numbers.replaceChildren(...brush.numbers.map((number) => this.numberRow(title, number)));
+  }
+
+  private numberRow(title: string, { key, title: name, unit, least, most, usual }: BrushNumber): HTMLElement {
+    const at = `${title}.${key}`;
+    const value = this.chosen.get(at) ?? usual;
+    this.chosen.set(at, value);
+    const take = () => {
+      const held = Math.min(Math.max(Number(input.value) || usual, least), most);
+      this.chosen.set(at, held);
+      input.value = String(held);
+    };
+    const input = h("input", { type: "number", min: String(least), max: String(most), step: "any", value: String(value), onchange: take });
+    input.dataset.paint = key;
+    return row(name, input, h("span", { className: "unit" }, unit));
   }
 
   private strengthen(asked: number): void {
@@ -131,7 +150,8 @@ export class Paint {
     if (!brush) return;
     const amount = (this.erases ? -1 : 1) * this.strengths.get(this.painted)!;
     const { x, y } = place;
-    this.app.send({ command: "stroke", ...when, stroke: { ...brush.stroke, x, y, radius: this.radius, amount, falloff: this.falloff } });
+    const numbers = Object.fromEntries(brush.numbers.map(({ key }) => [key, this.chosen.get(`${brush.title}.${key}`)!]));
+    this.app.send({ command: "stroke", ...when, stroke: { ...brush.stroke, ...numbers, x, y, radius: this.radius, amount, falloff: this.falloff } });
   }
 
   private show(): void {

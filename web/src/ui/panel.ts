@@ -55,6 +55,7 @@ export class Panel {
     const context: FormContext = {
       root,
       change: (path, value, live) => this.change(path, value, live),
+      drag: (path, value) => this.change(path, value, false),
       variant: (path, key, name) => void this.variant(path, key, name),
       live: (path, schema) => path[0] === "model" && !path.some(Number.isInteger) && schema.live === true,
     };

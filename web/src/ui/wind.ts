@@ -3,13 +3,13 @@
 import type { App } from "../core/app";
 import type { Json, JsonObject } from "../core/protocol";
 import { entryOf, replaced } from "../core/schema";
-import { type Ramp, CurveEditor, STRAIGHT } from "./curve";
 import { Dial } from "./dial";
 import { h, later } from "./dom";
-import { type FormContext, field, group } from "./form";
+import { type FormContext, group } from "./form";
 import { RefreshGuard } from "./refresh_guard";
 import { roses } from "./rose";
 import { labelOf } from "./labels";
+import { lasting } from "./ramp";
 
 export class WindPanel {
   readonly element = h("div", { className: "forms" });
@@ -93,6 +93,7 @@ export class WindPanel {
         this.put(path, value);
         this.draw();
       },
+      drag: (path, value) => this.put(path, value),
       variant: (path, key, name) => {
         this.put(path, { [key]: name });
         this.shown = "";
@@ -158,27 +159,8 @@ export class WindPanel {
       {},
       h("legend", {}, `regime ${number + 1}`),
       dial.element,
-      ...group(this.context(), schema, regime, path, ["direction", "speed_ramp"]),
-      ...this.speedRamp(regime, path),
+      ...group(this.context(), schema, regime, path, ["direction"]),
     );
-  }
-
-  private speedRamp(regime: JsonObject, path: (string | number)[]): HTMLElement[] {
-    if (regime.speed === null || regime.speed === undefined) {
-      return [h("p", { className: "hint" }, "Give a speed and a final speed to let the wind rise or fall along a curve.")];
-    }
-    if (regime.final_speed === null || regime.final_speed === undefined) return [];
-    const ramp = (regime.speed_ramp ?? { kind: "linear" }) as JsonObject;
-    if (ramp.kind !== "linear" && ramp.kind !== "bezier") {
-      const root = this.app.schema;
-      const entry = entryOf(root.properties!.wind!, root);
-      const regimeSchema = entryOf(entry.variants[this.kind]!.properties!.regimes!.items!, root).schema;
-      return [field(this.context(), "speed_ramp", regimeSchema.properties!.speed_ramp!, ramp, [...path, "speed_ramp"])];
-    }
-    const start = ramp.kind === "bezier" ? (ramp as unknown as Ramp) : STRAIGHT;
-    const labels = { from: String(regime.speed), to: String(regime.final_speed), duration: lasting(regime) };
-    const editor = new CurveEditor(start, labels, (next) => this.put([...path, "speed_ramp"], { kind: "bezier", ...next }));
-    return [editor.element];
   }
 
   private add(): void {
@@ -201,7 +183,9 @@ export class WindPanel {
   private async become(kind: string): Promise<void> {
     const direction = Number((this.wind.regimes as JsonObject[] | undefined)?.[0]?.direction ?? this.wind.direction ?? 270);
     const first: JsonObject = kind === "regimes" ? { regimes: [{ direction, steps: 100 }] } : {};
-    const answer = await this.app.ask({ command: "variant", group: "wind", value: { kind, ...first } });
+    const { model, clock } = this.app.current!.description!.scenario;
+    const beside = { model: model ?? null, clock: clock ?? null };
+    const answer = await this.app.ask({ command: "variant", group: "wind", value: { kind, ...first }, beside });
     if (!answer) {
       this.draw();
       return;
@@ -212,9 +196,4 @@ export class WindPanel {
     this.send();
     this.draw();
   }
-}
-
-/** How long a regime blows. */
-function lasting(regime: JsonObject): string {
-  return regime.seconds === null || regime.seconds === undefined ? `${regime.steps} steps` : `${regime.seconds} s`;
 }

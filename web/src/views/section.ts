@@ -5,6 +5,7 @@ import type { Run } from "../core/run";
 import { type Profile, ends, profile } from "../core/profile";
 import { type SectionLine, alongWind } from "../core/section";
 import type { Stage } from "../scene/stage";
+import { SectionLayers } from "./strata";
 import { button, download, fitCanvas, h, lengthUnit, metres, short, themeColour, ticks } from "../ui/dom";
 
 const MARGIN = { left: 54, right: 14, top: 12, bottom: 30 };
@@ -22,12 +23,14 @@ export class SectionView {
   private readonly readout = h("output", { className: "readout" });
   private hover: number | null = null;
   private visible = false;
+  private readonly layers: SectionLayers;
 
   constructor(
     private readonly app: App,
     private readonly stage: Stage,
     drawLine: () => void,
   ) {
+    this.layers = new SectionLayers(app, () => this.draw());
     this.element = h(
       "div",
       { className: "view" },
@@ -37,6 +40,7 @@ export class SectionView {
         button("Drag a line over the field (L)", "draw a line", drawLine),
         button("Along the wind through the middle", "along the wind", () => this.put(null)),
         button("Save the section as CSV", "save CSV", () => this.save()),
+        this.layers.choice,
         this.readout,
       ),
       this.canvas,
@@ -106,6 +110,7 @@ export class SectionView {
     const p = profile(run, this.current(run));
     const length = p.distance.at(-1)!;
     let [low, high] = ends(p.surface);
+    high = Math.max(high, this.layers.highest(run, this.current(run)));
     const foot = Math.min(...ends(p.ground));
     if (low - foot < DEEP * (high - low)) low = foot;
     const room = Math.max((high - low) * 0.12, run.description!.lattice.thickness);
@@ -123,10 +128,12 @@ export class SectionView {
       c.fill();
     };
     if (p.shadow) this.shadows(c, p, x, y(high), y(low));
-    area(p.surface, themeColour("loose"));
+    const layered = this.layers.draw(c, run, this.current(run), x, y, low);
+    if (!layered) area(p.surface, themeColour(run.material === "snow" ? "snow" : "loose"));
     area(p.ground, themeColour("rock"));
-    this.crest(c, p, x, y, run.description!.repose);
+    if (!layered) this.crest(c, p, x, y, run.description!.repose);
     this.legend(c, width, p.shadow !== null, run.description!.repose);
+    if (layered) this.layers.legend(c, run, MARGIN.left + 60, MARGIN.top);
     this.point(c, p, x, y, length, width, run);
   }
 
@@ -240,6 +247,6 @@ export class SectionView {
     const lee = p.shadow && p.shadow[i]! > 0.5 ? ", in shadow" : "";
     this.readout.textContent =
       `${short(p.distance[i])} m: elevation ${metres(p.surface[i])}, ` +
-      `${run.material} ${metres(p.surface[i]! - p.ground[i]!)}, slope ${p.slope[i]!.toFixed(1)}°${lee}`;
+      `${run.material} ${metres(p.surface[i]! - p.ground[i]!)}, slope ${p.slope[i]!.toFixed(1)}°${lee}${this.layers.under(p.distance[i]!, run)}`;
   }
 }

@@ -4,6 +4,7 @@ import uPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
 import type { App } from "../core/app";
 import type { Measure } from "../core/protocol";
+import { BalanceTable } from "./balance";
 import { download, button, h, short, themeColour } from "../ui/dom";
 
 const FIRST = ["highest_stack", "spacing", "crest_azimuth", "speed", "flux"];
@@ -25,6 +26,7 @@ export class SeriesView {
       "div",
       { className: "view series" },
       h("div", { className: "tools" }, h("details", { className: "picker" }, h("summary", {}, "measures shown"), this.choice), button("Save the measures as CSV", "save CSV", () => this.save())),
+      new BalanceTable(app).element,
       this.plots,
     );
     app.framed.watch(() => this.update());

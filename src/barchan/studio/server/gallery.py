@@ -53,6 +53,7 @@ def colours() -> dict[str, list[list[int]]]:
     """Colour maps by name: red, green and blue from lowest to highest."""
     from barchan.figures.fields import centred_map, choice_map
     from barchan.figures.layers import layer_map
+    from barchan.figures.strata import strata_map
     from barchan.figures.style import colour_map
 
     maps = {
@@ -61,6 +62,7 @@ def colours() -> dict[str, list[list[int]]]:
         "red-green": colour_map("red-green"),
         "centred": centred_map(),
         "choice": choice_map(),
+        "strata": strata_map(),
         **{layer.colours: layer_map(layer) for model in models().values() for layer in model.overlays},
     }
     places = np.linspace(0.0, 1.0, COLOURS)

@@ -36,9 +36,13 @@ def preset(_: Workspace, request: Request) -> dict[str, Any]:
 
 @QUERIES.handles("variant")
 def variant(_: Workspace, request: Request) -> dict[str, Any]:
-    """A group of a scenario with all its defaults, such as another model or another ground."""
+    """A group of a scenario with all its defaults, such as another model or another ground.
+
+    ``beside`` holds the groups that it has to go together with, such as the model under a wind.
+    """
     group = str(request["group"])
-    data = validate({"barchan": FORMAT, group: request["value"]}).data()
+    beside = dict(request.get("beside") or {})
+    data = validate({"barchan": FORMAT, **beside, group: request["value"]}).data()
     return {"group": group, "value": data[group]}
 
 

@@ -15,6 +15,7 @@ from barchan.studio.worker.rose import rose_of
 from barchan.studio.worker.run import StudioRun, started
 from barchan.studio.worker.saved_runs import open_saved_run, save_run
 from barchan.studio.worker.spacetime import space_time
+from barchan.studio.worker.strata import layers_along
 
 Answer = dict[str, Any] | None
 """The content of the answer, where there is any."""
@@ -182,6 +183,12 @@ class RunCommands:
     def space_time(self, request: Request) -> Answer:
         """The section along a line over the whole run."""
         return space_time(self.current, [float(place) for place in request["line"]])
+
+    @WORKER.handles("strata")
+    def strata(self, request: Request) -> Answer:
+        """The layers of the bed along a line, with one of their values."""
+        line = [float(place) for place in request["line"]]
+        return layers_along(self.current.shown, line, str(request["by"]))
 
     def _take(self, run: StudioRun, running: bool) -> None:
         """Continue with another run, under the same speed limit."""

@@ -10,6 +10,7 @@ from barchan.simulation import Simulation
 from barchan.studio.worker.brushes import brushes
 from barchan.studio.worker.frame_fields import fields_of
 from barchan.studio.worker.live_measures import declared_measures
+from barchan.studio.worker.strata import declared_strata
 
 
 def description(simulation: Simulation) -> dict[str, Any]:
@@ -36,6 +37,7 @@ def description(simulation: Simulation) -> dict[str, Any]:
             for name in (layer.field, *layer.parts)
         ],
         "brushes": brushes(simulation),
+        "strata": declared_strata(simulation),
         "paths": follows_grains(model),
         "measures": declared_measures(simulation),
         "repose": math.degrees(math.atan(limits[0] * lattice.aspect)) if limits else None,

@@ -32,6 +32,8 @@ class AvailableField:
     """The value about which its colours are symmetric, where there is one."""
     choice: bool = False
     """Whether its values are yes or no."""
+    of_layers: bool = False
+    """Whether it has no value on bare ground."""
 
 
 _CHANGE = AvailableField(
@@ -56,7 +58,7 @@ def _derived(simulation: Simulation) -> Iterator[AvailableField]:
     for derived in model.derived:
         choice = derived.compute(model, simulation.bed, wind).dtype == np.bool_
         centre = centre_of(model, derived, wind)
-        yield AvailableField(derived.name, derived.unit, derived.meaning, centre, choice)
+        yield AvailableField(derived.name, derived.unit, derived.meaning, centre, choice, derived.of_layers)
 
 
 def surface_fields(simulation: Simulation, with_ground: bool) -> Iterator[EncodedField]:

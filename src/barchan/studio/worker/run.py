@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from barchan.analysis.balance import balance_now
 from barchan.errors import BarchanError
 from barchan.measures import highest_stack
 from barchan.scenario import Scenario
@@ -145,7 +146,7 @@ class StudioRun:
     def status(self) -> dict[str, Any]:
         """The numbers and flags that the browser always shows, SI units."""
         shown = self.shown
-        seconds = shown.scenario.step_seconds
+        seconds, balance = shown.scenario.step_seconds, balance_now(shown)
         return {
             "step": shown.steps_done,
             "live": self.live.steps_done,
@@ -155,7 +156,9 @@ class StudioRun:
             "can_branch": self.looking is not None and self.can_branch,
             "rate": self.speed.rate if self.busy else 0.0,
             "highest": highest_stack(shown.bed.stack),
+            "deepest": float(shown.bed.depth.max()),
             "volume": shown.bed.volume,
+            "balance": {"unit": balance.unit, "mass": balance.mass, "parts": balance.rows()},
             "wind": shown.wind_direction,
             "time": None if seconds is None else seconds * shown.steps_done,
             "undo": len(self.painting.done),

@@ -65,7 +65,7 @@ def _state_of(frame: "xr.Dataset", last: State) -> State:
     for name, values in frame.data_vars.items():
         if f"bed/{name}" in arrays:
             arrays[f"bed/{name}"] = values.values
-    counters = {counter.name: frame[counter.name].item() for counter in COUNTERS}
+    counters = {counter.name: frame[counter.name].item() for counter in COUNTERS if counter.name in frame}
     data = {
         **last.data,
         "step": int(frame["step"]),

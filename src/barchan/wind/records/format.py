@@ -2,6 +2,7 @@
 
 from typing import Literal
 
+from barchan.aeolian.snow.density import GREATEST_DENSITY, LEAST_DENSITY
 from barchan.parameters import Parameters, parameter
 from barchan.wind.records.units import AngleUnit, SpeedUnit
 
@@ -44,6 +45,43 @@ class RecordFormat(Parameters):
         None,
         unit="-",
         meaning="Column of rain and snow together, parted by temperature; guessed where it is not given.",
+    )
+    rain_share: str | None = parameter(
+        None,
+        unit="-",
+        meaning="Column of the share of precipitation that is rain, 0 to 1, as SMET's PSUM_PH; guessed where "
+        "it is not given.",
+    )
+    precipitation_type: str | None = parameter(
+        None,
+        unit="-",
+        meaning="Column of the type of precipitation in ERA5's codes (ptype); guessed where it is not given.",
+    )
+    accumulated: bool | None = parameter(
+        None,
+        unit="-",
+        meaning="Whether amounts of snowfall and precipitation are running sums that start over at one time "
+        "of the day, as in ERA5-Land; where it is not given they are those since the row before.",
+    )
+    snow_depth: str | None = parameter(
+        None,
+        unit="-",
+        meaning="Column of the depth of snow: where neither snowfall nor precipitation is known, snow falls "
+        "as it rises. Guessed in SMET (HS), elsewhere only read where it is given.",
+    )
+    fresh_density: float | None = parameter(
+        None,
+        unit="kg/m³",
+        ge=LEAST_DENSITY,
+        le=GREATEST_DENSITY,
+        meaning="Density of fresh snow by which a rising depth counts; by temperature where it is not given.",
+        source="by temperature: Hedstrom & Pomeroy 1998",
+    )
+    boom_height: str | None = parameter(
+        None,
+        unit="-",
+        meaning="Column of the height of the wind's sensor over the snow, by which each row's speed is "
+        "brought to 10 m; known of PROMICE and GC-Net where it is not given.",
     )
     unit: SpeedUnit | None = parameter(
         None, unit="-", meaning="Unit of the speeds; from the file where it is not given, else m/s."

@@ -10,6 +10,9 @@ from barchan.wind.records.record import WindlessRows, WindRecord
 SHORT = 3 * 3600.0
 """Longest gap (s) in which the wind of the row before goes on; in longer ones it is calm."""
 
+LONGEST_BRIDGE = SHORT
+"""Longest time (s) over which a missing temperature is taken from its neighbours."""
+
 _ROUNDING = 1e-6
 """Time (s) below which rows follow one another."""
 
@@ -22,30 +25,30 @@ def with_gaps(record: WindRecord) -> WindRecord:
     """
     if record.temperature is None and record.snowfall is None:
         return record
-    rows = _joined(_all_rows(record), _holes(record))
+    rows = joined_rows(all_rows(record), holes(record))
     known = ~np.isnan(rows.speed)
     if known.all():
         return record
     days = float(rows.duration[~known].sum()) / 86_400.0
     told = f"time passes in {days:.3g} days without a wind, in gaps over {SHORT / 3600:g} hours as a calm"
-    return replace(_filled(rows, known), remarks=(*record.remarks, told))
+    return replace(filled(rows, known), remarks=(*record.remarks, told))
 
 
-def _all_rows(record: WindRecord) -> WindRecord:
+def all_rows(record: WindRecord) -> WindRecord:
     """The rows of a record and those without a wind (NaN)."""
-    return record if record.windless is None else _joined(record, record.windless)
+    return record if record.windless is None else joined_rows(record, record.windless)
 
 
-def _holes(record: WindRecord) -> WindlessRows:
+def holes(record: WindRecord) -> WindlessRows:
     """What is missing between the rows of a record, with no snowfall and no temperature."""
-    rows = _all_rows(record)
+    rows = all_rows(record)
     ends = rows.time + rows.duration
     before = np.flatnonzero(rows.time[1:] - ends[:-1] > _ROUNDING)
     unknown = np.full(before.size, np.nan)
     return WindlessRows(ends[before], rows.time[before + 1] - ends[before], unknown, np.zeros(before.size))
 
 
-def _joined(record: WindRecord, more: WindlessRows) -> WindRecord:
+def joined_rows(record: WindRecord, more: WindlessRows) -> WindRecord:
     """The rows of both in the order of time."""
     time = np.append(record.time, more.time)
     order = np.argsort(time, kind="stable")
@@ -68,7 +71,7 @@ def _joined(record: WindRecord, more: WindlessRows) -> WindRecord:
     )
 
 
-def _filled(rows: WindRecord, known: NDArray[np.bool_]) -> WindRecord:
+def filled(rows: WindRecord, known: NDArray[np.bool_]) -> WindRecord:
     """The rows, those without a wind (not ``known``) with one and with a temperature."""
     last = np.maximum.accumulate(np.where(known, np.arange(len(known)), 0))
     run = np.cumsum(known)
@@ -86,3 +89,19 @@ def _filled(rows: WindRecord, known: NDArray[np.bool_]) -> WindRecord:
         direction=np.where(goes_on, rows.direction[last], 0.0),
         temperature=temperature,
     )
+
+
+def bridged(values: NDArray[np.float64], time: NDArray[np.float64]) -> NDArray[np.float64] | None:
+    """Temperatures, those missing for a short time on a straight line between their neighbours.
+
+    None where all are missing.
+    """
+    if np.isnan(values).all():
+        return None
+    known = ~np.isnan(values)
+    order = np.argsort(time[known], kind="stable")
+    at, there = time[known][order], values[known][order]
+    after = np.clip(np.searchsorted(at, time), 1, len(at) - 1) if len(at) > 1 else np.zeros(len(time), int)
+    inside = (time >= at[0]) & (time <= at[-1])
+    short = inside & (at[after] - at[np.maximum(after - 1, 0)] <= LONGEST_BRIDGE)
+    return np.where(known, values, np.where(short, np.interp(time, at, there), np.nan))

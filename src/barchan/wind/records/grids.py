@@ -6,7 +6,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from barchan.aeolian.wall import REFERENCE_HEIGHT
 from barchan.errors import Problem, RecordError
+from barchan.wind.records.boom import boom_of, brought_to_ten_metres
 from barchan.wind.records.choice import choose
 from barchan.wind.records.claims import Claim, Column, claims_of, guess
 from barchan.wind.records.format import MISSING, RecordFormat
@@ -14,7 +16,7 @@ from barchan.wind.records.points import at_one_point, latitude_longitude
 from barchan.wind.records.providers import UNKNOWN, provider_of
 from barchan.wind.records.record import Rows
 from barchan.wind.records.values import Unit, unit_of, wind_of, without_codes
-from barchan.wind.records.weather_columns import weather_of
+from barchan.wind.records.weather_columns import WeatherColumns, weather_of
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -64,6 +66,11 @@ def _rows(dataset: "xr.Dataset", form: RecordFormat, source: str) -> Rows:
         point = at_one_point(dataset[claim.column], time, form, source)
         return without_codes(_unpacked(point.values, form), claim, form)
 
+    boom, told = boom_of(choice.first.column, names, form, source), ""
+    if boom is not None:
+        tall = numbers_of(Claim(boom, "boom_height", "m", None, ""), Unit("m", 1.0))
+        speed, told = brought_to_ten_metres(speed, tall, boom, numbers, source)
+        height = REFERENCE_HEIGHT
     over_time = [name for name in names if time in dataset[name].dims]
     weather = weather_of(
         [_column(dataset, name) for name in over_time],
@@ -84,13 +91,45 @@ def _rows(dataset: "xr.Dataset", form: RecordFormat, source: str) -> Rows:
         {**choice.names, "time": time},
         numbers,
         (units[0].name, units[0].size),
-        (*(unit.remark for unit in units if unit.remark), *choice.remarks, *weather.remarks),
+        tuple(filter(None, (*(u.remark for u in units), *choice.remarks, told, *weather.remarks))),
         height,
         provider.name,
         weather.temperature,
         weather.snowfall,
         place=place,
     )
+
+
+def weather_grid(
+    path: Path, form: RecordFormat
+) -> tuple[NDArray[np.float64], "np.datetime64 | None", WeatherColumns]:
+    """Times (s), their start, and the weather of a NetCDF file, whatever wind it holds.
+
+    Raises RecordError where it holds no weather over time.
+    """
+    import xarray as xr
+
+    source = path.name
+    try:
+        with xr.open_dataset(path, mask_and_scale=False) as dataset:
+            time = form.time or guess(list(map(str, dataset.dims)), "time")
+            over_time = [str(n) for n in dataset.data_vars if time in dataset[n].dims]
+            if time is None or not over_time:
+                raise RecordError([Problem("time", "no variable over time")], source)
+            _time_name(dataset, dataset[over_time[0]], form, source)
+            stamps = dataset[time].to_numpy().astype("datetime64[ms]")
+            seconds = (stamps - stamps[0]).astype(np.float64) / 1e3
+
+            def numbers_of(claim: Claim, _unit: Unit) -> NDArray[np.float64]:
+                point = at_one_point(dataset[claim.column], time, form, source)
+                return without_codes(_unpacked(point.values, form), claim, form)
+
+            columns = [_column(dataset, name) for name in over_time]
+            rows = np.arange(1, len(stamps) + 1)
+            weather = weather_of(columns, form, {}, frozenset(), numbers_of, seconds, rows, source)
+            return seconds, stamps[0].astype("datetime64[s]"), weather
+    except (OSError, ValueError) as error:
+        raise RecordError([Problem("", f"cannot be read as NetCDF: {error}")], source) from None
 
 
 def _column(dataset: "xr.Dataset", name: str) -> Column:

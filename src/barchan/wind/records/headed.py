@@ -18,6 +18,8 @@ _SMET: Documented = {
     "temperature": (Stated("TA", "K"),),
     "snowfall": (Stated("PSUM_S", "mm"),),
     "precipitation": (Stated("PSUM", "mm"), Stated("PINT", "mm/h")),
+    "rain_share": (Stated("PSUM_PH", "1"),),
+    "snow_depth": (Stated("HS", "m"),),
 }
 """Columns and units that the documentation of SMET fixes; amounts are those since the row before."""
 

@@ -211,6 +211,7 @@ PROVIDERS = (
             "temperature": (Stated("t2m", "K", 2.0),),
             "snowfall": (Stated("sf", "m"),),
             "precipitation": (Stated("tp", "m"),),
+            "precipitation_type": (Stated("ptype", "1"),),
         },
     ),
     Provider(
@@ -222,7 +223,6 @@ PROVIDERS = (
             "temperature": (Stated("t_u", "°C"),),
         },
         times=(("time",),),
-        remark="the boom's height over snow changes (z_boom_u, mostly 1 to 3 m); state its mean as height",
     ),
     Provider("HOBO (Onset)", begins="Plot Title", time_format="%m/%d/%y %I:%M:%S %p"),
     Provider("TOA5 (Campbell Scientific)", begins="TOA5"),

@@ -6,7 +6,7 @@ is added by adding it here.
 
 from dataclasses import dataclass
 
-from barchan.wind.records.units import ANGLE, FALL, SPEED, TEMPERATURE, TIME, Dimension
+from barchan.wind.records.units import ANGLE, FALL, KIND, LENGTH, SPEED, TEMPERATURE, TIME, Dimension
 
 
 @dataclass(frozen=True)
@@ -93,17 +93,24 @@ PRECIPITATIONS = Quantity(
     ("precipitation_flux", "precipitation_amount", "lwe_thickness_of_precipitation_amount"),
 )
 
+RAIN_SHARES = Quantity("rain_share", KIND, ("psum_ph", "rain_share"), usual_unit="1", said=False)
+PRECIPITATION_TYPES = Quantity(
+    "precipitation_type", KIND, ("ptype", "precipitation_type"), usual_unit="1", said=False
+)
+SNOW_DEPTHS = Quantity("snow_depth", LENGTH, ("snow_depth", "hs", "snowdepth"), ("surface_snow_thickness",))
+
 QUANTITIES: dict[str, Quantity] = {
     q.name: q
     for q in (
-        TIMES, SPEEDS, DIRECTIONS, EASTWARD, NORTHWARD, TEMPERATURES, SNOWFALLS, PRECIPITATIONS
+        TIMES, SPEEDS, DIRECTIONS, EASTWARD, NORTHWARD, TEMPERATURES, SNOWFALLS, PRECIPITATIONS, RAIN_SHARES,
+        PRECIPITATION_TYPES, SNOW_DEPTHS,
     )
 }  # fmt: skip
 
 WIND = ("speed", "direction", "eastward", "northward")
 """Quantities that a wind is made of: the first two, or the last two."""
 
-WEATHER = ("temperature", "snowfall", "precipitation")
+WEATHER = ("temperature", "snowfall", "precipitation", "rain_share", "precipitation_type", "snow_depth")
 """Quantities of the weather that comes with it."""
 
 UNIT_OF_NAME = {"sknt": "kn"}

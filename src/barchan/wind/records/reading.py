@@ -45,14 +45,25 @@ def read_record(path: Path | str, form: RecordFormat | None = None) -> WindRecor
         with as_file(files("barchan.wind.records") / SAMPLE_FILE) as shipped:
             return read_record(shipped, form)
     path = Path(path)
+    refuse_unreadable(path)
+    return checked((read_grid if is_grid(path) else read_table)(path, form or RecordFormat()))
+
+
+def refuse_unreadable(path: Path) -> None:
+    """Raise RecordError for a file that is not there, or of a kind that is known and not read."""
     if not path.is_file():
         raise RecordError([Problem("", "no such file")], str(path))
     head = first_bytes(path)
     why = next((why for begin, why in NOT_READ.items() if head.startswith(begin)), None)
+    if why is None and head.startswith(b"SMET") and b"BINARY" in head.split(b"\n", 1)[0]:
+        why = "is binary SMET; convert it to ASCII"
     if why is not None:
         raise RecordError([Problem("", why)], str(path))
-    grid = head.startswith(NETCDF) or path.suffix.lower() in {".nc", ".nc4", ".netcdf"}
-    return checked((read_grid if grid else read_table)(path, form or RecordFormat()))
+
+
+def is_grid(path: Path) -> bool:
+    """Whether a file is NetCDF, by its content or its suffix."""
+    return first_bytes(path).startswith(NETCDF) or path.suffix.lower() in {".nc", ".nc4", ".netcdf"}
 
 
 def is_record(path: Path) -> bool:

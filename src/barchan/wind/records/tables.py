@@ -9,7 +9,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from barchan.aeolian.wall import REFERENCE_HEIGHT
 from barchan.errors import Problem, RecordError
+from barchan.wind.records.boom import boom_of, brought_to_ten_metres
 from barchan.wind.records.choice import Choice, choose
 from barchan.wind.records.claims import Claim, Column, claims_of
 from barchan.wind.records.format import RecordFormat
@@ -34,30 +36,37 @@ def read_table(path: Path, form: RecordFormat) -> Rows:
     text = text_of(path, form.sheet)
     layout = headed(text, source) or laid_out(text, form, source)
     parts, hint, choice = _found(layout, form, source)
-    table, numbers = one_place(_table(layout, source), np.asarray(layout.numbers), layout, form, source)
+    table, numbers = one_place(words_of(layout, source), np.asarray(layout.numbers), layout, form, source)
     name = "+".join(parts)
     times = Times([table[part] for part in parts], name, numbers, form.time_format, hint, source)
     time, start = seconds(times)
     measured, calm, units = [], np.zeros(len(table), bool), []
     for claim in (choice.first, choice.second):
         unit = unit_of(claim, form, source)
-        values, still = _values(table, claim, unit, numbers, form, source)
+        values, still = column_values(table, claim, unit, numbers, form, source)
         measured.append(values * unit.size)
         units.append(unit)
         calm |= still
     speed, direction = wind_of(choice, measured[0], measured[1], form)
     provider = layout.provider
+    height, told = choice.height, ""
+    boom = boom_of(choice.first.column, layout.headings, form, source)
+    if boom is not None:
+        claim = Claim(boom, "boom_height", "m", None, "")
+        tall = column_values(table, claim, Unit("m", 1.0), numbers, form, source)[0]
+        speed, told = brought_to_ten_metres(speed, tall, boom, numbers, source)
+        height = REFERENCE_HEIGHT
     weather = weather_of(
-        _columns(layout),
+        all_columns(layout),
         form,
         provider.documented,
         frozenset((*parts, choice.first.column, choice.second.column)),
-        lambda claim, unit: _values(table, claim, unit, numbers, form, source)[0],
+        lambda claim, unit: column_values(table, claim, unit, numbers, form, source)[0],
         time,
         numbers,
         source,
     )
-    said = [*(unit.remark for unit in units), *choice.remarks, provider.remark, *weather.remarks]
+    said = [*(unit.remark for unit in units), *choice.remarks, told or provider.remark, *weather.remarks]
     return Rows(
         source,
         time,
@@ -68,7 +77,7 @@ def read_table(path: Path, form: RecordFormat) -> Rows:
         numbers,
         (units[0].name, units[0].size),
         tuple(filter(None, said)),
-        choice.height,
+        height,
         provider.name,
         weather.temperature,
         weather.snowfall,
@@ -85,7 +94,7 @@ def _found(layout: Layout, form: RecordFormat, source: str) -> tuple[list[str], 
         parts, hint = time_columns(layout.headings, form.time, layout.provider, source)
     except RecordError as error:
         problems += error.problems
-    claims = claims_of(_columns(layout), form, layout.provider.documented, frozenset(parts))
+    claims = claims_of(all_columns(layout), form, layout.provider.documented, frozenset(parts))
     try:
         choice = choose(claims, form, layout.headings, source)
     except RecordError as error:
@@ -101,7 +110,7 @@ def _found(layout: Layout, form: RecordFormat, source: str) -> tuple[list[str], 
     return parts, hint, choice
 
 
-def _columns(layout: Layout) -> list[Column]:
+def all_columns(layout: Layout) -> list[Column]:
     """The columns with the units and kinds of mean that rows below the heading state."""
     ranked = sorted(layout.above, key=lambda row: -sum(map(_is_unit, row)))
     units = ranked[0] if ranked and any(map(_is_unit, ranked[0])) else [""] * len(layout.headings)
@@ -117,7 +126,7 @@ def _is_unit(text: str) -> bool:
     return any(kind.unit_of(text) or kind.why_useless(text) for kind in (SPEED, ANGLE))
 
 
-def _table(layout: Layout, source: str) -> "pd.DataFrame":
+def words_of(layout: Layout, source: str) -> "pd.DataFrame":
     """All columns as words."""
     import pandas as pd
 
@@ -150,7 +159,7 @@ def _said(error: Exception, layout: Layout) -> str:
     return re.sub(r"line (\d+)", lambda found: f"row {layout.numbers[int(found[1]) - 1]}", said)
 
 
-def _values(
+def column_values(
     table: "pd.DataFrame",
     claim: Claim,
     unit: Unit,

@@ -153,5 +153,18 @@ FALL = _dimension(
 )  # fmt: skip
 """Snow or water that falls, as a mass per time, or as an amount since the row before."""
 
+LENGTH = _dimension(
+    "length",
+    {"m": 1.0, "cm": 0.01, "mm": 0.001},
+    {
+        "m": "m metre metres meter meters",
+        "cm": "cm centimetre centimetres centimeter centimeters",
+        "mm": "mm millimetre millimetres millimeter millimeters",
+    },
+    {r"water equivalent|w\.?e\.?\b": "a depth of water; allowed: the depth of snow, in m, cm or mm"},
+)
+KIND = _dimension("kind", {"1": 1.0}, {"1": "1 - ~ code numeric codetable(4.201)"}, {})
+"""Numbers that stand for a kind or a share."""
+
 AMOUNTS = frozenset(["mm", "kg/m²", "cm", "m"])
 """Units of amounts since the row before."""

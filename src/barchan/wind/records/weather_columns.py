@@ -8,24 +8,14 @@ from numpy.typing import NDArray
 
 from barchan.errors import Problem, RecordError
 from barchan.wind.records.claims import Claim, Column, Documented, claims_of
-from barchan.wind.records.durations import GAP
 from barchan.wind.records.format import RecordFormat
+from barchan.wind.records.gaps import bridged
 from barchan.wind.records.quantities import QUANTITIES, WEATHER
-from barchan.wind.records.units import AMOUNTS, ZEROS
+from barchan.wind.records.snowfall import HEAVIEST, HOUR, Fallen, rates, snowfall_of
+from barchan.wind.records.sums import amounts_of
+from barchan.wind.records.units import AMOUNTS, FALL, ZEROS
 from barchan.wind.records.values import Unit
 from barchan.wind.weather import COLDEST, WARMEST
-
-HOUR = 3600.0
-"""An hour (s)."""
-
-HEAVIEST = 30.0
-"""Snowfall (kg/m²/h) above all that was measured: more is a wrong unit, or a code for a missing value."""
-
-ALL_SNOW, ALL_RAIN = 0.0, 2.0
-"""Temperatures (°C) up to which precipitation is snow, and from which on it is rain; between them a share."""
-
-LONGEST_BRIDGE = 3 * HOUR
-"""Longest time (s) over which a missing temperature is taken from its neighbours."""
 
 GREATEST_JUMP = 30.0
 """Change of temperature in an hour (K) that no weather makes."""
@@ -65,30 +55,82 @@ def weather_of(
     if absent:
         told = f"; the columns are {', '.join(names)}"
         raise RecordError([Problem(q, f"no column '{getattr(form, q)}'{told}") for q in absent], source)
-    found: dict[str, NDArray[np.float64]] = {}
+    found: dict[str, Reading] = {}
     remarks: list[str] = []
     for quantity, claims in claims_of(columns, form, documented, taken, WEATHER).items():
-        if not claims or (documented and not getattr(form, quantity) and quantity not in documented):
+        if not claims or not _wanted(quantity, form, documented):
             continue
         try:
-            found[quantity] = _values(claims[0], read, time, numbers, source)
-            remarks.append(f"{quantity} is read from '{claims[0].column}'")
+            found[quantity] = _reading(claims[0], read, time, numbers, source, form.accumulated)
         except RecordError as error:
             if getattr(form, quantity):
                 raise
             said = "; ".join(f"{p.key}: {p.message}" for p in error.problems)
             remarks.append(f"{quantity} is not read from '{claims[0].column}': {said}")
     temperature = found.pop("temperature", None)
-    _warn_of_jumps(temperature, time, remarks)
-    temperature = _bridged(temperature, time)
-    snowfall = _snowfall(found, temperature, form, remarks, source)
-    return WeatherColumns(temperature, snowfall, tuple(remarks))
+    values = None if temperature is None else temperature.values
+    if temperature is not None:
+        remarks.append(f"temperature is read from '{temperature.column}'")
+    _warn_of_jumps(values, time, remarks)
+    values = None if values is None else bridged(values, time)
+    fallen = Fallen(
+        time,
+        numbers,
+        source,
+        {quantity: one.column for quantity, one in found.items()},
+        values,
+        in_amounts="precipitation" in found and found["precipitation"].in_amounts,
+        **{quantity: one.values for quantity, one in found.items()},
+    )
+    snowfall, said_of_snow = snowfall_of(fallen, form)
+    remarks += [
+        f"{quantity} is read from '{found[quantity].column}'"
+        for quantity in ("snowfall", "precipitation")
+        if quantity in found
+    ]
+    return WeatherColumns(values, snowfall, (*remarks, *said_of_snow))
 
 
-def _values(
-    claim: Claim, read: Numbers, time: NDArray[np.float64], numbers: NDArray[np.int64], source: str
-) -> NDArray[np.float64]:
-    """A column in °C or kg/m²/s; raises RecordError where its unit or a value cannot be."""
+def _wanted(quantity: str, form: RecordFormat, documented: Documented) -> bool:
+    """Whether a quantity is read: where the user states it, or the format knows it or fixes no columns.
+
+    The depth of snow also has other uses, so no table but those of a format that fixes it is searched for it.
+    """
+    if getattr(form, quantity):
+        return True
+    return quantity in documented or (not documented and quantity != "snow_depth")
+
+
+@dataclass(frozen=True)
+class Reading:
+    """A column of the weather in SI units."""
+
+    column: str
+    values: NDArray[np.float64]
+    in_amounts: bool
+    """Whether the file has amounts since the row before, not rates."""
+
+
+_LIMITS = {
+    "temperature": (COLDEST, WARMEST, "°C"),
+    "snowfall": (0.0, HEAVIEST / HOUR, "kg/m²/h"),
+    "precipitation": (0.0, np.inf, "kg/m²/h"),
+    "rain_share": (0.0, 1.0, ""),
+    "precipitation_type": (-np.inf, np.inf, ""),
+    "snow_depth": (0.0, 30.0, "m"),
+}
+"""Least and greatest value of each quantity, and the unit that people read them in."""
+
+
+def _reading(
+    claim: Claim,
+    read: Numbers,
+    time: NDArray[np.float64],
+    numbers: NDArray[np.int64],
+    source: str,
+    accumulated: bool | None,
+) -> Reading:
+    """A column in °C, kg/m²/s or m; raises RecordError where its unit or a value cannot be."""
     kind = QUANTITIES[claim.quantity]
     spelled = claim.unit or kind.usual_unit
     if not spelled:
@@ -99,86 +141,21 @@ def _values(
     raw = read(claim, Unit(name, kind.dimension.sizes[name]))
     if claim.quantity == "temperature" and not claim.unit and np.nanmin(raw, initial=np.inf) > 150.0:
         name = "K"
+    in_amounts = kind.dimension is FALL and name in AMOUNTS
     values = raw * kind.dimension.sizes[name] + ZEROS.get(name, 0.0)
-    values = _rates(values, time) if name in AMOUNTS else values
-    low, high = (COLDEST, WARMEST) if claim.quantity == "temperature" else (0.0, HEAVIEST / HOUR)
-    if claim.quantity == "precipitation":
-        high = np.inf
+    if in_amounts:
+        values = rates(amounts_of(values, time, accumulated, numbers, claim.column, source), time)
+    low, high, shown_in = _LIMITS[claim.quantity]
     wrong = (values < low) | (values > high)
     if wrong.any():
         row = int(np.argmax(wrong))
-        shown = raw[row] if name not in AMOUNTS else values[row] * HOUR
-        limits = (
-            f"{low:g} to {high:g} °C" if claim.quantity == "temperature" else f"0 to {HEAVIEST:g} kg/m²/h"
-        )
+        scale = HOUR if shown_in == "kg/m²/h" else 1.0
+        shown = f"{values[row] * HOUR:g} {shown_in}" if in_amounts else f"{raw[row]:g} {name}"
+        allowed = f"{low * scale:g} to {high * scale:g} {shown_in}" if high < np.inf else f"{low:g} or more"
         where = f"row {numbers[row]}, column '{claim.column}'"
-        unit = name if name not in AMOUNTS else "kg/m²/h"
-        raise RecordError([Problem(where, f"is {shown:g} {unit}; allowed: {limits}")], source)
-    return values
-
-
-def _rates(amounts: NDArray[np.float64], time: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Rates (kg/m²/s) of amounts (kg/m²) that fell since the row before; that row has the rate.
-
-    The last row's rate is not known.
-    """
-    order = np.argsort(time, kind="stable")
-    rates = np.full(len(time), np.nan)
-    steps = np.diff(time[order])
-    usual = float(np.median(steps)) if len(steps) else 1.0
-    lasting = np.where(steps > GAP * usual, usual, steps)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        rates[order[:-1]] = amounts[order[1:]] / lasting
-    return np.where(np.isfinite(rates), rates, np.nan)
-
-
-def _snowfall(
-    found: dict[str, NDArray[np.float64]],
-    temperature: NDArray[np.float64] | None,
-    form: RecordFormat,
-    remarks: list[str],
-    source: str,
-) -> NDArray[np.float64] | None:
-    """Snowfall as stated, or the part of precipitation that is snow at its temperature."""
-    if "precipitation" not in found:
-        return found.get("snowfall")
-    if "snowfall" in found:
-        if form.snowfall and form.precipitation:
-            message = f"is '{form.precipitation}', and snowfall is '{form.snowfall}'; allowed: one of them"
-            raise RecordError([Problem("precipitation", message)], source)
-        remarks.append("precipitation is not used, for there is snowfall")
-        return found["snowfall"]
-    if temperature is None:
-        if form.precipitation:
-            message = f"is '{form.precipitation}', but there is no temperature to tell snow from rain"
-            raise RecordError([Problem("precipitation", message)], source)
-        remarks.append("precipitation is not used, for there is no temperature to tell snow from rain")
-        return None
-    share = np.clip((ALL_RAIN - temperature) / (ALL_RAIN - ALL_SNOW), 0.0, 1.0)
-    remarks.append(
-        f"precipitation is snow up to {ALL_SNOW:g} °C, rain from {ALL_RAIN:g} °C on, and in between both; "
-        "rain is left out"
-    )
-    snow: NDArray[np.float64] = found["precipitation"] * share
-    if np.nanmax(snow, initial=0.0) > HEAVIEST / HOUR:
-        message = (
-            f"comes to {np.nanmax(snow) * HOUR:g} kg/m²/h of snow; allowed: {HEAVIEST:g} kg/m²/h or less"
-        )
-        raise RecordError([Problem("precipitation", message)], source)
-    return snow
-
-
-def _bridged(values: NDArray[np.float64] | None, time: NDArray[np.float64]) -> NDArray[np.float64] | None:
-    """Temperatures, those missing for a short time on a straight line between their neighbours."""
-    if values is None or np.isnan(values).all():
-        return None
-    known = ~np.isnan(values)
-    order = np.argsort(time[known], kind="stable")
-    at, there = time[known][order], values[known][order]
-    after = np.clip(np.searchsorted(at, time), 1, len(at) - 1) if len(at) > 1 else np.zeros(len(time), int)
-    inside = (time >= at[0]) & (time <= at[-1])
-    short = inside & (at[after] - at[np.maximum(after - 1, 0)] <= LONGEST_BRIDGE)
-    return np.where(known, values, np.where(short, np.interp(time, at, there), np.nan))
+        message = f"is {shown if shown_in else f'{raw[row]:g}'}; allowed: {allowed}".rstrip()
+        raise RecordError([Problem(where, message)], source)
+    return Reading(claim.column, values, in_amounts)
 
 
 def _warn_of_jumps(values: NDArray[np.float64] | None, time: NDArray[np.float64], remarks: list[str]) -> None:
