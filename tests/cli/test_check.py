@@ -91,3 +91,32 @@ def test_a_wind_under_which_nothing_can_move_is_not_called_sound(barchan):
     still = barchan("check", "ripples", "--wind.speed", 3, "--wind.unit", "m/s")
     assert still.out.startswith("ripples: without mistakes, but nothing moves\n")
     assert "friction velocity: 0.083 m/s, threshold 0.2" in still.out
+
+
+MAST = (
+    "time,speed (m/s),direction\n2024-01-01T00:00,8,270\n2024-01-01T01:00,9,280\n"
+    "2024-01-01T02:00,7,270\n2024-01-01T03:00,0,\n2024-01-02T00:00,7,270\n2024-01-02T01:00,7,\n"
+)
+"""Six hours with a gap; one is calm, one has no direction."""
+
+
+def test_a_record_is_told_with_its_columns_height_rows_and_gaps(here, barchan):
+    (here / "mast.csv").write_text(MAST)
+    told = barchan("check", "recorded-wind", "--wind.path", "mast.csv").out.replace("\n", " ")
+    for words in (
+        "record: mast.csv",
+        "read: speed (m/s) and direction, in m/s, taken to be at 10 m",
+        "rows: 6, 16.7 % missing, 16.7 % calm, 1 gap",
+        "note: gaps: 1;",
+        "the record does not state the height of its speeds; taken to be at 10 m; wind.columns.height",
+    ):
+        assert words in told
+
+
+def test_the_height_of_a_record_is_that_of_the_clock_until_it_is_stated(here, barchan):
+    (here / "mast.csv").write_text(MAST)
+    command = ("check", "recorded-wind", "--wind.path", "mast.csv", "--clock.height", 2)
+    assert "taken to be at 2 m;" in barchan(*command).out.replace("\n", " ")
+    stated = barchan(*command, "--wind.columns.height", 4).out
+    assert "in m/s, at 4 m" in stated
+    assert "taken to be" not in stated

@@ -3,8 +3,10 @@
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from barchan.aeolian.wall import REFERENCE_HEIGHT
 from barchan.scenario.cost import sampled_segments
-from barchan.wind import SeriesWind
+from barchan.wind import Recorded, SeriesWind
+from barchan.wind.records.summary import height_remarks, record_facts
 from barchan.wind.segment import Segment
 
 if TYPE_CHECKING:
@@ -17,6 +19,26 @@ def stated_speeds(scenario: "Scenario") -> list[float]:
         speed = scenario.wind.series(scenario.seeded().seed).record.speed
         return [float(speed.min()), float(speed.max())]
     return [segment.speed for segment in sampled_segments(scenario) if segment.speed is not None]
+
+
+def recorded_facts(scenario: "Scenario") -> dict[str, str]:
+    """What is read of the wind's record, where it is one, for people to read."""
+    wind = scenario.wind
+    return record_facts(wind.record, _height_of_law(scenario)) if isinstance(wind, Recorded) else {}
+
+
+def recorded_remarks(scenario: "Scenario") -> list[str]:
+    """What makes the wind's record implausible, and what was assumed in reading it."""
+    if not isinstance(scenario.wind, Recorded):
+        return []
+    record = scenario.wind.record
+    assumed = height_remarks(record, _height_of_law(scenario), "wind.columns.height")
+    return [*record.warnings, *record.remarks, *assumed]
+
+
+def _height_of_law(scenario: "Scenario") -> float:
+    """Height (m) at which speeds are taken to be that state none: the clock's, or without a clock 10 m."""
+    return REFERENCE_HEIGHT if scenario.clock is None else scenario.clock.height
 
 
 def unmoved(scenario: "Scenario") -> list[str]:
