@@ -164,7 +164,7 @@ def test_a_branch_tells_the_wind_of_now_and_what_was_changed(changed, barchan):
 
 def test_the_wind_of_a_branch_is_that_of_now(changed, barchan):
     rows = rows_of(barchan("wind", changed).out)
-    assert rows["wind"] == "from 200° with hops of 5 cells (model.hop_length)"
+    assert rows["wind"] == "from 200° with hops of 2 cells (model.hop_length)"
     assert rows["changed"] == "at step 10: wind from 200°"
 
 

@@ -64,7 +64,7 @@ def info(
         print_table([(name, value, "") for name, value in rows], left=True)
         if values:
             console.print()
-            measure_table.print_values(values)
+            measure_table.print_values(values, scenario.lattice.cell_size)
 
 
 def _contents(run: Path) -> tuple[int, "Scenario", list[tuple[str, str]]]:

@@ -25,14 +25,14 @@ def film(
     path: Path,
     *,
     frames_per_second: float = 12.0,
-    size: int = 512,
+    pixels: int = 512,
     colours: Colours = "natural",
     smoothing: float = SMOOTHING,
     follow: bool = False,
     layers: bool = True,
     progress: Callable[[int], None] | None = None,
 ) -> None:
-    """Write the shaded maps of all frames as an animation; the longer side gets about ``size`` pixels.
+    """Write the shaded maps of all frames as an animation; the longer side gets about as many ``pixels``.
 
     With ``follow`` the colour scale follows each frame instead of holding for the whole run; with
     ``layers`` the model's layers, such as plants, lie over the surface. Raises BarchanError for a file that
@@ -41,7 +41,7 @@ def film(
     ending = path.suffix.lower()
     if ending not in FORMATS:
         raise BarchanError(f"{path}: a film is {' or '.join(FORMATS)}, not '{path.suffix}'")
-    pictures = _pictures(dataset, scenario, size, colours, smoothing, follow, layers, progress)
+    pictures = _pictures(dataset, scenario, pixels, colours, smoothing, follow, layers, progress)
     first = next(pictures)
     partial = path.with_name(path.name + ".partial")
     options = {"lossless": False, "quality": 80} if ending == ".webp" else {}
@@ -63,7 +63,7 @@ def film(
 def _pictures(
     dataset: "xr.Dataset",
     scenario: Scenario,
-    size: int,
+    pixels: int,
     colours: Colours,
     smoothing: float,
     follow: bool,
@@ -76,7 +76,7 @@ def _pictures(
     last = dataset.isel(step=-1).load()
     steeper = None if follow else exaggeration(last["elevation"].values, scenario, smoothing)
     norm = Normalize(*_range(dataset, scenario))
-    scale = max(1, round(size / max(scenario.lattice.shape)))
+    scale = max(1, round(pixels / max(scenario.lattice.shape)))
     for k in range(count):
         frame = dataset.isel(step=k).load()
         own = Normalize(*surface_range(frame, scenario)) if follow else norm

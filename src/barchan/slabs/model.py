@@ -1,6 +1,7 @@
 """The base class of slab models: one transport kernel, configured by data."""
 
 from collections.abc import Hashable
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -126,7 +127,7 @@ class SlabModel(Model):
                 run_steps(stacks, rules, work, schedule, np.uint64(stream.key), *steps, *polls, counts)
 
         else:
-            influx = edge_influx(segment, self.saturated_influx(segment), self.lattice, frame)
+            influx = edge_influx(segment, partial(self.saturated_influx, segment), self.lattice, frame)
 
             def run() -> None:
                 for step in range(segment.step, segment.step + segment.steps):
