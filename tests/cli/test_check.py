@@ -6,13 +6,14 @@ import pytest
 
 from barchan.scenario import preset_names
 
-
 COMPILED = "and 10 to 60 seconds where its rules are compiled first"
 
 
 @pytest.mark.parametrize("name", preset_names())
 def test_every_preset_is_sound_and_so_is_what_it_is_printed_as(here, barchan, name):
-    assert barchan("check", name).out.startswith(f"{name}: sound\n")
+    told = barchan("check", name).out
+    assert told.startswith(f"{name}: sound\n")
+    assert "has no effect" not in told
     (here / "mine.json").write_text(barchan("presets", name).out)
     result = barchan("check", "mine.json")
     assert (result.code, result.err) == (0, "")
@@ -123,3 +124,18 @@ def test_the_height_of_a_record_is_that_of_the_clock_until_it_is_stated(here, ba
     stated = barchan(*command, "--wind.columns.height", 4).out
     assert "in m/s, at 4 m" in stated
     assert "taken to be" not in stated
+
+
+def test_a_key_that_the_choice_of_another_leaves_without_effect_is_remarked(here, barchan):
+    command = ("check", "tiny.json", "--model.corner-limit", "geometric")
+    said = "note: model.corner_limit 'geometric' has no effect: it acts where neighbourhood is 'moore'"
+    assert said in barchan(*command).out
+    assert "has no effect" not in barchan(*command, "--model.neighbourhood", "moore").out
+
+
+@pytest.mark.parametrize("model", ["wang_hu", "ripples"])
+def test_cells_wider_than_a_hop_of_a_grain_are_remarked(here, barchan, model):
+    """At 10 m/s a grain leaves at 1.4 x 0.28 m/s, flies for 0.08 s and goes some 0.2 m."""
+    command = ("check", "tiny.json", "--model", model, "--lattice.slab-height", 1e-5, "--lattice.cell-size")
+    assert "cells of 1 m are wider than a hop of about 0.2 m" in " ".join(barchan(*command, 1).out.split())
+    assert "wider than a hop" not in barchan(*command, 0.01).out

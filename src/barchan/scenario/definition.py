@@ -19,7 +19,15 @@ from barchan.lattice import Lattice
 from barchan.models import Model, models
 from barchan.parameters import Parameters, parameter
 from barchan.scenario.consistency import broken_edges, inconsistencies, starved_edges
-from barchan.scenario.effects import recorded_facts, recorded_remarks, stated_speeds, unmoved, unused
+from barchan.scenario.effects import (
+    idle,
+    recorded_facts,
+    recorded_remarks,
+    sand_facts,
+    stated_speeds,
+    unmoved,
+    unused,
+)
 from barchan.scenario.source_map import SourceMap
 from barchan.scenario.summary import html_table, in_a_line, summary
 from barchan.wind import Clock, Forcing, Steady, StepClock, WeatherCourse, Wind
@@ -181,6 +189,7 @@ class Scenario(Parameters):
         model, forcing = self.new_model(), self.seeded().forcing()
         return {
             **self.ground.facts(self.lattice),
+            **sand_facts(self),
             **recorded_facts(self),
             **self.time_facts(),
             **model.facts(),
@@ -240,7 +249,7 @@ class Scenario(Parameters):
         model = self.new_model()
         parts = [part for _, part in self.wind.placed_parts()]
         remarks: list[Iterable[str]] = [self.source_map.notes]
-        remarks += [recorded_remarks(self), unmoved(self), unused(self), starved_edges(self)]
+        remarks += [recorded_remarks(self), unmoved(self), unused(self), idle(self), starved_edges(self)]
         remarks += [self.ground.remarks(self.lattice), broken_edges(self, ground)]
         remarks += [model.remarks(part.longest_hop, part.direction) for part in parts]
         return list(dict.fromkeys(remark for found in remarks for remark in found))

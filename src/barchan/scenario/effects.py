@@ -4,7 +4,10 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from barchan.aeolian.wall import REFERENCE_HEIGHT
+from barchan.ground.sand import FileSand
+from barchan.parameters import idle_keys
 from barchan.scenario.cost import sampled_segments
+from barchan.scenario.messages import value_text
 from barchan.wind import Recorded, SeriesWind
 from barchan.wind.records.summary import height_remarks, record_facts
 from barchan.wind.segment import Segment
@@ -66,6 +69,20 @@ def _strongest(scenario: "Scenario") -> list[Segment]:
     clock = scenario.clock
     polls = 1 if speed > 0 and (clock is None or float(clock.volume_flux(speed)) > 0) else 0
     return [replace(scenario.seeded().forcing().wind_of(0), speed=speed, polls=polls)]
+
+
+def idle(scenario: "Scenario") -> list[str]:
+    """Remarks on keys that the choice of another key leaves without effect."""
+    return [
+        f"{key} {value_text(value)} has no effect: it acts {where}"
+        for key, value, where in idle_keys(scenario)
+    ]
+
+
+def sand_facts(scenario: "Scenario") -> dict[str, str]:
+    """How many cells of a file of sand were filled, where any were."""
+    filled = scenario.sand.fill_facts() if isinstance(scenario.sand, FileSand) else ""
+    return {"sand": filled} if filled else {}
 
 
 def unused(scenario: "Scenario") -> list[str]:
