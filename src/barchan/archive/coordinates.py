@@ -11,7 +11,8 @@ from barchan.lattice import Lattice
 GRID_MAPPING = "spatial_ref"
 """Name of the variable that holds the reference system, by the CF conventions and as GIS programs expect."""
 
-STEP = {"units": "1", "long_name": "steps done"}
+STEP = {"units": "1", "axis": "T", "long_name": "steps done"}
+"""Attributes of the steps: by the axis T readers of NetCDF know the frames as moments of one surface."""
 
 
 def axes(

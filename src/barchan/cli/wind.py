@@ -138,7 +138,7 @@ class _Subject:
     """The record, where the wind is one or is made up as one."""
     sand: Saltation
     remarks: tuple[str, ...] = ()
-    """What was assumed."""
+    """Assumptions made in reading it."""
 
 
 def _of_record(record: "WindRecord", sand: Saltation, supply: float | None, key: str) -> _Subject:
@@ -186,7 +186,7 @@ def _of_scenario(source: str, supply: float | None) -> _Subject:
 
 
 def _scenario_of(source: str) -> tuple["Scenario", tuple["Record", ...]]:
-    """A scenario with a seed, as it is now where it is that of a run, and what was changed in the run."""
+    """A scenario with a seed, as it is now where it is that of a run, and the changes during the run."""
     from barchan.archive import run_info, source_at
     from barchan.archive.folder import SCENARIO
     from barchan.scenario.files import load_scenario

@@ -14,7 +14,7 @@ Rows = list[tuple[str, str, str]]
 
 
 def record_rows(record: "WindRecord", sand: Saltation) -> Rows:
-    """What a record holds, and how often its winds move sand."""
+    """Facts of a record, and how often its winds move sand."""
     import numpy as np
 
     from barchan.wind.records.summary import record_facts

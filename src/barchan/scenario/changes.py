@@ -10,7 +10,7 @@ from barchan.scenario.source_map import Path, dotted
 _CHANGED = "changed: "
 
 _UNCHANGED = "(without these changes) "
-"""Before what to look for in a scenario whose values were changed since."""
+"""Stands before ``look_for`` of a scenario whose values were changed since."""
 
 _LONGEST = 2000
 """Characters of what to look for at most."""
@@ -22,7 +22,7 @@ _OWN_WORDS = ("title", "citation", "look_for", "note", "run")
 def with_changes_told(scenario: Scenario, before: Scenario) -> Scenario:
     """The scenario with the given values that differ from those of ``before`` in its title and citation.
 
-    What to look for is said to be that of the scenario before, and left out where the model is another one.
+    ``look_for`` is marked as that of the scenario before, and left out where the model is another one.
     Words that were given themselves stay, and so do empty ones.
     """
     told = _told(scenario, before)
@@ -39,7 +39,7 @@ def with_changes_told(scenario: Scenario, before: Scenario) -> Scenario:
 
 
 def _expected(scenario: Scenario, before: Scenario) -> str:
-    """What to look for once values differ from those that it was written for."""
+    """``look_for`` once values differ from those that it was written for."""
     if scenario.model.name != before.model.name:
         return ""
     text = scenario.look_for

@@ -59,6 +59,6 @@ def spoken_estimate(seconds: float) -> str:
 
 
 def spoken_time(scenario: "Scenario") -> str:
-    """How long a scenario is expected to take, for people to read, with what the estimate leaves out."""
+    """The expected time of a scenario for people to read, and that of compilation, which it leaves out."""
     estimate = spoken_estimate(expected_seconds(scenario))
     return f"{estimate}, and 10 to 60 seconds where its rules are compiled first"

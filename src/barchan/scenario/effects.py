@@ -25,13 +25,13 @@ def stated_speeds(scenario: "Scenario") -> list[float]:
 
 
 def recorded_facts(scenario: "Scenario") -> dict[str, str]:
-    """What is read of the wind's record, where it is one, for people to read."""
+    """File, columns, height, time and rows of the wind's record, where it is one, for people to read."""
     wind = scenario.wind
     return record_facts(wind.record, _height_of_law(scenario)) if isinstance(wind, Recorded) else {}
 
 
 def recorded_remarks(scenario: "Scenario") -> list[str]:
-    """What makes the wind's record implausible, and what was assumed in reading it."""
+    """Doubts about the wind's record, where it is one, and the assumptions made in reading it."""
     if not isinstance(scenario.wind, Recorded):
         return []
     record = scenario.wind.record

@@ -1,4 +1,4 @@
-"""A wind record in few words: where it is from, which columns were read, what it covers, what was assumed."""
+"""A wind record in few words: its file, columns, height, time and rows, and the height that was assumed."""
 
 import numpy as np
 
