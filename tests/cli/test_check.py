@@ -136,6 +136,6 @@ def test_a_key_that_the_choice_of_another_leaves_without_effect_is_remarked(here
 @pytest.mark.parametrize("model", ["wang_hu", "ripples"])
 def test_cells_wider_than_a_hop_of_a_grain_are_remarked(here, barchan, model):
     """At 10 m/s a grain leaves at 1.4 x 0.28 m/s, flies for 0.08 s and goes some 0.2 m."""
-    command = ("check", "tiny.json", "--model", model, "--lattice.slab-height", 1e-5, "--lattice.cell-size")
+    command = ("check", "tiny.json", "--model", model, "--lattice.slab-height", 1e-3, "--lattice.cell-size")
     assert "cells of 1 m are wider than a hop of about 0.2 m" in " ".join(barchan(*command, 1).out.split())
     assert "wider than a hop" not in barchan(*command, 0.01).out
