@@ -5,8 +5,20 @@ from typing import Annotated, ClassVar, Literal
 import pytest
 from pydantic import Field, ValidationError
 
-from barchan.parameters import Declaration, Parameters, allowed, declarations, parameter, redeclared
-from barchan.wind import Regime
+from barchan.models import models
+from barchan.parameters import (
+    GIVEN,
+    NOT_GIVEN,
+    Declaration,
+    Parameters,
+    allowed,
+    declarations,
+    idle_keys,
+    parameter,
+    redeclared,
+    variants,
+)
+from barchan.wind import Clock, Regime
 
 
 class Inner(Parameters):
@@ -152,3 +164,56 @@ def test_every_variant_of_a_group_is_declared():
         "speed_ramp.points[].time",
         "speed_ramp.points[].value",
     ]
+
+
+class Corner(Parameters):
+    """Keys of which some act with a choice of another one only."""
+
+    sides: Literal["faces", "corners"] = parameter("faces", unit="-", meaning="Neighbours.")
+    limit: int = parameter(2, unit="slabs", meaning="To corners.", acts_with={"sides": "corners"})
+    length: float | None = parameter(None, unit="m", meaning="A length.")
+    parts: int = parameter(3, unit="-", meaning="Of the length.", acts_with={"length": GIVEN})
+    law: str = parameter("a", unit="-", meaning="Of the length.", acts_with={"length": NOT_GIVEN})
+
+
+class Corners(Parameters):
+    """A group with several such groups."""
+
+    several: list[Corner] = parameter(list, unit="-", meaning="Groups.")
+
+
+@pytest.mark.parametrize(
+    ("values", "idle"),
+    [
+        ({}, []),
+        ({"limit": 3}, [("limit", 3, "where sides is 'corners'")]),
+        ({"limit": 3, "sides": "corners"}, []),
+        ({"limit": 2}, []),
+        ({"parts": 4}, [("parts", 4, "where length is given")]),
+        ({"parts": 4, "length": 1.0}, []),
+        ({"law": "b"}, []),
+        ({"law": "b", "length": 1.0}, [("law", "b", "where length is not given")]),
+    ],
+)
+def test_keys_that_the_choice_of_another_leaves_without_effect_are_found(values, idle):
+    assert list(idle_keys(Corner(**values))) == idle
+    nested = [(f"several[1].{key}", value, where) for key, value, where in idle]
+    assert list(idle_keys(Corners(several=[Corner(), Corner(**values)]))) == nested
+
+
+def test_the_meaning_of_a_key_says_where_it_acts():
+    meanings = {declared.key: declared.meaning for declared in declarations(Corner)}
+    assert meanings["limit"] == "To corners. It acts where sides is 'corners'."
+    assert meanings["parts"] == "Of the length. It acts where length is given."
+
+
+@pytest.mark.parametrize("group", [model.Parameters for model in models().values()] + [Clock])
+def test_every_key_that_a_parameter_acts_with_is_one_of_its_group(group):
+    def check(group):
+        for field in group.model_fields.values():
+            extra = field.json_schema_extra or {}
+            assert set(extra.get("acts_with", {})) <= set(group.model_fields)
+            for inner in variants(field.annotation):
+                check(inner)
+
+    check(group)

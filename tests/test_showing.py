@@ -35,7 +35,7 @@ def test_a_notebook_shows_a_scenario_as_a_table_without_running_its_text_as_html
     html = tiny(title="<b>Dunes</b>")._repr_html_()
     assert html.startswith("<table>")
     assert "&lt;b&gt;Dunes" in html
-    assert "steady from 270°" in html
+    assert "from 270° with hops of 5 cells" in html
 
 
 def test_a_simulation_shows_how_far_it_is_and_its_bed_in_units():

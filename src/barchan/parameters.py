@@ -3,7 +3,7 @@
 Command line, configuration files, studio, documentation and validation read them from here.
 """
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from types import UnionType
 from typing import Any, ClassVar, Literal, Union, get_args, get_origin
@@ -16,6 +16,9 @@ __all__ = ["Declaration", "Parameters", "declarations", "mistake", "parameter"]
 
 NOTE = "note"
 
+GIVEN, NOT_GIVEN = "given", "not given"
+"""For ``acts_with``: the parameter acts where another one is given, or where it is not."""
+
 
 def parameter(
     default: Any = ...,
@@ -26,18 +29,58 @@ def parameter(
     live: bool = False,
     group: str = "",
     scale: Literal["linear", "log"] = "linear",
+    acts_with: Mapping[str, Any] | None = None,
     **bounds: Any,
 ) -> Any:
     """Declare a parameter of a ``Parameters`` class.
 
     ``unit`` is an SI unit, a model's own (``cells``, ``slabs``, ``steps``) or ``-`` for a pure number or a
     choice; ``source`` is the publication or document its default comes from; ``live`` parameters may
-    change during a run; ``group`` and ``scale`` serve display. ``bounds`` are ``ge``, ``gt``, ``le``,
-    ``lt``, ``min_length`` and other constraints of pydantic's ``Field``.
+    change during a run; ``group`` and ``scale`` serve display. ``acts_with`` names a key of the same group
+    and the value with which alone this parameter acts: one of its choices, a list of them, ``GIVEN`` or
+    ``NOT_GIVEN``; the meaning says so. ``bounds`` are ``ge``, ``gt``, ``le``, ``lt``, ``min_length`` and
+    other constraints of pydantic's ``Field``.
     """
     extra: dict[str, Any] = {"unit": unit, "source": source, "live": live, "group": group, "scale": scale}
+    if acts_with is not None:
+        extra["acts_with"] = dict(acts_with)
+        meaning = f"{meaning} It acts {condition(acts_with)}."
     factory = {"default_factory": default} if callable(default) else {"default": default}
     return Field(description=meaning, json_schema_extra=extra, **factory, **bounds)
+
+
+def condition(acts_with: Mapping[str, Any]) -> str:
+    """Where a parameter acts, in words: ``where neighbourhood is 'moore'``."""
+    return " and ".join(f"where {key} is {_wanted(value)}" for key, value in acts_with.items())
+
+
+def _wanted(value: Any) -> str:
+    if value in (GIVEN, NOT_GIVEN):
+        return str(value)
+    return " or ".join(repr(one) for one in (value if isinstance(value, list) else [value]))
+
+
+def idle_keys(group: "Parameters", prefix: str = "") -> Iterator[tuple[str, Any, str]]:
+    """Parameters that differ from their default and do not act in a group, or in the groups within it.
+
+    Each with its dotted key, its value, and where it would act.
+    """
+    for name, field in type(group).model_fields.items():
+        value = getattr(group, name)
+        for at, inner in enumerate(value if isinstance(value, list) else [value]):
+            if isinstance(inner, Parameters):
+                place = f"{name}[{at}]" if isinstance(value, list) else name
+                yield from idle_keys(inner, f"{prefix}{place}.")
+        acts_with = _extra(field).get("acts_with", {})
+        changed = not field.is_required() and value != field.get_default(call_default_factory=True)
+        if changed and not all(_holds(getattr(group, key), wanted) for key, wanted in acts_with.items()):
+            yield f"{prefix}{name}", value, condition(acts_with)
+
+
+def _holds(value: Any, wanted: Any) -> bool:
+    if wanted in (GIVEN, NOT_GIVEN):
+        return (value is None) == (wanted == NOT_GIVEN)
+    return value in wanted if isinstance(wanted, list) else bool(value == wanted)
 
 
 def redeclared(base: type[BaseModel], name: str, default: Any, source: str) -> Any:

@@ -187,3 +187,14 @@ def test_a_series_lists_the_steps_at_which_a_measure_is_doubtful():
     measured = measure_series(run, scenario)
     assert measured["speed"].attrs["doubtful"] == [0]
     assert measured["spacing"].attrs["doubtful"] == []
+
+
+def test_migration_over_buried_rock_is_doubted_for_the_sand_that_it_holds():
+    """Walls of half a metre, in cells of 1 m, with sand above and around them; level ground holds none."""
+    rock = np.zeros((ROWS, COLUMNS))
+    rock[10:20, 30:50] = 0.5
+    scenario = scenario_of()
+    slabs = [np.roll(np.rint(bedforms()) + 3, k, axis=1) for k in range(3)]
+    held = last(scenario, run_of(scenario, slabs, range(0, 12, 4), rock), "speed")[1]
+    assert held == "sand that rocks or steep ground hold stands still and counts"
+    assert last(scenario, run_of(scenario, slabs, range(0, 12, 4)), "speed")[1] == ""

@@ -69,3 +69,10 @@ def test_a_dataset_can_be_written_and_read_by_others(tmp_path):
     dataset.to_zarr(tmp_path / "copy.zarr", zarr_format=3, consolidated=False)
     with xr.open_zarr(tmp_path / "copy.zarr", consolidated=False) as copy:
         xr.testing.assert_equal(copy.load(), dataset)
+
+
+def test_readers_of_netcdf_know_frames_as_moments_of_one_surface(tmp_path):
+    """ParaView's reader takes the axis T for time; else frames lie one above the other."""
+    run(Simulation(tiny()), tmp_path / "run")
+    for dataset in (simulate(tiny()), open_run(tmp_path / "run")):
+        assert dataset["step"].attrs["axis"] == "T"

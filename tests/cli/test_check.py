@@ -6,10 +6,14 @@ import pytest
 
 from barchan.scenario import preset_names
 
+COMPILED = "and 10 to 60 seconds where its rules are compiled first"
+
 
 @pytest.mark.parametrize("name", preset_names())
 def test_every_preset_is_sound_and_so_is_what_it_is_printed_as(here, barchan, name):
-    assert barchan("check", name).out.startswith(f"{name}: sound\n")
+    told = barchan("check", name).out
+    assert told.startswith(f"{name}: sound\n")
+    assert "has no effect: it acts" not in told
     (here / "mine.json").write_text(barchan("presets", name).out)
     result = barchan("check", "mine.json")
     assert (result.code, result.err) == (0, "")
@@ -31,7 +35,7 @@ def test_size_steps_and_expected_time_are_told(here, barchan):
     size = ("--lattice.columns", 300, "--lattice.rows", 200, "--run.steps", 1000)
     lines = barchan("check", "barchans", *size).out.splitlines()
     assert lines[1].startswith("field: 300 × 200 cells of 1 m, slabs of ")
-    assert lines[2:4] == ["steps: 1000", "expected time: about 3 seconds"]
+    assert lines[2:4] == ["steps: 1000", f"expected time: about 3 seconds, {COMPILED}"]
 
 
 def test_every_mistake_is_told_with_its_line(here, barchan):
@@ -91,3 +95,47 @@ def test_a_wind_under_which_nothing_can_move_is_not_called_sound(barchan):
     still = barchan("check", "ripples", "--wind.speed", 3, "--wind.unit", "m/s")
     assert still.out.startswith("ripples: without mistakes, but nothing moves\n")
     assert "friction velocity: 0.083 m/s, threshold 0.2" in still.out
+
+
+MAST = (
+    "time,speed (m/s),direction\n2024-01-01T00:00,8,270\n2024-01-01T01:00,9,280\n"
+    "2024-01-01T02:00,7,270\n2024-01-01T03:00,0,\n2024-01-02T00:00,7,270\n2024-01-02T01:00,7,\n"
+)
+"""Six hours with a gap; one is calm, one has no direction."""
+
+
+def test_a_record_is_told_with_its_columns_height_rows_and_gaps(here, barchan):
+    (here / "mast.csv").write_text(MAST)
+    told = barchan("check", "recorded-wind", "--wind.path", "mast.csv").out.replace("\n", " ")
+    for words in (
+        "record: mast.csv",
+        "read: speed (m/s) and direction, in m/s, taken to be at 10 m",
+        "rows: 6, 16.7 % missing, 16.7 % calm, 1 gap",
+        "note: gaps: 1;",
+        "the record does not state the height of its speeds; taken to be at 10 m; wind.columns.height",
+    ):
+        assert words in told
+
+
+def test_the_height_of_a_record_is_that_of_the_clock_until_it_is_stated(here, barchan):
+    (here / "mast.csv").write_text(MAST)
+    command = ("check", "recorded-wind", "--wind.path", "mast.csv", "--clock.height", 2)
+    assert "taken to be at 2 m;" in barchan(*command).out.replace("\n", " ")
+    stated = barchan(*command, "--wind.columns.height", 4).out
+    assert "in m/s, at 4 m" in stated
+    assert "taken to be" not in stated
+
+
+def test_a_key_that_the_choice_of_another_leaves_without_effect_is_remarked(here, barchan):
+    command = ("check", "tiny.json", "--model.corner-limit", "geometric")
+    said = "note: model.corner_limit 'geometric' has no effect: it acts where neighbourhood is 'moore'"
+    assert said in barchan(*command).out
+    assert "has no effect" not in barchan(*command, "--model.neighbourhood", "moore").out
+
+
+@pytest.mark.parametrize("model", ["wang_hu", "ripples"])
+def test_cells_wider_than_a_hop_of_a_grain_are_remarked(here, barchan, model):
+    """At 10 m/s a grain leaves at 1.4 x 0.28 m/s, flies for 0.08 s and goes some 0.2 m."""
+    command = ("check", "tiny.json", "--model", model, "--lattice.slab-height", 1e-3, "--lattice.cell-size")
+    assert "cells of 1 m are wider than a hop of about 0.2 m" in " ".join(barchan(*command, 1).out.split())
+    assert "wider than a hop" not in barchan(*command, 0.01).out

@@ -5,7 +5,7 @@ from PIL import Image
 
 
 def test_a_film_is_written_into_the_runs_folder_and_told(finished, barchan):
-    result = barchan("film", finished, "--size", "48")
+    result = barchan("film", finished, "--pixels", "48")
     assert (result.code, result.err) == (0, "")
     assert result.out == f"{finished / 'film.webp'}\n"
     with Image.open(finished / "film.webp") as film:
@@ -25,7 +25,7 @@ def test_a_film_goes_where_it_is_asked_to(here, finished, barchan):
         "1",
         "--no-layers",
     ]
-    assert barchan("film", finished, "--size", "48", *words).code == 0
+    assert barchan("film", finished, "--pixels", "48", *words).code == 0
     with Image.open(here / "dunes.gif") as film:
         assert (film.format, film.n_frames) == ("GIF", 5)
 
@@ -35,7 +35,7 @@ def test_a_film_goes_where_it_is_asked_to(here, finished, barchan):
     [
         (["--out", "dunes.avi"], "a film is .webp or .gif or .mp4, not '.avi'"),
         (["--frames-per-second", "0"], "--frames-per-second"),
-        (["--size", "0"], "--size"),
+        (["--pixels", "0"], "--pixels"),
         (["--smoothing", "-1"], "--smoothing"),
     ],
     ids=["ending", "speed", "size", "smoothing"],
@@ -49,4 +49,4 @@ def test_what_cannot_be_filmed_is_a_clear_error(finished, barchan, words, said):
 
 
 def test_a_place_where_nothing_can_be_written_is_a_clear_error(finished, barchan):
-    assert barchan("film", finished, "--out", "nowhere/dunes.gif", "--size", "48").code == 1
+    assert barchan("film", finished, "--out", "nowhere/dunes.gif", "--pixels", "48").code == 1

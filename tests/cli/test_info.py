@@ -28,12 +28,24 @@ def test_a_finished_run_tells_what_it_is(finished, barchan):
     assert rows["model"] == "werner"
     assert rows["field"] == "24 × 16 cells of 1 m"
     assert rows["unit"] == "slabs of 0.333 m"
-    assert rows["wind"] == "from 270°"
+    assert rows["wind"] == "from 270° with hops of 5 cells (model.hop_length)"
     assert rows["seed"] == "7"
     assert rows["frames"] == "5, the last at step 20 of 20"
     assert rows["checkpoint"] == "step 20"
     assert rows["state"] == "all steps done"
     assert rows["size"].endswith(" MB")
+
+
+@pytest.mark.parametrize(
+    ("wind", "told"),
+    [
+        ({"speed": 9.0, "unit": "m/s"}, "from 270° at 9 m/s with hops of 5 cells (model.hop_length)"),
+        ({"speed": 7.0, "spread": 15.0}, "from 270° ± 15° with hops of 7 cells"),
+    ],
+)
+def test_runs_whose_winds_differ_in_speed_alone_look_unlike(here, barchan, wind, told):
+    Archive.create(here / "begun", Simulation(tiny(wind={"kind": "steady", **wind}, clock={}))).close()
+    assert rows_of(barchan("info", "begun").out)["wind"] == told
 
 
 def test_a_run_without_frames_tells_how_to_go_on(here, barchan):
@@ -146,14 +158,14 @@ def changed(finished, barchan):
 
 def test_a_branch_tells_the_wind_of_now_and_what_was_changed(changed, barchan):
     out = barchan("info", changed).out
-    assert rows_of(out)["wind"] == "from 200°"
+    assert rows_of(out)["wind"] == "from 200° with hops of 2 cells (model.hop_length)"
     told = [line.split(None, 1)[1] for line in out.splitlines() if line.startswith("changed")]
     assert told == ["at step 10: model.hop_length 2", "at step 10: wind from 200°"]
 
 
 def test_the_wind_of_a_branch_is_that_of_now(changed, barchan):
     rows = rows_of(barchan("wind", changed).out)
-    assert rows["wind"] == "from 200°"
+    assert rows["wind"] == "from 200° with hops of 2 cells (model.hop_length)"
     assert rows["changed"] == "at step 10: wind from 200°"
 
 

@@ -42,3 +42,4 @@ def test_an_undeclared_code_is_answered_on_the_command_line(barchan, dem):
     assert "state missing [-9999] if it is one" in " ".join(refused.err.split())
     answered = barchan(*command, "--ground.missing", "-9999", "--ground.fill", "interpolate")
     assert answered.code == 0
+    assert "1 of 384 cells without a value, filled from those around them" in " ".join(answered.out.split())

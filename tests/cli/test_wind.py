@@ -129,3 +129,16 @@ def test_a_record_is_known_by_its_content(here, barchan):
 
 def test_too_few_sectors_are_refused(here, barchan):
     assert barchan("wind", "--sectors", "8").code != 0
+
+
+def test_the_key_that_states_the_height_of_a_record_is_named(here, barchan):
+    (here / "weak.csv").write_text(WEAK)
+    told = barchan("wind", "weak.csv").out.replace("\n", " ")
+    assert "does not state the height of its speeds; taken to be at 10 m; --height states another" in told
+    assert "--height states another" not in barchan("wind", "weak.csv", "--height", "3").out
+
+
+def test_months_are_refused_where_winds_have_no_dates(here, barchan):
+    result = barchan("wind", "tiny.json", "--by", "month")
+    assert result.code == 1
+    assert "--by month: the winds of tiny.json have no dates" in result.err

@@ -19,7 +19,7 @@ def dataset():
 @pytest.mark.parametrize("name", ["film.webp", "film.gif"])
 @pytest.mark.parametrize("follow", [False, True])
 def test_a_film_has_every_frame_of_its_run(tmp_path, dataset, name, follow):
-    film(dataset, tiny(), tmp_path / name, frames_per_second=10, size=48, follow=follow)
+    film(dataset, tiny(), tmp_path / name, frames_per_second=10, pixels=48, follow=follow)
     with Image.open(tmp_path / name) as picture:
         assert picture.format == name.split(".")[1].upper()
         assert picture.n_frames == 5
@@ -29,7 +29,7 @@ def test_a_film_has_every_frame_of_its_run(tmp_path, dataset, name, follow):
 
 @pytest.mark.parametrize("name", ["film.webp", "film.gif"])
 def test_frames_last_as_long_as_asked(tmp_path, dataset, name):
-    film(dataset, tiny(), tmp_path / name, frames_per_second=5, size=48)
+    film(dataset, tiny(), tmp_path / name, frames_per_second=5, pixels=48)
     with Image.open(tmp_path / name) as picture:
         durations = []
         for number in range(5):
@@ -54,7 +54,7 @@ def test_sand_appears_in_its_corner_of_the_picture(tmp_path, dataset, rows, colu
     painted["sand"][...] = 0
     painted["sand"][:, rows, columns] = 5
     painted["elevation"][...] = painted["sand"] / 3
-    film(painted, tiny(), tmp_path / "film.webp", size=240)
+    film(painted, tiny(), tmp_path / "film.webp", pixels=240)
     with Image.open(tmp_path / "film.webp") as picture:
         colours = np.asarray(picture.convert("RGB"), float)
     right, down = corner
@@ -74,23 +74,23 @@ def test_a_film_of_another_kind_is_refused_before_any_work(tmp_path, dataset):
 
 @pytest.mark.parametrize("name", ["film.WEBP", "film.Gif"])
 def test_the_case_of_an_ending_makes_no_difference(tmp_path, dataset, name):
-    film(dataset, tiny(), tmp_path / name, size=48)
+    film(dataset, tiny(), tmp_path / name, pixels=48)
 
 
 def test_a_film_that_cannot_be_written_is_a_clear_error(tmp_path, dataset):
     with pytest.raises(BarchanError, match="cannot write"):
-        film(dataset, tiny(), tmp_path / "nowhere" / "film.gif", size=48)
+        film(dataset, tiny(), tmp_path / "nowhere" / "film.gif", pixels=48)
 
 
 def test_progress_is_reported_of_every_frame(tmp_path, dataset):
     reported = []
-    film(dataset, tiny(), tmp_path / "film.gif", size=48, progress=reported.append)
+    film(dataset, tiny(), tmp_path / "film.gif", pixels=48, progress=reported.append)
     assert reported == [1, 2, 3, 4, 5]
 
 
 @pytest.mark.parametrize("name", ["film.webp", "film.gif"])
 def test_a_run_of_one_frame_makes_a_film_of_one_frame(tmp_path, dataset, name):
-    film(dataset.isel(step=slice(1)), tiny(), tmp_path / name, size=48)
+    film(dataset.isel(step=slice(1)), tiny(), tmp_path / name, pixels=48)
     with Image.open(tmp_path / name) as picture:
         assert picture.n_frames == 1
 
@@ -103,7 +103,7 @@ def test_with_a_held_scale_one_height_has_one_colour_in_all_frames(tmp_path, dat
     levels["elevation"][...] = levels["sand"] / 3
 
     def colours(follow):
-        film(levels, tiny(), tmp_path / "film.webp", size=48, follow=follow)
+        film(levels, tiny(), tmp_path / "film.webp", pixels=48, follow=follow)
         with Image.open(tmp_path / "film.webp") as picture:
             count = picture.n_frames
             return count, np.asarray(picture.convert("RGB"), float)[0, 0]

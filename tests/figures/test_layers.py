@@ -62,7 +62,7 @@ def test_a_film_shows_plants_unless_told_not_to(tmp_path):
     scenario = tiny(**PLANTS, model__vegetation={"kind": "uniform", "grass": 1.0})
     greenness = {}
     for layers in (True, False):
-        film(simulate(scenario), scenario, tmp_path / "film.webp", size=48, layers=layers)
+        film(simulate(scenario), scenario, tmp_path / "film.webp", pixels=48, layers=layers)
         with Image.open(tmp_path / "film.webp") as picture:
             red, green, _ = np.asarray(picture.convert("RGB"), float).mean(axis=(0, 1))
         greenness[layers] = green - red

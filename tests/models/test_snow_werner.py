@@ -146,6 +146,11 @@ def test_nothing_moves_once_snow_is_immobile():
     assert simulation.finished == "immobile on day 16"
 
 
+def test_every_number_of_a_state_is_finite_before_the_first_day_too():
+    state = Simulation(tiny(model={"name": "snow_werner"})).state()
+    assert all(np.isfinite(array).all() for array in state.arrays.values() if array.dtype.kind == "f")
+
+
 def test_the_density_of_snow_goes_on_after_a_stop_with_the_same_bits():
     scenario = snow(hardening={"increment": "density"}, weather=WARMING)
     whole, begun = Simulation(scenario), Simulation(scenario)

@@ -15,6 +15,9 @@ from tests.random_runs.holding import check
 SLOW = 10.0
 """Seconds from which on a scenario is printed as slow."""
 
+TOLD = 500
+"""Scenarios after which the outcomes so far are printed, so that a run that is broken off has counts."""
+
 
 def tell(text: str) -> None:
     """Print a line at once."""
@@ -37,6 +40,8 @@ def main() -> int:
         except Exception as error:
             outcomes["failed"] += 1
             tell(f"scenario {number} failed: {type(error).__name__}: {error}\n{json.dumps(data)}")
+        if number % TOLD == TOLD - 1:
+            tell(f"up to scenario {number}: {json.dumps(outcomes)}")
         if time.monotonic() - began > SLOW:
             tell(f"scenario {number} took {time.monotonic() - began:.0f} s")
     tell(json.dumps(outcomes))

@@ -125,3 +125,16 @@ def test_a_group_that_does_not_say_which_it_is_is_told_what_it_may_be(data, said
     with pytest.raises(ScenarioError) as failed:
         load_scenario({"barchan": 2, **data})
     assert said in str(failed.value)
+
+
+def test_what_to_look_for_in_a_preset_is_said_to_be_that_without_changes():
+    plain = barchan.load("barchans").look_for
+    once = barchan.load("barchans", model__hop_length=7)
+    assert once.look_for == f"(without these changes) {plain}"
+    assert barchan.load(once.data(), wind__direction=90).look_for == once.look_for
+    assert barchan.load("barchans", steps=20, seed=4).look_for == plain
+    assert barchan.load("barchans", model__hop_length=7, look_for="Mine").look_for == "Mine"
+
+
+def test_what_to_look_for_in_a_preset_goes_with_its_model():
+    assert barchan.load("barchans", model="bishop").look_for == ""

@@ -139,3 +139,13 @@ def test_bedforms_under_winds_in_turn_are_looked_at_after_whole_cycles(cycle, ev
     (condition,) = StopConditions(scenario).values()
     assert condition.every == every
     assert (condition.looks - 1) * condition.every >= 100
+
+
+def test_a_run_that_its_model_ended_keeps_the_reason_in_its_tally_when_asked_to_go_on():
+    """Snow that one day makes immobile: its run ends on day 1, and no later call does a step."""
+    simulation = Simulation(tiny(model={"name": "snow_werner", "hardening": {"locks_after": 1}}))
+    simulation.advance(3)
+    state = simulation.state().data
+    assert simulation.advance(2).steps == simulation.advance(0).steps == 0
+    assert simulation.state().data == state
+    assert state["tally"]["finished"] == "immobile on day 1"

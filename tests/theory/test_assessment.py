@@ -7,7 +7,7 @@ import pytest
 
 from barchan.aeolian import Saltation
 from barchan.scenario import load_scenario
-from barchan.theory.assessment import assess_record, scenario_drift
+from barchan.theory.assessment import assess_record, assess_winds, scenario_drift
 from tests.theory.winds import record
 from tests.tiny import tiny
 
@@ -82,3 +82,36 @@ def test_a_record_shorter_than_a_year_says_that_its_drift_potential_is_not_annua
     )
     assert not any("of a year" in remark for remark in assess_record(long, Saltation()).remarks)
     assert "means over so long hide strong winds" in assess_record(long, Saltation()).remarks[0]
+
+
+KNOT = 1852 / 3600
+
+
+def test_winds_in_metres_a_second_have_a_drift_potential_and_a_flux():
+    """12 m/s for a third of the time and calm for the rest: a third of U² (U - 12) knots, and of the flux."""
+    regimes = [
+        {"direction": 225.0, "steps": 2, "speed": 12.0, "unit": "m/s"},
+        {"direction": 0.0, "steps": 4, "speed": 0.0, "unit": "m/s"},
+    ]
+    found = assess_winds(tiny(wind={"kind": "regimes", "regimes": regimes}, clock={}, run__steps=12))
+    assert found.potential.total == pytest.approx((12 / KNOT) ** 2 * (12 / KNOT - 12) / 3)
+    assert found.potential.toward == pytest.approx(45.0)
+    seconds_of_a_year = 365.25 * 86400
+    assert found.drift.unit == "m²/yr"
+    assert found.drift.total == pytest.approx(float(Saltation().volume_flux(12.0)) / 3 * seconds_of_a_year)
+
+
+def test_winds_of_a_scenario_are_brought_from_the_height_of_its_clock_to_ten_metres():
+    wind = {"kind": "steady", "speed": 9.0, "unit": "m/s"}
+    found = assess_winds(tiny(wind=wind, clock={"height": 2.0, "roughness": 1e-3}))
+    speed = 9.0 * np.log(10 / 1e-3) / np.log(2 / 1e-3) / KNOT
+    assert found.potential.total == pytest.approx(speed**2 * (speed - 12))
+
+
+def test_the_own_speed_of_a_grain_model_has_a_drift_potential():
+    found = assess_winds(load_scenario("ripples"))
+    assert found.potential.total == pytest.approx((12 / KNOT) ** 2 * (12 / KNOT - 12))
+
+
+def test_winds_in_cells_have_no_drift_potential():
+    assert assess_winds(load_scenario("barchans")).potential is None

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from barchan.errors import ScenarioError
+from barchan.simulation import Simulation
 from barchan.wind.influx import CountedInflux, SaturatedInflux
 from tests.tiny import tiny
 
@@ -16,8 +17,8 @@ def test_a_profile_is_a_straight_line_between_its_factors_from_the_south_end_on(
 
 
 def test_saturated_influx_is_a_share_of_the_flux_and_counted_influx_is_not():
-    assert SaturatedInflux(share=0.25).slabs_per_row(8.0, 0.5) == 2.0
-    assert CountedInflux(slabs_per_step=0.5).slabs_per_row(8.0, 0.5) == 0.25
+    assert SaturatedInflux(share=0.25).slabs_per_row(lambda: 8.0, 0.5) == 2.0
+    assert CountedInflux(slabs_per_step=0.5).slabs_per_row(lambda: 8.0, 0.5) == 0.25
 
 
 def test_influx_needs_an_open_edge_across_which_a_wind_blows_in():
@@ -32,3 +33,16 @@ def test_an_open_edge_from_upwind_without_influx_is_remarked():
     assert any("the east and north edges are open" in remark for remark in both)
     fed = tiny(lattice__boundary_x="open", influx={"kind": "saturation", "share": 0.5}).remarks()
     assert not any("nothing enters" in remark for remark in [*fed, *tiny().remarks()])
+
+
+def test_a_counted_influx_asks_for_no_saturated_flux_which_slabs_that_never_settle_do_not_have():
+    simulation = Simulation(
+        tiny(
+            influx={"kind": "slabs", "slabs_per_step": 2.0},
+            lattice__boundary_x="open",
+            model__p_s=0.0,
+            model__max_hops=20,
+        )
+    )
+    simulation.advance(2)
+    assert simulation.ledger.entered == 2 * 2 * simulation.lattice.rows

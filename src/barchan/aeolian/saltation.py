@@ -11,7 +11,7 @@ from barchan.aeolian.flux import Sand as FluxSand
 from barchan.aeolian.grains import THRESHOLDS, Numbers, settling_speed
 from barchan.aeolian.sand import Air, Sand
 from barchan.aeolian.wall import Speed, friction_velocity, grain_roughness, speed_at
-from barchan.parameters import parameter
+from barchan.parameters import NOT_GIVEN, parameter
 
 
 class Saltation(Air, Sand):
@@ -38,6 +38,7 @@ class Saltation(Air, Sand):
     threshold_law: Literal["shao_lu", "bagnold"] = parameter(
         "shao_lu",
         unit="-",
+        acts_with={"threshold": NOT_GIVEN},
         meaning="How the threshold follows from the grains: with cohesion or without.",
         source="Shao & Lu (2000); Bagnold (1941)",
     )

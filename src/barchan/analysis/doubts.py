@@ -5,7 +5,7 @@ import math
 import numpy as np
 
 from barchan.analysis.measured_frame import STRAIGHT, MeasuredFrame
-from barchan.measures.bedform_surface import is_level
+from barchan.measures.bedform_surface import is_level, is_steep
 from barchan.measures.migration import LEAST_CORRELATION
 
 SLABS = 2.0
@@ -103,7 +103,8 @@ def of_migration(frame: MeasuredFrame) -> str:
     moved = frame.migration.speed * frame.span * frame.cell_size
     if moved > STEP * frame.spacing and frame.span == frame.steps:
         return f"bedforms moved {moved / frame.spacing:.1f} spacings between frames; save frames more often"
-    held = "sand that rocks hold stands still and counts" if np.isnan(frame.surface).any() else ""
+    rocky = np.isnan(frame.surface).any() or is_steep(frame.bed.ground, frame.cell_size)
+    held = "sand that rocks or steep ground hold stands still and counts" if rocky else ""
     return of_relief(frame) or held or _of_wind(frame)
 
 

@@ -6,32 +6,38 @@ from barchan.wind.clock import YEAR
 
 _MINUTE = 60.0
 
+FINE = 0.1
+"""Cells (m) narrower than this are those of ripples, wider ones those of dunes; ours."""
+
 LADDERS: dict[str, tuple[tuple[str, float, float], ...]] = {
     "m": (("km", 1e3, 1e4), ("m", 1.0, 0.1), ("cm", 1e-2, 1e-2), ("mm", 1e-3, 1e-3), ("µm", 1e-6, 0.0)),
-    "m/step": (
-        ("m/step", 1.0, 0.1),
-        ("cm/step", 1e-2, 1e-2),
-        ("mm/step", 1e-3, 1e-3),
-        ("µm/step", 1e-6, 0.0),
-    ),
-    "m/yr": (
-        ("m/s", YEAR, YEAR),
-        ("cm/min", 1e-2 * YEAR / _MINUTE, 1e-3 * YEAR / _MINUTE),
-        ("m/yr", 1.0, 0.1),
-        ("cm/yr", 1e-2, 1e-2),
-        ("mm/yr", 1e-3, 0.0),
-    ),
-    "m²/step": (("m²/step", 1.0, 0.1), ("cm²/step", 1e-4, 1e-4), ("mm²/step", 1e-6, 0.0)),
-    "m²/yr": (("cm²/s", 1e-4 * YEAR, 1e-5 * YEAR), ("m²/yr", 1.0, 0.1), ("cm²/yr", 1e-4, 0.0)),
     "m³": (("m³", 1.0, 0.1), ("cm³", 1e-6, 1e-6), ("mm³", 1e-9, 0.0)),
     "degrees": (("°", 1.0, 0.0),),
     "fraction": (("%", 1e-2, 0.0),),
 }
 """For a unit, the units that values are shown in, the largest first: size, and least value shown in each."""
 
+RATES: dict[str, tuple[tuple[str, float], tuple[str, float]]] = {
+    "m/step": (("m/step", 1.0), ("mm/step", 1e-3)),
+    "m/yr": (("m/yr", 1.0), ("cm/min", 1e-2 * YEAR / _MINUTE)),
+    "m²/step": (("m²/step", 1.0), ("cm²/step", 1e-4)),
+    "m²/yr": (("m²/yr", 1.0), ("cm²/s", 1e-4 * YEAR)),
+}
+"""For a unit of migration or flux, the unit and its size over cells of dunes, and over those of ripples.
 
-def suited(value: float, unit: str) -> tuple[float, str]:
-    """A value in the unit that suits it, and that unit; 0 and NaN keep their own, "-" has none."""
+They do not follow the value, so that runs on lattices of one kind can be compared at a glance.
+"""
+
+
+def suited(value: float, unit: str, cell_size: float) -> tuple[float, str]:
+    """A value in the unit that suits it, and that unit; 0 and NaN keep their own, "-" has none.
+
+    Migration and flux have one unit for all lattices of dunes and one for those of ripples, by the
+    ``cell_size`` (m).
+    """
+    if unit in RATES:
+        name, size = RATES[unit][cell_size < FINE]
+        return value / size, name
     ladder = LADDERS.get(unit)
     if ladder is None:
         return value, "" if unit == "-" else unit
@@ -50,8 +56,8 @@ def number(value: float) -> str:
     return f"{value:.4g}" if abs(value) < 1e4 else f"{value:.0f}"
 
 
-def spoken(value: float, unit: str) -> str:
-    """A value with the unit that suits it."""
-    shown, name = suited(value, unit)
+def spoken(value: float, unit: str, cell_size: float) -> str:
+    """A value with the unit that suits it; see ``suited``."""
+    shown, name = suited(value, unit, cell_size)
     gap = "" if name in {"", "°", "%"} else " "
     return f"{number(shown)}{gap}{name}"

@@ -16,7 +16,7 @@ def check(scenario: str, /, *values: Tokens) -> None:
     """
     from barchan.archive import source_at
     from barchan.cli.terminal import console, print_note
-    from barchan.scenario.cost import expected_seconds, spoken_estimate
+    from barchan.scenario.cost import spoken_time
     from barchan.scenario.effects import can_move, refuse_weather
     from barchan.scenario.files import load_scenario
     from barchan.scenario.summary import field_size
@@ -34,7 +34,7 @@ def check(scenario: str, /, *values: Tokens) -> None:
     console.print(f"{scenario}: {'without mistakes, but nothing moves' if still else 'sound'}")
     console.print(f"field: {field_size(sound)}")
     console.print(f"steps: {sound.run.steps}")
-    console.print(f"expected time: {spoken_estimate(expected_seconds(sound))}")
+    console.print(f"expected time: {spoken_time(sound)}")
     console.print(f"memory: about {in_words(memory_needed(sound))}")
     for name, fact in sound.facts().items():
         console.print(f"{name}: {fact}")

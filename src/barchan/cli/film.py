@@ -15,7 +15,7 @@ def film(
     *,
     out: Path | None = None,
     frames_per_second: Annotated[float, Parameter(validator=Number(gte=0.1, lte=100))] = 12.0,
-    size: Annotated[int, Parameter(validator=Number(gte=16, lte=8192))] = 512,
+    pixels: Annotated[int, Parameter(validator=Number(gte=16, lte=8192))] = 512,
     colours: Colours = "natural",
     smoothing: Annotated[float, Parameter(validator=Number(gte=0, lte=1000))] = 0.8,
     follow: Annotated[bool, Parameter(negative=())] = False,
@@ -31,8 +31,8 @@ def film(
         The film's file, .webp, .gif or, with the library av, .mp4; film.webp in the run's folder without it.
     frames_per_second
         Frames shown in a second.
-    size
-        Pixels on the longer side, about.
+    pixels
+        Pixels on the longer side, about; a film has no size in cm.
     colours
         Colours of elevation: sand, light upwards; perceptual, grey, or red-green with red the highest.
     smoothing
@@ -55,7 +55,7 @@ def film(
             scenario,
             path,
             frames_per_second=frames_per_second,
-            size=size,
+            pixels=pixels,
             colours=colours,
             smoothing=smoothing,
             follow=follow,

@@ -66,14 +66,14 @@ def info(
         print_table([(name, value, "") for name, value in rows], left=True)
         if values:
             console.print()
-            measure_table.print_values(values)
+            measure_table.print_values(values, scenario.lattice.cell_size)
 
 
 def _contents(run: Path) -> tuple[int, "Scenario", list[tuple[str, str]]]:
     """The number of frames of a run, its scenario, and its contents to read."""
     from barchan.archive import run_info
     from barchan.cli.report import resume_command
-    from barchan.scenario.summary import unit_of
+    from barchan.scenario.summary import unit_of, wind_in_words
 
     known = run_info(run)
     scenario = known.now
@@ -88,7 +88,7 @@ def _contents(run: Path) -> tuple[int, "Scenario", list[tuple[str, str]]]:
         ("field", f"{lattice.columns} × {lattice.rows} cells of {lattice.cell_size:g} m"),
         ("unit", unit_of(scenario)),
         *scenario.facts().items(),
-        ("wind", scenario.wind.summary()),
+        ("wind", wind_in_words(scenario)),
         ("seed", str(scenario.run.seed)),
         *([("branch of", f"{known.parent.run}, from step {known.parent.step} on")] if known.parent else []),
         *_changes(known.events),

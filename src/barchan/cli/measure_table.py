@@ -14,18 +14,21 @@ MARK = "?"
 """Stands before the reason why a value should not be quoted."""
 
 
-def print_values(values: list[Value]) -> None:
-    """A line for each measure: its value in every unit, what an angle is counted from, and doubts."""
-    lines = [(row[0].measure.title, _values(row), row[0].doubt) for row in in_rows(values)]
+def print_values(values: list[Value], cell_size: float) -> None:
+    """A line for each measure: its value in every unit, what an angle is counted from, and doubts.
+
+    Units are those that suit cells of ``cell_size`` (m).
+    """
+    lines = [(row[0].measure.title, _values(row, cell_size), row[0].doubt) for row in in_rows(values)]
     titles, shown = (max(len(line[column]) for line in lines) for column in (0, 1))
     for title, text, doubt in lines:
         console.out(f"{title:{titles}}  {text:{shown}}  {f'{MARK} {doubt}' if doubt else ''}".rstrip())
 
 
-def _values(row: list[Value]) -> str:
+def _values(row: list[Value], cell_size: float) -> str:
     if all(math.isnan(value.value) for value in row):
         return "–"
-    text = ", ".join(spoken(value.value, value.measure.unit) for value in row)
+    text = ", ".join(spoken(value.value, value.measure.unit, cell_size) for value in row)
     return f"{text} {row[0].measure.reference}".rstrip()
 
 

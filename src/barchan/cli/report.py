@@ -14,7 +14,7 @@ from barchan.archive import Outcome, open_run
 from barchan.cli import INTERRUPTED
 from barchan.cli.terminal import console, print_note
 from barchan.scenario import Scenario
-from barchan.scenario.cost import expected_seconds, spoken_estimate
+from barchan.scenario.cost import spoken_time
 from barchan.scenario.summary import field_size
 from barchan.simulation import Simulation
 
@@ -34,7 +34,7 @@ def print_facts(simulation: Simulation, random_seed: bool) -> None:
         console.print(f"look for: {scenario.look_for}")
     seed = f"seed {scenario.run.seed}" + (" (random)" if random_seed else "")
     console.print(f"{field_size(scenario)}, {scenario.run.steps} steps, {seed}")
-    console.print(f"expected time: {spoken_estimate(expected_seconds(scenario))}")
+    console.print(f"expected time: {spoken_time(scenario)}")
     for name, fact in scenario.facts().items():
         console.print(f"{name}: {fact}")
     for remark in scenario.remarks(simulation.bed.ground):
@@ -82,7 +82,7 @@ def print_measures(dataset: "xr.Dataset", scenario: Scenario) -> None:
     from barchan.analysis.time_series import last_values
     from barchan.cli.measure_table import print_values
 
-    print_values(last_values(dataset, scenario))
+    print_values(last_values(dataset, scenario), scenario.lattice.cell_size)
 
 
 def print_table(rows: list[tuple[str, str, str]], left: bool = False) -> None:

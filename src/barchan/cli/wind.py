@@ -9,9 +9,13 @@ from cyclopts.validators import Number
 
 from barchan.aeolian.saltation import Saltation
 from barchan.cli.options import group_from, options_of
+from barchan.errors import BarchanError
 from barchan.wind.records.format import RecordFormat
 
 if TYPE_CHECKING:
+    from barchan.cli.wind_table import Rows
+    from barchan.scenario import Scenario
+    from barchan.simulation import Record
     from barchan.theory.assessment import Assessment
     from barchan.wind.records import WindRecord
 
@@ -70,12 +74,12 @@ def wind(
         return
     if _is_record(source):
         height = None if sand is None or sand.height is None else grains.height
-        subject = _of_record(_read(source, form, height), grains, supply)
+        subject = _of_record(_read(source, form, height), grains, supply, "--height")
     else:
         subject = _of_scenario(source, supply)
     if save_record is not None:
         _save_record(subject.record, save_record, source)
-    _print(subject, by)
+    _print(subject, by, source)
 
     from barchan.figures.roses import roses
 
@@ -93,17 +97,20 @@ def _read(source: str, form: FormatOptions | None, height: float | None) -> "Win
     return read_record(source, columns)
 
 
-def _print(subject: "_Subject", by: Literal["month", "season"] | None) -> None:
+def _print(subject: "_Subject", by: Literal["month", "season"] | None, source: str) -> None:
     """Warnings first, then the table, then remarks."""
     from barchan.cli.report import print_table
     from barchan.cli.terminal import print_note, print_warning
+    from barchan.cli.wind_table import drift_rows, part_rows
 
     found, record = subject.found, subject.record
     for warning in record.warnings if record else ():
         print_warning(warning)
-    parts = _part_rows(record, subject, by) if record and by else []
-    print_table([*subject.rows, *_drift_rows(found), *parts], left=True)
-    for remark in (*(record.remarks if record else ()), *found.remarks):
+    if by and record is None:
+        raise BarchanError(f"--by {by}: the winds of {source} have no dates")
+    parts = part_rows(record, subject.sand, found.threshold, by) if record and by else []
+    print_table([*subject.rows, *drift_rows(found), *parts], left=True)
+    for remark in (*subject.remarks, *found.remarks):
         print_note(remark)
     if not found.moves:
         print_note("nothing would move: no wind exceeds the threshold")
@@ -112,7 +119,6 @@ def _print(subject: "_Subject", by: Literal["month", "season"] | None) -> None:
 def _save_record(record: "WindRecord | None", path: Path, source: str) -> None:
     """Write a record as CSV; raises BarchanError where the wind is none."""
     from barchan.cli.terminal import print_note
-    from barchan.errors import BarchanError
     from barchan.wind.records.writing import write_record
 
     if record is None:
@@ -129,51 +135,67 @@ class _Subject:
     rows: "Rows"
     found: "Assessment"
     record: "WindRecord | None"
+    """The record, where the wind is one or is made up as one."""
     sand: Saltation
+    remarks: tuple[str, ...] = ()
+    """Assumptions made in reading it."""
 
 
-def _of_record(record: "WindRecord", sand: Saltation, supply: float | None) -> _Subject:
-    from barchan.errors import BarchanError
+def _of_record(record: "WindRecord", sand: Saltation, supply: float | None, key: str) -> _Subject:
+    """A record over some sand; ``key`` is where the height of its speeds can be stated."""
+    from barchan.cli.wind_table import potential_rows, record_rows
     from barchan.theory.assessment import assess_record, is_annual
+    from barchan.wind.records.summary import height_remarks
 
     try:
         found = assess_record(record, sand, supply)
     except ValueError as error:
         raise BarchanError(f"{record.source}: {error}") from None
-    rows = [*_record_rows(record, sand), *_potential_rows(found, is_annual(record))]
-    return _Subject(record.source, rows, found, record, sand)
+    potential = potential_rows(found.potential, found.threshold, is_annual(record))
+    remarks = (*record.remarks, *height_remarks(record, sand.height, key))
+    return _Subject(record.source, [*record_rows(record, sand), *potential], found, record, sand, remarks)
 
 
 def _of_scenario(source: str, supply: float | None) -> _Subject:
     """The wind of a scenario over its sand: its record, or its winds weighted by the sand they move."""
-    from barchan.archive import run_info, source_at
-    from barchan.archive.folder import SCENARIO
-    from barchan.scenario.files import load_scenario
-    from barchan.simulation import Record, SetWind
-    from barchan.theory.assessment import assess, scenario_drift, scenario_supply
+    from barchan.cli.wind_table import potential_rows
+    from barchan.scenario.summary import wind_in_words
+    from barchan.simulation import SetWind
+    from barchan.theory.assessment import assess_winds, scenario_supply
     from barchan.wind import SeriesWind
 
-    found_at = source_at(source)
-    scenario = load_scenario(found_at)
-    events: tuple[Record, ...] = ()
-    if isinstance(found_at, Path) and found_at.name == SCENARIO:
-        known = run_info(found_at.parent)
-        scenario, events = known.now, known.events
-    scenario = scenario.seeded()
+    scenario, events = _scenario_of(source)
     sand = scenario.clock or Saltation()
     supply = scenario_supply(scenario) if supply is None else supply
     title = scenario.title or source
     rows: Rows = [
         ("scenario", title, ""),
-        ("wind", scenario.wind.summary(), ""),
+        ("wind", wind_in_words(scenario), ""),
         *[("changed", str(record), "") for record in events if isinstance(record.event, SetWind)],
         ("sand supply", f"{supply:.3g} m", ""),
     ]
     if isinstance(scenario.wind, SeriesWind):
-        subject = _of_record(scenario.wind.series(scenario.seed).record, sand, supply)
+        record = scenario.wind.series(scenario.seed).record
+        subject = _of_record(record, sand, supply, "wind.columns.height")
         return replace(subject, title=title, rows=[*rows, *subject.rows])
-    found = assess(scenario_drift(scenario), supply=supply)
-    return _Subject(title, [*rows, ("weights", "polls times hop length", "")], found, None, sand)
+    found = assess_winds(scenario, supply)
+    if found.drift.unit == "-":
+        rows.append(("weights", "polls times hop length", ""))
+    rows += potential_rows(found.potential, found.threshold, annual=True)
+    return _Subject(title, rows, found, None, sand)
+
+
+def _scenario_of(source: str) -> tuple["Scenario", tuple["Record", ...]]:
+    """A scenario with a seed, as it is now where it is that of a run, and the changes during the run."""
+    from barchan.archive import run_info, source_at
+    from barchan.archive.folder import SCENARIO
+    from barchan.scenario.files import load_scenario
+
+    found_at = source_at(source)
+    if isinstance(found_at, Path) and found_at.name == SCENARIO:
+        known = run_info(found_at.parent)
+        return known.now.seeded(), known.events
+    return load_scenario(found_at).seeded(), ()
 
 
 def _is_record(source: str) -> bool:
@@ -181,121 +203,3 @@ def _is_record(source: str) -> bool:
     from barchan.wind.records.reading import SAMPLE, is_record
 
     return source == SAMPLE or is_record(Path(source))
-
-
-Rows = list[tuple[str, str, str]]
-
-
-def _record_rows(record: "WindRecord", sand: Saltation) -> Rows:
-    import numpy as np
-
-    whole = len(record) + record.missing
-    threshold, friction = sand.threshold_speed(), sand.threshold_friction_velocity()
-    exceeds = sand.at_own_height(record.speed, record.height) > threshold
-    blowing = float(record.duration[exceeds].sum()) / record.seconds
-    mean = float(np.average(record.speed, weights=record.duration))
-    tall = f"at {record.height:g} m" if record.height else f"taken to be at {sand.height:g} m"
-    known = f", format of {record.format}" if record.format else ""
-    rows: Rows = [
-        ("record", f"{record.source}{known}", ""),
-        ("read", f"{record.columns}, {tall}", ""),
-        ("point", record.place, ""),
-        ("time covered", f"{record.seconds / 86400:.6g} days{_span(record)}", ""),
-        ("rows", f"{whole}, {_share(record.missing, whole)} missing, {_share(record.calms, whole)} calm", ""),
-        ("wind speed", f"mean {mean:.2f} m/s, highest {record.speed.max():.1f} m/s", ""),
-        ("flux law", f"{sand.law}, grains of {1e3 * sand.grain_diameter:g} mm", ""),
-        ("threshold", f"{threshold:.2f} m/s at {sand.height:g} m, u* {friction:.3f} m/s", ""),
-        ("exceeded", f"{100 * blowing:.1f} % of the time", ""),
-    ]
-    return [row for row in rows if row[1]]
-
-
-def _span(record: "WindRecord") -> str:
-    import numpy as np
-
-    if record.start is None:
-        return ""
-    last = record.start + np.timedelta64(int(record.time[-1]), "s")
-    return f", {str(record.start)[:10]} to {str(last)[:10]}"
-
-
-def _potential_rows(found: "Assessment", annual: bool) -> Rows:
-    from barchan.theory.drift import energy, in_metres
-
-    potential = found.potential
-    if potential is None:
-        return []
-    total = potential.total
-    kind = f"energy {energy(total)}" if annual else "not annual"
-    told = f"DP {total:.0f} VU above {found.threshold:.3g} kn ({in_metres(total):.1f} by m/s), {kind}"
-    return [
-        ("drift potential", told, ""),
-        ("resultant", f"RDP {potential.resultant:.0f} VU, RDP/DP {_number(potential.steadiness)}", ""),
-        ("", f"RDD {_toward(potential.toward)}", ""),
-    ]
-
-
-def _part_rows(record: "WindRecord", subject: _Subject, by: Literal["month", "season"]) -> Rows:
-    """Drift potential by month or by season; raises BarchanError where the record has no dates."""
-    from barchan.errors import BarchanError
-    from barchan.theory.assessment import at_ten_metres
-    from barchan.theory.seasons import by_part_of_year
-
-    try:
-        parts = by_part_of_year(at_ten_metres(record, subject.sand), by, subject.found.threshold)
-    except ValueError as error:
-        raise BarchanError(f"--by {by}: {error}") from None
-    return [
-        (
-            part.name,
-            (
-                f"DP {part.potential.total:.1f} VU, RDP {part.potential.resultant:.1f} VU "
-                f"{_toward(part.potential.toward)}, of {part.days:.4g} days"
-            ),
-            "",
-        )
-        for part in parts
-    ]
-
-
-def _drift_rows(found: "Assessment") -> Rows:
-    drift = found.drift
-    if not found.moves:
-        return []
-    rows = [] if drift.unit == "-" else [("sand flux", f"{drift.total:.1f} {drift.unit} to all sides", "")]
-    share = "" if drift.unit == "-" else f"{drift.resultant:.1f} {drift.unit}, "
-    modes = ", ".join(f"{mode:.0f}°" for mode in found.variability.modes)
-    return [
-        *rows,
-        ("resultant flux", f"{share}{drift.steadiness:.2f} of all, {_toward(drift.toward)}", ""),
-        ("directions", found.variability.name + (f", from {modes}" if modes else ""), ""),
-        ("crests, gross transport", _crest(found.gross_transport), ""),
-        ("crests, bed instability", _crest(found.bed_instability), ""),
-        ("fingers of scarce sand", f"grow {_toward(found.elongation)}", ""),
-        ("dunes to expect", found.dunes, ""),
-    ]
-
-
-def _crest(crest: Any) -> str:
-    import math
-
-    if math.isnan(crest.azimuth):
-        return "none, no direction stands out"
-    rivals = ", ".join(f"{rival:.0f}°" for rival in crest.rivals)
-    return f"azimuth {crest.azimuth:.0f}°" + (f", ambiguous: as good are {rivals}" if rivals else "")
-
-
-def _toward(angle: float) -> str:
-    import math
-
-    return "nowhere" if math.isnan(angle) else f"toward {angle:.0f}°"
-
-
-def _number(value: float) -> str:
-    import math
-
-    return "–" if math.isnan(value) else f"{value:.2f}"
-
-
-def _share(part: int, whole: int) -> str:
-    return f"{100 * part / whole:.1f} %"

@@ -30,14 +30,14 @@ def film(
     path: Path,
     *,
     frames_per_second: float = RATE,
-    size: int = PIXELS,
+    pixels: int = PIXELS,
     colours: Colours = "natural",
     smoothing: float = SMOOTHING,
     follow: bool = False,
     layers: bool = True,
     progress: Callable[[int], None] | None = None,
 ) -> None:
-    """Write the shaded maps of all frames as an animation; the longer side gets about ``size`` pixels.
+    """Write the shaded maps of all frames as an animation; the longer side gets about as many ``pixels``.
 
     With ``follow`` the colour scale follows each frame instead of holding for the whole run; with
     ``layers`` the model's layers, such as plants, lie over the surface. Raises BarchanError for a file that
@@ -48,7 +48,7 @@ def film(
         raise BarchanError(f"{path}: a film is {' or '.join(FORMATS)}, not '{path.suffix}'")
     if ending == ".mp4":
         require_video()
-    pictures = shaded_frames(dataset, scenario, size, colours, smoothing, follow, layers, progress)
+    pictures = shaded_frames(dataset, scenario, pixels, colours, smoothing, follow, layers, progress)
     try:
         with replacing(path) as partial:
             encode(partial, pictures, frames_per_second)
@@ -77,21 +77,21 @@ def encode(path: Path, pictures: Iterator[Image.Image], frames_per_second: float
 def shaded_frames(
     dataset: "xr.Dataset",
     scenario: Scenario,
-    size: int = PIXELS,
+    pixels: int = PIXELS,
     colours: Colours = "natural",
     smoothing: float = SMOOTHING,
     follow: bool = False,
     layers: bool = True,
     progress: Callable[[int], None] | None = None,
 ) -> Iterator[Image.Image]:
-    """The shaded maps of all frames as pictures, the longer side of about ``size`` pixels; see ``film``."""
+    """The shaded maps of all frames as pictures, the longer side of about ``pixels`` pixels; see ``film``."""
     from matplotlib.colors import Normalize
 
     count = dataset.sizes["step"]
     last = dataset.isel(step=-1).load()
     steeper = None if follow else exaggeration(last["elevation"].values, scenario, smoothing)
     norm = Normalize(*_range(dataset, scenario))
-    scale = max(1, round(size / max(scenario.lattice.shape)))
+    scale = max(1, round(pixels / max(scenario.lattice.shape)))
     for k in range(count):
         frame = dataset.isel(step=k).load()
         own = Normalize(*surface_range(frame, scenario)) if follow else norm

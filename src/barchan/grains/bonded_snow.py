@@ -143,5 +143,5 @@ DERIVED = (
 )
 """Fields of snow that bonds, computed when someone looks."""
 
-STRATA = Strata("age of the bonds", "bonding times", lambda _model, bed: strata(bed))
+STRATA = (Strata("age", "age of the bonds", "bonding times", lambda _model, bed: strata(bed)),)
 """The layers of snow that sections show, bonded at 1."""

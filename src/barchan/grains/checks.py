@@ -9,11 +9,15 @@ from barchan.aeolian.wall import log_wind
 from barchan.bed import Bed
 from barchan.errors import Problem
 from barchan.grains.canopy import Canopy, canopy_facts
+from barchan.grains.entrainment import Entrainment
 from barchan.grains.parameters import GrainFlight
 from barchan.lattice import Lattice
 
 MOST_DRAG = 0.5
 """Share of a velocity difference that drag may take away in a time step."""
+
+RIPPLES = "10 cm"
+"""Spacing of ripples of fine sand, as a rough figure; ours."""
 
 _THIN, _THICK = 0.5, 2.0
 """Heights of a grain's sand in grain diameters beyond which a user is found."""
@@ -94,9 +98,31 @@ def wind_facts(rules: GrainFlight, speeds: Sequence[float]) -> dict[str, str]:
     return {"friction velocity": f"{friction} m/s, threshold {rules.threshold():.3f} m/s"}
 
 
+def usual_hop(rules: GrainFlight) -> float:
+    """Length (m) of a hop of a grain that the wind lifts at the mean speed of lift-off, roughly.
+
+    It rises and falls without drag, and downwind it is half as fast as the wind at its top. A wind below the
+    threshold counts as one at it.
+    """
+    lifts = rules.part(Entrainment)
+    factor = 1.0 if lifts is None else (lifts.min_lift_speed + lifts.max_lift_speed) / 2.0
+    friction = max(rules.friction_velocity(rules.wind_speed), rules.threshold())
+    upward = factor * friction
+    top = np.array(max(upward**2 / (2.0 * rules.gravity), rules.roughness_length))
+    wind = float(log_wind(top, friction, rules.roughness_length, rules.displacement))
+    return max(wind, 0.0) / 2.0 * 2.0 * upward / rules.gravity
+
+
 def remarks(rules: GrainFlight, lattice: Lattice) -> list[str]:
     """Remarks on these parameters on this lattice."""
     found = []
+    hop = usual_hop(rules)
+    if lattice.cell_size > hop:
+        found.append(
+            f"cells of {lattice.cell_size:g} m are wider than a hop of about {hop:.1g} m: most grains land "
+            f"where they started, and ripples, some {RIPPLES} apart, are narrower than a cell; these rules "
+            "need cells of millimetres to a few centimetres (lattice.cell_size)"
+        )
     heights = rules.carried * lattice.thickness / rules.diameter
     if not (_THIN if rules.carried == 1 else 0.0) <= heights <= _THICK:
         parcels = f"{rules.carried} parcels are" if rules.carried > 1 else "a parcel is"

@@ -31,6 +31,7 @@ class GrainInAir(Composition, Air, Sand):
         gt=0,
         le=1e-2,
         group="air",
+        acts_with={"drag": "reynolds"},
         meaning="Dynamic viscosity of the air, for drag that depends on the Reynolds number.",
         source="air at 15 to 20 °C",
     )
@@ -56,6 +57,7 @@ class GrainInAir(Composition, Air, Sand):
         gt=0,
         le=10,
         group="air",
+        acts_with={"drag": "constant"},
         meaning="The constant drag coefficient.",
         source="Prague thesis, §4.3: a rough sphere",
     )

@@ -85,6 +85,7 @@ class GrainFlight(GrainInAir):
         le=1_000_000,
         scale="log",
         group="time",
+        acts_with={"clock": "iteration"},
         meaning="Iterations in a step of the run, where that is the clock.",
     )
     max_grains_per_cell: float = parameter(
@@ -130,6 +131,7 @@ class GrainFlight(GrainInAir):
         ge=1,
         le=1_000_000,
         group="bed",
+        acts_with={"clock": "iteration"},
         meaning="Iterations after which slopes are checked; they also are at the end of each step.",
         source="ours: Szabó 2019, §5.3.1, says after some iterations",
     )
@@ -149,6 +151,7 @@ class GrainFlight(GrainInAir):
         gt=0,
         le=1,
         group="bed",
+        acts_with={"collapse": "filter"},
         meaning="Share of the difference to the neighbours' mean that the filter takes away.",
         source="ours: G of Szabó 2019, eq. 3.10, has no value there",
     )
@@ -158,6 +161,7 @@ class GrainFlight(GrainInAir):
         gt=0,
         le=100,
         group="bed",
+        acts_with={"collapse": "filter"},
         meaning="Factor on that difference, over the width of a cell, before it is held against the slope.",
         source="ours: T of Szabó 2019, eq. 3.10, has no value there",
     )

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, ClassVar
 from pydantic_core import InitErrorDetails
 
 from barchan.grains.closure import Closure
-from barchan.parameters import Parameters, mistake, parameter
+from barchan.parameters import GIVEN, Parameters, mistake, parameter
 
 if TYPE_CHECKING:
     from barchan.grains.parameters import GrainFlight
@@ -68,6 +68,7 @@ class Sizes(Closure):
         unit="-",
         ge=2,
         le=MOST,
+        acts_with={"spread": GIVEN},
         meaning="Number of classes of equal volume that such sand is split into.",
         source="ours",
     )

@@ -40,6 +40,7 @@ class Feedback(Closure):
         gt=0,
         le=1,
         live=True,
+        acts_with={"near_bed": ["slowed", "threshold"]},
         meaning="Height of the focus, below which all winds are the same.",
         source="Bagnold 1941: about a centimetre over sand of mixed sizes",
     )
@@ -48,6 +49,7 @@ class Feedback(Closure):
         unit="m",
         gt=0,
         le=10,
+        acts_with={"near_bed": "slowed"},
         meaning="Length (standard deviation) along the wind over which the air shares the momentum that "
         "grains take from it; over the whole field if null, and then grains crowd into lanes.",
         source="ours",
@@ -57,6 +59,7 @@ class Feedback(Closure):
         unit="m",
         gt=0,
         le=10,
+        acts_with={"near_bed": "slowed"},
         meaning="Width (standard deviation) across the wind over which the air shares that momentum. Where "
         "it is as wide as the length, lanes of grains break ripples up into pits.",
         source="ours: slowed air spreads by some tenth or fifth of its way",
@@ -77,6 +80,7 @@ class Feedback(Closure):
         unit="iterations",
         ge=1,
         le=1_000_000,
+        acts_with={"near_bed": "slowed"},
         meaning="Iterations after which the wind near the bed is recomputed.",
         source="ours",
     )

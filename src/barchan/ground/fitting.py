@@ -110,8 +110,23 @@ class FromFile(Parameters):
             return self.lowest + (self.highest - self.lowest) * values / raster.full_scale
         if self.missing is None:
             _refuse_suspects(doubtful(raster, cell_size))
-        values[marked(values, self.missing or [])] = np.nan
+        values[self.holes(values)] = np.nan
         return values * raster.scale + raster.offset
+
+    def holes(self, values: NDArray[np.float64]) -> NDArray[np.bool_]:
+        """Which cells have no value, by the file or by ``missing``."""
+        return np.isnan(values) | marked(values, self.missing or [])
+
+    def fill_facts(self) -> str:
+        """How many of the file's cells are filled from those around them; empty where none is."""
+        try:
+            file = self.outline()
+        except UnreadableError:
+            return ""
+        rows, columns = file.shape
+        if not file.holes or self.fill == "no":
+            return ""
+        return f"{file.holes} of {rows * columns} cells without a value, filled from those around them"
 
     def _filled(self, heights: NDArray[np.float64], least: float, most: float) -> NDArray[np.float64]:
         holes = np.isnan(heights)
@@ -169,7 +184,8 @@ def _outline(file: FromFile, _stamps: tuple[tuple[str, int, int], ...]) -> Outli
     """The outline of a file; kept as long as its stamps are the same."""
     raster = file.raster()
     rows, columns = raster.values.shape
-    return Outline((rows, columns), raster.place, raster.scale, raster.unit)
+    holes = np.count_nonzero(file.holes(raster.values.astype(np.float64)))
+    return Outline((rows, columns), raster.place, raster.scale, raster.unit, int(holes))
 
 
 def _stamps(*paths: Path) -> tuple[tuple[str, int, int], ...]:

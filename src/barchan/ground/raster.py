@@ -73,6 +73,8 @@ class Outline:
     place: Place | None
     scale: float
     unit: str | None
+    holes: int = 0
+    """Cells without a value."""
 
 
 def placed(

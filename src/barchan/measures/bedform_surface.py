@@ -45,6 +45,12 @@ def is_level(ground: NDArray) -> bool:
     return bool(np.isfinite(ground).all() and np.ptp(ground) <= 1e-9 * max(1.0, float(np.abs(ground).max())))
 
 
+def is_steep(ground: NDArray, cell_size: float) -> bool:
+    """Whether the ground rises anywhere as steeply as rock does from sand, so that it can hold sand."""
+    steps = (np.abs(np.diff(np.asarray(ground, float), axis=axis)) for axis in (0, 1))
+    return any(bool((step > ROCK * cell_size).any()) for step in steps)
+
+
 def _rock(
     ground: Field, elevation: Field, sandy: NDArray[np.bool_], cell_size: float, periodic: Periodic
 ) -> NDArray[np.bool_]:

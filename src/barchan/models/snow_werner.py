@@ -84,7 +84,7 @@ class SnowWerner(SlabModel):
         """Set the model up before the first day."""
         super().__init__(parameters, lattice)
         self._per_density = self.parameters.hardening.resistance_per_density()
-        self._density = math.nan
+        self._density = 0.0
         self._immobile_on = 0
         self._today: list[tuple[float, float]] = []
 
@@ -115,7 +115,7 @@ class SnowWerner(SlabModel):
 
     def _harden(self, bed: Bed, day: int, temperature: float) -> None:
         hardening = self.parameters.hardening
-        if math.isnan(self._density):
+        if not self._density:
             self._density = hardening.fresh_density(temperature)
         gain = hardening.gain(day, self._density, temperature)
         self._density += gain
@@ -135,7 +135,7 @@ class SnowWerner(SlabModel):
         return f"immobile on day {self._immobile_on}" if self._immobile_on else None
 
     def state(self) -> dict[str, NDArray | float | int | str]:
-        """Density of the snow (kg/m³; NaN before the first day); the day it became immobile (0: not yet)."""
+        """Density of the snow (kg/m³; 0 before the first day); the day it became immobile (0: not yet)."""
         return {"density": self._density, "immobile_on": self._immobile_on}
 
     def restore(self, state: dict[str, Any]) -> None:

@@ -9,6 +9,12 @@ from barchan.scenario.source_map import Path, dotted
 
 _CHANGED = "changed: "
 
+_UNCHANGED = "(without these changes) "
+"""Stands before ``look_for`` of a scenario whose values were changed since."""
+
+_LONGEST = 2000
+"""Characters of what to look for at most."""
+
 _OWN_WORDS = ("title", "citation", "look_for", "note", "run")
 """Keys whose values do not make another scenario: its own words, and how long it runs."""
 
@@ -16,7 +22,8 @@ _OWN_WORDS = ("title", "citation", "look_for", "note", "run")
 def with_changes_told(scenario: Scenario, before: Scenario) -> Scenario:
     """The scenario with the given values that differ from those of ``before`` in its title and citation.
 
-    A title or citation that was given itself stays, and so does an empty one.
+    ``look_for`` is marked as that of the scenario before, and left out where the model is another one.
+    Words that were given themselves stay, and so do empty ones.
     """
     told = _told(scenario, before)
     if not told:
@@ -26,7 +33,17 @@ def with_changes_told(scenario: Scenario, before: Scenario) -> Scenario:
         for name, separator, limit in (("title", ", ", 200), ("citation", "; ", 1000))
         if getattr(scenario, name) and (name,) not in scenario.source_map.given
     }
+    if scenario.look_for and ("look_for",) not in scenario.source_map.given:
+        words["look_for"] = _expected(scenario, before)
     return scenario.model_copy(update=words)
+
+
+def _expected(scenario: Scenario, before: Scenario) -> str:
+    """``look_for`` once values differ from those that it was written for."""
+    if scenario.model.name != before.model.name:
+        return ""
+    text = scenario.look_for
+    return text if text.startswith(_UNCHANGED) else f"{_UNCHANGED}{text}"[:_LONGEST]
 
 
 def _told(scenario: Scenario, before: Scenario) -> str:

@@ -56,3 +56,9 @@ def spoken_estimate(seconds: float) -> str:
     size, name = next(unit for unit in _UNITS if seconds >= 0.95 * unit[0])
     figures = f"{float(f'{seconds / size:.1g}'):.0f}"
     return f"about {figures} {name.removesuffix('s') if figures == '1' else name}"
+
+
+def spoken_time(scenario: "Scenario") -> str:
+    """The expected time of a scenario for people to read, and that of compilation, which it leaves out."""
+    estimate = spoken_estimate(expected_seconds(scenario))
+    return f"{estimate}, and 10 to 60 seconds where its rules are compiled first"

@@ -19,7 +19,16 @@ from barchan.lattice import Lattice
 from barchan.models import Model, models
 from barchan.parameters import Parameters, parameter
 from barchan.scenario.consistency import broken_edges, inconsistencies, starved_edges
-from barchan.scenario.effects import falls_too_little, stated_speeds, unmoved, unused
+from barchan.scenario.effects import (
+    falls_too_little,
+    idle,
+    recorded_facts,
+    recorded_remarks,
+    sand_facts,
+    stated_speeds,
+    unmoved,
+    unused,
+)
 from barchan.scenario.source_map import SourceMap
 from barchan.scenario.summary import html_table, in_a_line, summary
 from barchan.wind import Clock, Forcing, Steady, StepClock, WeatherCourse, Wind
@@ -189,6 +198,8 @@ class Scenario(Parameters):
         model, forcing = self.new_model(), self.seeded().forcing()
         return {
             **self.ground.facts(self.lattice),
+            **sand_facts(self),
+            **recorded_facts(self),
             **self.time_facts(),
             **model.facts(),
             **model.wind_facts(stated_speeds(self)),
@@ -247,7 +258,8 @@ class Scenario(Parameters):
         model = self.new_model()
         parts = [part for _, part in self.wind.placed_parts()]
         remarks: list[Iterable[str]] = [self.source_map.notes]
-        remarks += [unmoved(self), falls_too_little(self), unused(self), starved_edges(self)]
+        remarks += [recorded_remarks(self), unmoved(self), falls_too_little(self), unused(self), idle(self)]
+        remarks += [starved_edges(self)]
         remarks += [self.ground.remarks(self.lattice), broken_edges(self, ground)]
         remarks += [model.remarks(part.longest_hop, part.direction) for part in parts]
         return list(dict.fromkeys(remark for found in remarks for remark in found))

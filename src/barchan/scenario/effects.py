@@ -6,9 +6,14 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from barchan.aeolian.wall import REFERENCE_HEIGHT
 from barchan.errors import Problem, ScenarioError
+from barchan.ground.sand import FileSand
+from barchan.parameters import idle_keys
 from barchan.scenario.cost import SAMPLES, sampled_segments
-from barchan.wind import SeriesWind, Wind
+from barchan.scenario.messages import value_text
+from barchan.wind import Recorded, SeriesWind, Wind
+from barchan.wind.records.summary import height_remarks, record_facts
 from barchan.wind.segment import Segment
 
 if TYPE_CHECKING:
@@ -21,6 +26,26 @@ def stated_speeds(scenario: "Scenario") -> list[float]:
         speed = scenario.wind.series(scenario.seeded().seed).record.speed
         return [float(speed.min()), float(speed.max())]
     return [segment.speed for segment in sampled_segments(scenario) if segment.speed is not None]
+
+
+def recorded_facts(scenario: "Scenario") -> dict[str, str]:
+    """File, columns, height, time and rows of the wind's record, where it is one, for people to read."""
+    wind = scenario.wind
+    return record_facts(wind.record, _height_of_law(scenario)) if isinstance(wind, Recorded) else {}
+
+
+def recorded_remarks(scenario: "Scenario") -> list[str]:
+    """Doubts about the wind's record, where it is one, and the assumptions made in reading it."""
+    if not isinstance(scenario.wind, Recorded):
+        return []
+    record = scenario.wind.record
+    assumed = height_remarks(record, _height_of_law(scenario), "wind.columns.height")
+    return [*record.warnings, *record.remarks, *assumed]
+
+
+def _height_of_law(scenario: "Scenario") -> float:
+    """Height (m) at which speeds are taken to be that state none: the clock's, or without a clock 10 m."""
+    return REFERENCE_HEIGHT if scenario.clock is None else scenario.clock.height
 
 
 def unmoved(scenario: "Scenario") -> list[str]:
@@ -97,6 +122,20 @@ def refuse_weather(scenario: "Scenario", wind: Wind) -> None:
 
 def _seconds(time: float) -> np.timedelta64:
     return np.timedelta64(round(time), "s")
+
+
+def idle(scenario: "Scenario") -> list[str]:
+    """Remarks on keys that the choice of another key leaves without effect."""
+    return [
+        f"{key} {value_text(value)} has no effect: it acts {where}"
+        for key, value, where in idle_keys(scenario)
+    ]
+
+
+def sand_facts(scenario: "Scenario") -> dict[str, str]:
+    """How many cells of a file of sand were filled, where any were."""
+    filled = scenario.sand.fill_facts() if isinstance(scenario.sand, FileSand) else ""
+    return {"sand": filled} if filled else {}
 
 
 def unused(scenario: "Scenario") -> list[str]:

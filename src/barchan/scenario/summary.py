@@ -3,6 +3,8 @@
 from html import escape
 from typing import TYPE_CHECKING
 
+from barchan.wind.blowing import speed_in_words
+
 if TYPE_CHECKING:
     from barchan.scenario.definition import Scenario
 
@@ -29,10 +31,22 @@ def unit_of(scenario: "Scenario") -> str:
     return f"slabs of {scenario.lattice.thickness:.3g} m"
 
 
+def wind_in_words(scenario: "Scenario") -> str:
+    """The wind, with the model's own speed or hop length wherever that is in force."""
+    parts = [part for _, part in scenario.wind.placed_parts()]
+    own = [
+        f"{text} (model.{key})"
+        for key, unit in (("wind_speed", "m/s"), ("hop_length", "cells"))
+        if isinstance(value := getattr(scenario.model, key, None), float)
+        for text in [speed_in_words(unit, value)]
+        if not parts or any(part.speed is None or part.unit != unit for part in parts)
+    ]
+    return " ".join([scenario.wind.summary(), *own])
+
+
 def summary(scenario: "Scenario") -> dict[str, str]:
     """The parts of a scenario, a few words each."""
-    wind, seed = scenario.wind, scenario.run.seed
-    direction = getattr(wind, "direction", None)
+    seed = scenario.run.seed
     seconds = scenario.step_seconds
     length = f"{scenario.run.steps} steps" + (f" of {seconds:.3g} s" if seconds is not None else "")
     return {
@@ -40,7 +54,7 @@ def summary(scenario: "Scenario") -> dict[str, str]:
         "lattice": field_size(scenario),
         "ground": scenario.ground.kind,
         "sand": scenario.sand.kind,
-        "wind": f"{wind.kind} from {direction:g}°" if isinstance(direction, float) else wind.kind,
+        "wind": wind_in_words(scenario),
         "run": f"{length}, {'no seed yet' if seed is None else f'seed {seed}'}",
     }
 

@@ -128,7 +128,7 @@ class Simulation:
             )
 
     def _advance(self, steps: int) -> Tally:
-        total = Tally()
+        total = Tally(airborne=self.tally.airborne, finished=self.tally.finished)
         end = self.steps_done + steps
         while self.steps_done < end and self.finished is None:
             count = self.stop_conditions.steps_to_next(self.steps_done, end - self.steps_done)

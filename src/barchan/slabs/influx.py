@@ -1,5 +1,7 @@
 """Influx of slab models: from a share of the flux, or a number of slabs, to means by cell of an edge."""
 
+from collections.abc import Callable
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -15,11 +17,13 @@ INFLUX = 5
 _NONE: NDArray[np.float64] = np.zeros(0)
 
 
-def edge_influx(segment: Segment, saturated: float, lattice: Lattice, frame: WindFrame) -> EdgeInflux:
+def edge_influx(
+    segment: Segment, saturated: Callable[[], float], lattice: Lattice, frame: WindFrame
+) -> EdgeInflux:
     """Mean number of slabs that enter in a step at each cell of the open upwind edges, in the wind's frame.
 
-    ``saturated`` is the number that crosses a cell's width square to the wind on a flat bed of sand. An edge
-    that lies obliquely to the wind is crossed by less of it, in proportion to the cosine.
+    ``saturated`` gives the number that crosses a cell's width square to the wind on a flat bed of sand. An
+    edge that lies obliquely to the wind is crossed by less of it, in proportion to the cosine.
     """
     assert segment.influx is not None, "asked only where there is influx"
     number = segment.influx.slabs_per_row(saturated, segment.share)

@@ -1,6 +1,7 @@
 """The base class of slab models: one transport kernel, configured by data."""
 
 from collections.abc import Hashable
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -119,7 +120,7 @@ class SlabModel(Model):
         transport = Transport(stacks, rules, schedule, stream.key)
         influx = None
         if segment.influx is not None:
-            influx = edge_influx(segment, self.saturated_influx(segment), self.lattice, frame)
+            influx = edge_influx(segment, partial(self.saturated_influx, segment), self.lattice, frame)
 
         def run() -> None:
             if influx is None:

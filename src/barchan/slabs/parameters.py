@@ -127,6 +127,7 @@ class SlabParameters(Parameters):
         unit="slabs",
         live=True,
         group="avalanches",
+        acts_with={"neighbourhood": "moore"},
         meaning="Largest stable step to a corner neighbour before repose_test: the same as to a face, the "
         "repose angle over the longer distance, or a number of slabs (3 is isotropic at an aspect of 1/3).",
         source="face: Elder 2009",

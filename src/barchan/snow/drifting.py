@@ -10,7 +10,7 @@ from barchan.aeolian.snow.bonding import weight_threshold
 from barchan.aeolian.snow.density import GREATEST_DENSITY, LEAST_DENSITY, drift_density
 from barchan.aeolian.snow.drift import FLUX_LAWS, FRICTION_LAWS, WINDS, log_law
 from barchan.aeolian.wall import speed_at
-from barchan.parameters import Parameters, parameter
+from barchan.parameters import NOT_GIVEN, Parameters, parameter
 
 
 class Drift(Parameters):
@@ -50,6 +50,7 @@ class Drift(Parameters):
         unit="kg/m³",
         ge=LEAST_DENSITY,
         le=GREATEST_DENSITY,
+        acts_with={"density": NOT_GIVEN},
         meaning="Least density of drift that follows the wind.",
         source="ours",
     )
@@ -58,6 +59,7 @@ class Drift(Parameters):
         unit="kg/m³",
         ge=LEAST_DENSITY,
         le=GREATEST_DENSITY,
+        acts_with={"density": NOT_GIVEN},
         meaning="Greatest density of drift that follows the wind.",
         source="ours: dunes of 380 to 500 kg/m³ (Birnbaum et al. 2010) have packed further",
     )

@@ -235,7 +235,7 @@ class SnowModel(Model):
 
         else:
             saturated = self._saturated_travel(segment.polls, now) / self.lattice.cells
-            influx = edge_influx(segment, saturated, self.lattice, field.frame)
+            influx = edge_influx(segment, lambda: saturated, self.lattice, field.frame)
 
             def run() -> None:
                 for step in range(segment.step, segment.step + segment.steps):

@@ -3,7 +3,7 @@
 from typing import Literal
 
 from barchan.aeolian.snow.density import FRESH_DENSITIES, GREATEST_DENSITY, LEAST_DENSITY
-from barchan.parameters import Parameters, parameter
+from barchan.parameters import NOT_GIVEN, Parameters, parameter
 
 
 class Bonding(Parameters):
@@ -62,6 +62,7 @@ class Snowfall(Parameters):
         "hedstrom_pomeroy",
         unit="-",
         live=True,
+        acts_with={"density": NOT_GIVEN},
         meaning="Density of fresh snow by air temperature and wind; snow that falls in drift lands as drift.",
         source="Hedstrom & Pomeroy 1998; van Kampenhout et al. 2017; Pahaut 1976",
     )

@@ -1,6 +1,7 @@
 """Everything that the theories say of a wind, at once."""
 
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -11,7 +12,8 @@ from barchan.theory.crests import Crest, bed_instability, elongation, gross_tran
 from barchan.theory.drift import KNOT, THRESHOLD, Drift, drift_of, drift_potential, sand_flux
 from barchan.theory.dune_types import dune_type
 from barchan.theory.variability import Variability, variability
-from barchan.wind.clock import DAY, spoken
+from barchan.wind.clock import DAY, YEAR, spoken
+from barchan.wind.interval import WindInterval
 from barchan.wind.records import WindRecord
 
 FRYBERGER_HEIGHT = 10.0
@@ -76,9 +78,14 @@ def assess_record(record: WindRecord, sand: Saltation, supply: float | None = No
     takes them at 10 m, by the law of the wall; its threshold is 12 knots, or the sand's where that is stated.
     """
     high = at_ten_metres(record, sand)
-    threshold = THRESHOLD if sand.threshold is None else sand.threshold * _up(sand) / KNOT
+    threshold = _threshold_of(sand)
     found = assess(sand_flux(record, sand), drift_potential(high, threshold), supply)
     return replace(found, threshold=threshold, remarks=tuple(_remarks(record)))
+
+
+def _threshold_of(sand: Saltation) -> float:
+    """Threshold of the drift potential (knots at 10 m): 12, or the sand's where that is stated."""
+    return THRESHOLD if sand.threshold is None else sand.threshold * _up(sand) / KNOT
 
 
 def at_ten_metres(record: WindRecord, sand: Saltation) -> WindRecord:
@@ -121,18 +128,79 @@ def scenario_supply(scenario: Scenario) -> float:
     return float(bed.depth.mean())
 
 
+def assess_winds(scenario: Scenario, supply: float | None = None) -> Assessment:
+    """Expectations for the winds of a scenario that are no record, as if they went on all year.
+
+    Where they state their speeds in m/s the drift potential is that of these speeds, brought from the
+    clock's height to 10 m. ``supply`` is the equivalent sand thickness (m), where it is known.
+    """
+    sand, drift = scenario.clock or Saltation(), scenario_drift(scenario)
+    record = stated_winds(scenario)
+    if record is None:
+        return assess(drift, supply=supply)
+    threshold = _threshold_of(sand)
+    found = assess(drift, drift_potential(at_ten_metres(record, sand), threshold), supply)
+    return replace(found, threshold=threshold, remarks=_gust_remarks(scenario))
+
+
+def stated_winds(scenario: Scenario) -> WindRecord | None:
+    """The winds of a scenario that states all of them in m/s, as a record at the height of its clock.
+
+    Of a long run those of the first 10,000 steps. None where a wind states none, or steps have no duration.
+    """
+    seconds, own = scenario.step_seconds, getattr(scenario.model, "wind_speed", None)
+    if seconds is None:
+        return None
+    rows = []
+    for start, count, intervals in _winds(scenario):
+        time = start * seconds
+        for s in intervals:
+            speed = _speed_of(s, own)
+            if speed is None:
+                return None
+            rows.append((time, count * s.share * seconds, speed, s.direction))
+            time += s.share * seconds
+    times, durations, speeds, directions = np.array(rows, np.float64).reshape(-1, 4).T
+    height = scenario.clock.height if scenario.clock is not None else FRYBERGER_HEIGHT
+    return WindRecord(times, durations, speeds, directions, height=height)
+
+
+def _speed_of(interval: WindInterval, own: float | None) -> float | None:
+    """Speed (m/s) of an interval: the one that it states, 0 in a calm, or the model's ``own``."""
+    if interval.strength == 0.0 and interval.speed is None:
+        return 0.0
+    return own if interval.speed is None and interval.hop_length is None else interval.speed
+
+
+def _gust_remarks(scenario: Scenario) -> tuple[str, ...]:
+    gusty = any(part.gusts is not None and part.varies for _, part in scenario.wind.placed_parts())
+    return ("the drift potential is that of mean speeds, without gusts",) if gusty else ()
+
+
+def _winds(scenario: Scenario) -> Iterator[tuple[int, int, list[WindInterval]]]:
+    """The winds of a run, of a long one those of its first steps; see ``Forcing.constant_intervals``."""
+    steps = min(max(scenario.run.steps, 1), MOST_STEPS)
+    return scenario.seeded().forcing().constant_intervals(0, steps)
+
+
 def scenario_drift(scenario: Scenario) -> Drift:
     """The drift of a scenario's winds over its run: polls a cell times hop length, as shares of the whole.
 
-    Of a long run it is that of the first 10,000 steps.
+    It is in m²/yr where a clock tells the flux of every wind. Of a long run it is that of the first 10,000
+    steps.
     """
-    steps = min(max(scenario.run.steps, 1), MOST_STEPS)
     own = getattr(scenario.model, "hop_length", 1.0)
     works: dict[float, float] = {}
-    for _, count, intervals in scenario.seeded().forcing().constant_intervals(0, steps):
+    steps, in_cells = 0, False
+    for _, count, intervals in _winds(scenario):
+        steps += count
         for s in intervals:
             hop = own if s.hop_length is None else s.hop_length
+            in_cells |= s.speed is None and s.strength > 0.0
             works[s.direction] = works.get(s.direction, 0.0) + count * s.share * s.strength * hop
-    winds = list(works.items())
-    drift = drift_of(winds)
+    drift = drift_of(list(works.items()))
+    if scenario.clock is not None and not in_cells:
+        volume = scenario.new_model().step_volume()
+        flux = volume / scenario.clock.duration(volume) * YEAR
+        return replace(drift, amount=drift.amount / (own * steps) * flux, unit="m²/yr")
     return replace(drift, amount=drift.amount / drift.total) if drift.total > 0 else drift

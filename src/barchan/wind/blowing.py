@@ -27,6 +27,12 @@ def too_fast(speed: float) -> str:
     )
 
 
+def speed_in_words(unit: str, first: float, last: float | None = None) -> str:
+    """A speed, or one that changes, in its unit; one in cells is a hop length."""
+    change = f"{first:g}" if last in {None, first} else f"{first:g} to {last:g}"
+    return f"at {change} m/s" if unit == "m/s" else f"with hops of {change} cells"
+
+
 class Blowing(WithWeather):
     """A wind with a direction and a speed, which may vary from step to step."""
 
@@ -83,6 +89,15 @@ class Blowing(WithWeather):
     def speeds_in_metres(self) -> list[tuple[str, float]]:
         """The mean speeds that are stated in m/s, and their keys."""
         return [("speed", self.speed)] if self.unit == "m/s" and self.speed is not None else []
+
+    def in_words(self) -> str:
+        """Where it comes from, and the speed and the variation that it states."""
+        spread = f" ± {self.spread:g}°" if self.spread else ""
+        gusts = " with gusts" if self.gusts is not None and self.gusts.intensity > 0.0 else ""
+        return f"{self.direction:g}°{spread}{self._speed_in_words()}{gusts}"
+
+    def _speed_in_words(self) -> str:
+        return "" if self.speed is None else f" {speed_in_words(self.unit, self.speed)}"
 
     @property
     def longest_hop(self) -> float | None:

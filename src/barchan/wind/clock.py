@@ -4,7 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from barchan.aeolian.saltation import Saltation
-from barchan.parameters import parameter
+from barchan.parameters import NOT_GIVEN, parameter
 
 YEAR = 365.25 * 86400.0
 """A year (s)."""
@@ -26,6 +26,7 @@ class Clock(Saltation):
         unit="m/s",
         gt=0,
         le=100,
+        acts_with={"step_seconds": NOT_GIVEN},
         meaning="The wind under which a step polls as many cells as the field has.",
         source="ours",
     )

@@ -1,5 +1,6 @@
 """Influx: what the wind brings in across open edges, where it blows into the field."""
 
+from collections.abc import Callable
 from typing import Annotated, ClassVar, Literal
 
 import numpy as np
@@ -25,10 +26,11 @@ class Influx(Parameters):
         source="ours",
     )
 
-    def slabs_per_row(self, saturated: float, share: float) -> float:
+    def slabs_per_row(self, saturated: Callable[[], float], share: float) -> float:
         """Slabs that enter across each cell of an edge square to a wind that blows for a share of a step.
 
-        ``saturated`` is the number that this wind takes across it on a wide flat bed of sand.
+        ``saturated`` gives the number that this wind takes across it on a wide flat bed of sand, and is
+        asked only where that counts: not every model's parameters tell it.
         """
         raise NotImplementedError
 
@@ -55,9 +57,9 @@ class SaturatedInflux(Influx):
         source="ours: AeoLiS states the flux at its upwind edge in the same way",
     )
 
-    def slabs_per_row(self, saturated: float, share: float) -> float:  # noqa: ARG002
+    def slabs_per_row(self, saturated: Callable[[], float], share: float) -> float:  # noqa: ARG002
         """The stated share of the saturated flux."""
-        return self.share * saturated
+        return self.share * saturated()
 
 
 class CountedInflux(Influx):
@@ -73,7 +75,7 @@ class CountedInflux(Influx):
         source="ours",
     )
 
-    def slabs_per_row(self, saturated: float, share: float) -> float:  # noqa: ARG002
+    def slabs_per_row(self, saturated: Callable[[], float], share: float) -> float:  # noqa: ARG002
         """The stated number, in proportion to the share of the step."""
         return self.slabs_per_step * share
 

@@ -6,7 +6,7 @@ from pydantic import model_validator
 
 from barchan.directions import bearing, downwind
 from barchan.parameters import Parameters, parameter
-from barchan.wind.blowing import Blowing
+from barchan.wind.blowing import Blowing, speed_in_words
 from barchan.wind.interval import FOR_EVER, StepClock, WindInterval
 from barchan.wind.steady import Steady
 
@@ -90,7 +90,8 @@ class MixedAxes(Parameters):
 
     def summary(self) -> str:
         """The wind in a few words."""
+        speed = "" if self.speed is None else f" {speed_in_words('cells', self.speed)}"
         return (
             f"{self.share:.3g} from {self.first}° and {1 - self.share:.3g} from {self.second}° "
-            f"(on the whole {self.nominal_direction:.1f}°)"
+            f"(on the whole {self.nominal_direction:.1f}°){speed}"
         )

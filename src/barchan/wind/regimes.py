@@ -7,8 +7,9 @@ from typing import ClassVar, Literal, Self
 from pydantic import Field, model_validator
 
 from barchan.parameters import Parameters, parameter
-from barchan.wind.blowing import SPEED, Blowing
+from barchan.wind.blowing import SPEED, Blowing, speed_in_words
 from barchan.wind.changes import Change
+from barchan.wind.clock import spoken
 from barchan.wind.interval import FOR_EVER, StepClock, WindInterval
 from barchan.wind.ramps import AnyRamp, Linear
 from barchan.wind.weather import SNOWFALL, TEMPERATURE, Weather
@@ -23,6 +24,9 @@ _MOMENTS = 8
 
 _NOTHING = 1e-9
 """Shares of a step below this are rounding."""
+
+_MOST_TOLD = 8
+"""Regimes that are told one by one."""
 
 
 class Regime(Blowing):
@@ -101,6 +105,18 @@ class Regime(Blowing):
         highest = max(self.speed + rise * share for share in self.speed_ramp.extremes())
         ends = [*found, ("final_speed", self.final_speed)]
         return ends if highest <= max(self.speed, self.final_speed) else [*ends, ("speed_ramp", highest)]
+
+    def in_words(self) -> str:
+        """Where it comes from, the speed and the variation that it states, and for how long."""
+        return f"{super().in_words()} ({self._duration_in_words()})"
+
+    def _speed_in_words(self) -> str:
+        if self.speed is None:
+            return ""
+        return f" {speed_in_words(self.unit, self.speed, self.final_speed)}"
+
+    def _duration_in_words(self) -> str:
+        return f"{self.steps} steps" if self.seconds is None else spoken(self.seconds)
 
     @property
     def longest_hop(self) -> float | None:
@@ -257,6 +273,6 @@ class Regimes(Parameters):
 
     def summary(self) -> str:
         """The winds in a few words."""
-        directions = ", ".join(f"{regime.direction:g}°" for regime in self.regimes[:8])
-        more = f" and {len(self.regimes) - 8} more" if len(self.regimes) > 8 else ""
-        return f"from {directions}{more} in turn"
+        winds = ", ".join(regime.in_words() for regime in self.regimes[:_MOST_TOLD])
+        more = f" and {len(self.regimes) - _MOST_TOLD} more" if len(self.regimes) > _MOST_TOLD else ""
+        return f"from {winds}{more}{' in turn' if self.repeat else ', once'}"

@@ -32,4 +32,4 @@ class Steady(Blowing):
 
     def summary(self) -> str:
         """The wind in a few words."""
-        return f"from {self.direction:g}°"
+        return f"from {self.in_words()}"

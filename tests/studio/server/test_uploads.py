@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from barchan.errors import BarchanError
+from barchan.studio.server.gallery import files_taken
 from barchan.studio.server.queries import QUERIES
 from barchan.studio.server.uploads import heights_in
 from barchan.studio.server.workspace import Workspace
@@ -63,3 +64,12 @@ def test_checking_a_scenario_opens_no_file_beyond_the_folder(dem, tmp_path):
     (problem,) = answer["problems"]
     assert problem["key"] == "ground.path"
     assert "is outside the studio's folder" in problem["message"]
+
+
+def test_every_kind_of_file_that_a_reader_knows_may_be_uploaded(tmp_path):
+    taken = files_taken()
+    assert {".csv", ".txt", ".dat", ".xlsx", ".smet", ".nc"} <= set(taken["records"])
+    assert {".png", ".npy", ".tif", ".asc", ".hgt"} <= set(taken["heights"])
+    workspace = Workspace(tmp_path)
+    for suffix in (*taken["records"], *taken["heights"]):
+        assert workspace.keep(f"file{suffix}", b"1").is_file()

@@ -24,6 +24,8 @@ export class App {
   selected: RunName = "a";
   schema: Schema = {};
   colours: Record<string, [number, number, number][]> = {};
+  /** Suffixes of the files that can be uploaded, as ground and as a wind record. */
+  files: { heights: string[]; records: string[] } = { heights: [], records: [] };
   /** Whether two runs that are led together run; null where there is one. */
   pairRuns: boolean | null = null;
   readonly log: Entry[] = [];
@@ -43,9 +45,10 @@ export class App {
 
   async start(): Promise<void> {
     this.connection.connect();
-    [this.schema, this.colours] = await Promise.all([
+    [this.schema, this.colours, this.files] = await Promise.all([
       this.connection.fetch<Schema>("schema"),
       this.connection.fetch<App["colours"]>("colours"),
+      this.connection.fetch<App["files"]>("files"),
     ]);
     this.changed.send();
   }

@@ -6,8 +6,8 @@ import type { Stage } from "../scene/stage";
 import { dialog } from "./dialog";
 import { download, h, themeColour } from "./dom";
 
-const HEIGHTS = /\.(png|npy|tiff?|asc|xyz|nc|hgt)$/i;
-const RECORDS = /\.(csv|nc)$/i;
+/** Whether a file's name ends in one of some suffixes. */
+const ends = (name: string, suffixes: string[]): boolean => suffixes.some((suffix) => name.toLowerCase().endsWith(suffix));
 
 /** Most cells of a dropped elevation model that become cells of the lattice one by one. */
 const MOST_CELLS = 2 ** 19;
@@ -59,9 +59,10 @@ export class Files {
   }
 
   async take(file: File): Promise<void> {
-    if (/\.json$/i.test(file.name)) await this.load(file.name, await file.text());
-    else if (HEIGHTS.test(file.name) || RECORDS.test(file.name)) await this.keep(file);
-    else this.app.note("error", `${file.name}: not a scenario (.json), no ground (.png, .npy, .tif, .asc, .xyz, .nc) and no wind record (.csv, .nc)`);
+    const { heights, records } = this.app.files;
+    if (ends(file.name, [".json"])) await this.load(file.name, await file.text());
+    else if (ends(file.name, [...heights, ...records])) await this.keep(file);
+    else this.app.note("error", `${file.name}: not a scenario (.json), no ground (${heights.join(", ")}) and no wind record (${records.join(", ")})`);
   }
 
   async savePicture(): Promise<void> {
@@ -116,7 +117,7 @@ export class Files {
   private choose(): void {
     const input = h("input", {
       type: "file",
-      accept: ".json,.png,.npy,.tif,.tiff,.asc,.xyz,.hgt,.csv,.nc",
+      accept: [".json", ...this.app.files.heights, ...this.app.files.records].join(),
       onchange: () => {
         const file = input.files?.[0];
         if (file) void this.take(file);
@@ -129,7 +130,7 @@ export class Files {
   private async keep(file: File): Promise<void> {
     try {
       const kept = await this.upload(file);
-      if (RECORDS.test(file.name) && !kept.heights) await this.record(file, kept);
+      if (ends(file.name, this.app.files.records) && !kept.heights) await this.record(file, kept);
       else this.ground(file, kept);
     } catch (error) {
       this.app.refused(error);

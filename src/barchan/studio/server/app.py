@@ -68,6 +68,7 @@ def application(session: Session, guard: Guard) -> Starlette:
         Route("/api/presets", guarded(json_of(gallery.presets))),
         Route("/api/schema", guarded(json_of(gallery.schema))),
         Route("/api/colours", guarded(json_of(gallery.colours))),
+        Route("/api/files", guarded(json_of(gallery.files_taken))),
         Route("/api/pictures/{name}", guarded(thumbnail)),
         Route("/api/upload", guarded(upload), methods=["POST"]),
         WebSocketRoute("/connection", connect),

@@ -1,4 +1,4 @@
-"""Data that a page requests once: presets with their pictures, the schema, the colours."""
+"""Data that a page requests once: presets with their pictures, the schema, the colours, kinds of files."""
 
 from functools import cache
 from importlib.resources import files
@@ -8,6 +8,7 @@ import numpy as np
 
 from barchan.models import models
 from barchan.scenario import Scenario, load_scenario, preset_names
+from barchan.studio.server.workspace import HEIGHTS, RECORDS
 
 COLOURS = 64
 """Colours of a map that are sent."""
@@ -46,6 +47,11 @@ def thumbnail(name: str) -> bytes | None:
 def schema() -> dict[str, Any]:
     """The JSON schema of scenarios, from which the panel is generated."""
     return Scenario.model_json_schema()
+
+
+def files_taken() -> dict[str, tuple[str, ...]]:
+    """Suffixes of the files that a page may upload, as ground and as a wind record."""
+    return {"heights": HEIGHTS, "records": RECORDS}
 
 
 @cache

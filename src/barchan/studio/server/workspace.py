@@ -7,10 +7,17 @@ from barchan.archive.folder import CHECKPOINT, SCENARIO
 from barchan.errors import BarchanError, Problem, ScenarioError
 from barchan.ground.reading import READERS
 from barchan.studio.server.security import is_plain_name
+from barchan.wind.records.reading import SUFFIXES
 
 UPLOADS = "studio-uploads"
-KINDS = (*READERS, ".csv")
-"""Files that can be ground or a wind record: data, never programs."""
+HEIGHTS = tuple(READERS)
+"""Suffixes of files that can be ground."""
+
+RECORDS = tuple(SUFFIXES)
+"""Suffixes of files that can be a wind record."""
+
+KINDS = tuple(dict.fromkeys((*HEIGHTS, *RECORDS)))
+"""Files that can be one of both: data, never programs."""
 
 
 class Workspace:

@@ -16,6 +16,9 @@ SAMPLE = "sample"
 
 SAMPLE_FILE = "sample.csv.gz"
 
+SAMPLE_HEIGHT = 10.0
+"""Height (m) of the shipped record's winds, which were made up there."""
+
 SUFFIXES = (
     ".csv",
     ".txt",
@@ -43,7 +46,9 @@ def read_record(path: Path | str, form: RecordFormat | None = None) -> WindRecor
     """
     if str(path) == SAMPLE:
         with as_file(files("barchan.wind.records") / SAMPLE_FILE) as shipped:
-            return read_record(shipped, form)
+            form = form or RecordFormat()
+            height = SAMPLE_HEIGHT if form.height is None else form.height
+            return read_record(shipped, form.model_copy(update={"height": height}))
     path = Path(path)
     refuse_unreadable(path)
     return checked((read_grid if is_grid(path) else read_table)(path, form or RecordFormat()))

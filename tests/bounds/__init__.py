@@ -1,0 +1,1 @@
+"""Every preset for a few steps with every access to an array checked."""
