@@ -13,6 +13,7 @@ from barchan.fields import HEIGHT_UNIT
 from barchan.kernels.snow.state import (
     AGE_CLASSES,
     DENSITY_CLASSES,
+    Creep,
     LayerTables,
     age_classes,
     density_of,
@@ -27,7 +28,7 @@ _HOUR = 3600.0
 _ABRADED = 0.09
 """Threshold stress (Pa) of the snow that the rate of abrasion is stated for."""
 _NEVER = np.int32(2**30)
-"""A step (0.1 mm) that no snow reaches."""
+"""A step (µm) that no snow reaches."""
 _ANY_DENSITY = 1024
 
 
@@ -87,11 +88,20 @@ class Conditions:
         usual = Conditions(self.parameters, self.wind, self.parameters.temperature).flux
         return self.flux / usual if usual > 0.0 else 1.0
 
-    @property
-    def creep_chance(self) -> float:
-        """Chance that a quantum that has landed rolls."""
-        creep, excess = self.parameters.creep, self.stress - self.impact_threshold
-        return min(creep.greatest, creep.strength * self.impact_threshold / max(excess, 1e-12))
+    def creep(self, cell_size: float) -> Creep | None:
+        """How quanta that have landed roll on cells of a size (m); None: not at all.
+
+        By impacts a quantum is pushed s times the slope along either axis, which is chosen at random. Quanta
+        land at the rate Q p_s / (L m0), so that s Q p_s cell / (2 L) creep down a slope of one; this is
+        ``gain`` Q for s = 2 gain L / (p_s cell).
+        """
+        rules = self.parameters.creep
+        if rules.law == "impacts":
+            pushes = 2.0 * rules.gain * self.parameters.hop / (self.parameters.p_s * cell_size)
+            return Creep(True, np.int64(0), pushes * HEIGHT_UNIT / cell_size) if rules.gain > 0.0 else None
+        excess = max(self.stress - self.impact_threshold, 1e-12)
+        chance = min(rules.greatest, rules.strength * self.impact_threshold / excess)
+        return Creep(False, np.int64(round(chance * 2**32)), 0.0) if rules.strength > 0.0 else None
 
     @property
     def rate(self) -> float:
@@ -148,7 +158,7 @@ def layer_tables(now: Conditions, drifting: bool, flux_share: float, cell_size: 
 def _limits(
     now: Conditions, density: NDArray[np.float64], bonded: NDArray[np.bool_], cell_size: float
 ) -> NDArray[np.int32]:
-    """Largest steps (0.1 mm) to a face neighbour that stand: one quantum at least, however thick."""
+    """Largest steps (µm) to a face neighbour that stand: one quantum at least, however thick."""
     repose = now.parameters.repose
     wet = now.temperature > 0.0
     angle = np.where(density < repose.fallen_below, repose.fallen, repose.drift)
@@ -175,13 +185,13 @@ def _classes(drift: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
 
 
 def thickness_of(words: NDArray[np.int64], quantum: float) -> NDArray[np.int64]:
-    """Thickness (0.1 mm) of packed layers of quanta of a mass (kg/m²)."""
+    """Thickness (µm) of packed layers of quanta of a mass (kg/m²)."""
     heights = quantum_heights(quantum)[density_of(words).astype(np.int64)]
     return np.asarray(quanta_of(words) * heights)
 
 
 @lru_cache(maxsize=8)
 def quantum_heights(quantum: float) -> NDArray[np.int32]:
-    """Height (0.1 mm) of a quantum (kg/m²) by density in whole kg/m³."""
+    """Height (µm) of a quantum (kg/m²) by density in whole kg/m³."""
     density = np.maximum(np.arange(_ANY_DENSITY), 1)
     return np.maximum(np.rint(quantum / density / HEIGHT_UNIT), 1).clip(max=2**30).astype(np.int32)

@@ -156,8 +156,28 @@ class Relief(Parameters):
 
 
 class SnowCreep(Parameters):
-    """Grains that roll down before they rest, the more the nearer the wind is to its threshold."""
+    """Grains that roll down a slope after they have landed."""
 
+    law: Literal["impacts", "threshold"] = parameter(
+        "impacts",
+        unit="-",
+        live=True,
+        meaning="impacts: every impact of saltating grains pushes grains down the slope, so that the flux of "
+        "creep is the flux of saltation times slope times gain; threshold: grains that land roll to the "
+        "lowest neighbour the more often the nearer the wind is to its threshold, whatever the slope.",
+        source="impacts: flux of reptation in proportion to impacts (Anderson 1987) and reduced by the slope "
+        "(Yizhaq et al. 2004); threshold: ours",
+    )
+    gain: float = parameter(
+        1.0,
+        unit="-",
+        ge=0,
+        le=20,
+        live=True,
+        meaning="Flux of creep down a slope of one, over the flux of saltation, where creep follows impacts; "
+        "0: nothing rolls.",
+        source="ours, see the calibration in the documentation",
+    )
     strength: float = parameter(
         0.8,
         unit="-",
@@ -165,7 +185,7 @@ class SnowCreep(Parameters):
         le=10,
         live=True,
         meaning="Chance to roll times the excess of the stress over its impact threshold, over that "
-        "threshold; 0: nothing rolls.",
+        "threshold, where creep follows the threshold; 0: nothing rolls.",
         source="ours, from the effect of slope on the threshold",
     )
     greatest: float = parameter(

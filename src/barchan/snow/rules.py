@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from barchan.fields import HEIGHT_UNIT
 from barchan.kernels.slabs.state import SlabRules
-from barchan.kernels.snow.state import DENSITY_UNIT, Creep, Giving, SnowRules
+from barchan.kernels.snow.state import DENSITY_UNIT, Giving, SnowRules
 from barchan.snow.conditions import Conditions, layer_tables
 from barchan.snow.drift_meter import DRIFTING
 
@@ -29,14 +29,13 @@ def rules_under(
     always = stress is None and not parameters.bonding.grows and parameters.erosion_chance == 1.0
     exposure = max(round(parameters.abrasion.height / HEIGHT_UNIT), 1)
     giving = Giving(parameters.abrasion.rate > 0.0 and drift > 0.0, exposure)
-    chance = np.uint64(round(now.creep_chance * 2**32))
     return SnowRules(
         slabs=slabs,
         tables=tables,
         giving=None if always else giving,
         stress=stress,
         impact_threshold=min(now.impact_threshold / max(now.stress, 1e-12), 0.999),
-        creep=Creep(chance) if parameters.creep.strength > 0.0 else None,
+        creep=now.creep(cell_size),
         epoch=epoch,
         density=round(now.drift_density * DENSITY_UNIT),
         gentlest=int(tables.face_limit.min()),

@@ -15,7 +15,7 @@ from barchan.snow.parameters import OldLayer, SnowParameters
 from barchan.streams import Stream
 
 HIGHEST = 1 << 30
-"""Height (0.1 mm) that the kernel's surface can reach with room for what a run adds."""
+"""Height (µm) that the kernel's surface can reach with room for what a run adds."""
 
 
 def lay_first_snow(bed: Bed, parameters: SnowParameters, seed: int) -> None:

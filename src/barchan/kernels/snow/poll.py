@@ -21,6 +21,9 @@ from barchan.kernels.snow.slopes import feed, lay_down
 _ALL = 1 << 32
 """A chance of one."""
 
+_AXES, _TIE = np.uint64(1), np.uint64(2)
+"""Bits that choose an axis, and one of two neighbours that are equally low."""
+
 _UPWIND, _UPPER, _LOWER, _LEFT, _RIGHT = 2, 5, 6, 1, 3
 """Directions of the neighbours upwind, upwind to either side, and beside a cell, in the wind's frame."""
 
@@ -129,13 +132,40 @@ def carry(pack, rules, heights, along, across, travelled, state, peak):
     return row, col, state, True, stays, way_along, way_across
 
 
+@internal()
+def _pushed(creep, pack, grid, row, col, state):
+    """The cell where a quantum lies after it was pushed down the slope, cell by cell.
+
+    It is pushed along one of the axes, chosen at random each time, towards the lower neighbour; the mean
+    number of pushes down an even slope is the drop to a neighbour times ``per_height``.
+    """
+    left = np.float64(0.0)
+    while True:
+        state += GOLDEN
+        draw = mix(state)
+        direction = np.int64(low(draw) & _AXES)
+        r, c = neighbour(row, col, direction, grid)
+        other_r, other_c = neighbour(row, col, direction + 2, grid)
+        there = np.int64(pack.surface[np.uint64(r * grid.cols + c)])
+        other = np.int64(pack.surface[np.uint64(other_r * grid.cols + other_c)])
+        if other < there or (other == there and low(draw) & _TIE != 0):
+            r, c, there = other_r, other_c, other
+        drop = np.int64(pack.surface[np.uint64(row * grid.cols + col)]) - there
+        if drop <= 0 or high(draw) * 2.0**-32 >= drop * creep.per_height + left:
+            return row, col, state
+        row, col = r, c
+        left -= 1.0
+
+
 @internal(forceinline=True)
 def _roll(creep, pack, grid, row, col, state):
-    """The cell where a quantum lies after it has rolled, by chance, to the lowest face neighbour."""
+    """The cell where a quantum lies after it has rolled, by chance, to a lower face neighbour."""
     if creep is None:
         return row, col, state
+    if creep.by_slope:
+        return _pushed(creep, pack, grid, row, col, state)
     state += GOLDEN
-    if high(mix(state)) >= creep.chance:
+    if np.int64(high(mix(state))) >= creep.chance:
         return row, col, state
     lowest = pack.surface[np.uint64(row * grid.cols + col)]
     to_row, to_col = row, col
