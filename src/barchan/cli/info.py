@@ -86,6 +86,7 @@ def _contents(run: Path) -> tuple[int, "Scenario", list[tuple[str, str]]]:
         ("field", f"{lattice.columns} × {lattice.rows} cells of {lattice.cell_size:g} m"),
         ("unit", unit_of(scenario)),
         *scenario.facts().items(),
+        *_forecast(known.scenario, changed=bool(known.events)),
         ("wind", scenario.wind.summary()),
         ("seed", str(scenario.run.seed)),
         *([("branch of", f"{known.parent.run}, from step {known.parent.step} on")] if known.parent else []),
@@ -96,6 +97,12 @@ def _contents(run: Path) -> tuple[int, "Scenario", list[tuple[str, str]]]:
         ("size", f"{known.bytes / 1e6:.1f} MB"),
     ]
     return known.frames, known.scenario, rows
+
+
+def _forecast(scenario: "Scenario", changed: bool) -> list[tuple[str, str]]:
+    """What was predicted of the run before it started; later changes are not part of it."""
+    told = ", before what was changed" if changed else ""
+    return [(name, f"{text}{told}") for name, text in scenario.forecast().items()]
 
 
 def _changes(events: Sequence["Record"]) -> list[tuple[str, str]]:

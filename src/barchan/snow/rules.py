@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from barchan.fields import HEIGHT_UNIT
 from barchan.kernels.slabs.state import SlabRules
-from barchan.kernels.snow.state import DENSITY_UNIT, Giving, SnowRules
+from barchan.kernels.snow.state import DENSITY_UNIT, UPWIND, Giving, SnowRules
 from barchan.snow.conditions import Conditions, layer_tables
 from barchan.snow.drift_meter import DRIFTING
 
@@ -28,7 +28,10 @@ def rules_under(
     tables = layer_tables(now, drift > DRIFTING, drift, cell_size)
     always = stress is None and not parameters.bonding.grows and parameters.erosion_chance == 1.0
     exposure = max(round(parameters.abrasion.height / HEIGHT_UNIT), 1)
-    giving = Giving(parameters.abrasion.rate > 0.0 and drift > 0.0, exposure)
+    along, across = slabs.wind.unit_along, slabs.wind.unit_across
+    corner = UPWIND + (1 if across > 0.0 else -1)
+    oblique = round(abs(across) / along * 2**32)
+    giving = Giving(parameters.abrasion.rate > 0.0 and drift > 0.0, exposure, corner, oblique)
     return SnowRules(
         slabs=slabs,
         tables=tables,

@@ -69,12 +69,20 @@ class LayerTables(NamedTuple):
     """Largest step (µm) to a lower face neighbour that stands."""
 
 
+UPWIND = 4
+"""Place of the cell upwind among a cell's neighbours, counted anticlockwise from the one downwind."""
+
+
 class Giving(NamedTuple):
     """What decides whether a polled cell gives a quantum."""
 
     abrades: bool
     exposure_height: int
     """Height (µm) of the saltation layer: a cell that stands out by more is worn no faster."""
+    corner: int
+    """Place of the corner that an oblique wind comes from, counted as ``UPWIND``."""
+    oblique: int
+    """Chance, in 2**-32, that grains come from that corner and not along the columns' axis."""
 
 
 class Creep(NamedTuple):
