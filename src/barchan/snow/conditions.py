@@ -9,6 +9,12 @@ from numpy.typing import NDArray
 
 from barchan.aeolian.snow.bonding import LOOSEST_BONDS, bonding_rate, threshold_stress
 from barchan.aeolian.snow.drift import IMPACT_STRESS
+from barchan.aeolian.snow.thresholds import (
+    BY_DENSITY,
+    li_pomeroy_median,
+    li_pomeroy_spread,
+    normal_share,
+)
 from barchan.fields import HEIGHT_UNIT
 from barchan.kernels.snow.state import (
     AGE_CLASSES,
@@ -52,15 +58,39 @@ class Conditions:
 
     def threshold(self, density: NDArray | float, hours: NDArray | float) -> NDArray[np.float64]:
         """Threshold stress (Pa) of snow at rest, by density (kg/m³) and age (h at -10 °C)."""
-        bonding = self.parameters.bonding
+        parameters, bonding = self.parameters, self.parameters.bonding
+        aged = hours if bonding.grows else np.full(np.shape(hours), LOOSEST_BONDS)
+        law, air = parameters.threshold.law, parameters.air_density
+        if law in BY_DENSITY:
+            ustar = BY_DENSITY[law](density)
+            return np.broadcast_to(air * ustar**2, np.broadcast_shapes(np.shape(density), np.shape(hours)))
+        if law == "li_pomeroy":
+            winds = li_pomeroy_median(self.temperature, aged)
+            ustar = np.vectorize(parameters.drift.friction_velocity, otypes=[np.float64])(winds)
+            return np.broadcast_to(air * ustar**2, np.broadcast_shapes(np.shape(density), np.shape(hours)))
         return threshold_stress(
             density,
-            hours if bonding.grows else np.full(np.shape(hours), LOOSEST_BONDS),
+            aged,
             self.temperature,
-            air_density=self.parameters.air_density,
-            weight=self.parameters.threshold.weight,
+            air_density=air,
+            weight=parameters.threshold.weight,
             exponent=bonding.exponent,
         )
+
+    @property
+    def spread(self) -> float:
+        """Standard deviation of the threshold wind over the wind on the flat; 0: the threshold is sharp."""
+        if self.parameters.threshold.law != "li_pomeroy":
+            return 0.0
+        return li_pomeroy_spread(self.temperature) / max(self.wind, 1e-6)
+
+    @property
+    def usual_excess(self) -> float:
+        """What the wind on flat, fresh drift in motion exceeds its threshold by, as a poll measures it."""
+        below = self.impact_threshold / max(self.stress, 1e-12)
+        if self.spread > 0.0:
+            return normal_share((1.0 - below**self.parameters.drift.stress_power) / self.spread)
+        return max(1.0 - below, 1e-12)
 
     @property
     def fresh_threshold(self) -> float:
@@ -141,7 +171,7 @@ def layer_tables(now: Conditions, drifting: bool, flux_share: float, cell_size: 
     bonded = np.broadcast_to((hours >= bonding.loose_hours) & bonding.grows, static.shape)
     threshold = np.where(drifting & ~bonded, IMPACT_STRESS * static, static)
     detached = np.where(bonded, (now.fresh_threshold / static) ** bonding.detachment, 1.0)
-    excess = max(1.0 - now.impact_threshold / stress, 1e-12)
+    excess = now.usual_excess
     hops = parameters.hop / cell_size / parameters.p_s
     wears = now.supply * parameters.abrasion.rate * _ABRADED / static * hops * flux_share
     return LayerTables(

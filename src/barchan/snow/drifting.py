@@ -8,7 +8,7 @@ from pydantic import model_validator
 
 from barchan.aeolian.snow.bonding import weight_threshold
 from barchan.aeolian.snow.density import GREATEST_DENSITY, LEAST_DENSITY, drift_density
-from barchan.aeolian.snow.drift import FLUX_LAWS, FRICTION_LAWS, WINDS, log_law
+from barchan.aeolian.snow.drift import FLUX_LAWS, FRICTION_LAWS, STRESS_POWERS, WINDS, log_law
 from barchan.aeolian.wall import speed_at
 from barchan.parameters import Parameters, parameter
 
@@ -86,13 +86,28 @@ class Drift(Parameters):
         """Saturated flux (kg/m/s)."""
         return float(FLUX_LAWS[self.flux](ustar, threshold, air_density))  # type: ignore[arg-type]
 
+    @property
+    def stress_power(self) -> float:
+        """Power of the stress with which the wind grows."""
+        return STRESS_POWERS[self.friction]
+
     def speed_of(self, ustar: NDArray[np.float64]) -> NDArray[np.float64]:
         """Winds (m/s at 10 m) of friction velocities (m/s)."""
         return WINDS[self.friction](ustar, self.roughness)
 
 
 class Threshold(Parameters):
-    """The stress that snow withstands by the weight of its grains."""
+    """The wind that snow withstands."""
+
+    law: Literal["bonds", "li_pomeroy", "snowtran", "mar"] = parameter(
+        "bonds",
+        unit="-",
+        meaning="What the threshold follows from. bonds: weight of the grains, and bonds by age, temperature "
+        "and density; li_pomeroy: a chance to give by time and temperature, normal about a median wind; "
+        "snowtran, mar: density alone.",
+        source="bonds: see the documentation; Li & Pomeroy 1997b; snowtran: Liston et al. 2007; mar: Gallée "
+        "et al. 2001",
+    )
 
     grain_radius: float = parameter(
         1.5e-4,

@@ -31,7 +31,14 @@ def rules_under(
     along, across = slabs.wind.unit_along, slabs.wind.unit_across
     corner = UPWIND + (1 if across > 0.0 else -1)
     oblique = round(abs(across) / along * 2**32)
-    giving = Giving(parameters.abrasion.rate > 0.0 and drift > 0.0, exposure, corner, oblique)
+    giving = Giving(
+        parameters.abrasion.rate > 0.0 and drift > 0.0,
+        exposure,
+        corner,
+        now.spread,
+        parameters.drift.stress_power,
+        oblique,
+    )
     return SnowRules(
         slabs=slabs,
         tables=tables,

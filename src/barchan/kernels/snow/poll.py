@@ -4,6 +4,8 @@ The rules are numbered as in ``docs/snow.md``. Everything is done in the wind's 
 numbers; with all closures off the same random numbers are drawn for the same questions as for slabs of sand.
 """
 
+import math
+
 import numpy as np
 
 from barchan.kernels.bed.grid import neighbour
@@ -28,6 +30,8 @@ from barchan.kernels.slabs.state import CAPPED, LEFT, MOVED, TRAVEL_ACROSS, TRAV
 from barchan.kernels.snow.layers import pop, state_class
 from barchan.kernels.snow.slopes import feed, lay_down
 from barchan.kernels.snow.state import UPWIND
+
+_ROOT_OF_TWO = math.sqrt(2.0)
 
 _ALL = 1 << 32
 """A chance of one."""
@@ -72,6 +76,9 @@ def _chance_allows(giving, stress, pack, rules, row, col, cell, here, state):
     if stress is not None:
         felt = np.float64(stress[cell])
     excess = felt - np.float64(rules.tables.threshold[kind])
+    if giving.spread > 0.0:
+        gentler = np.float64(rules.tables.threshold[kind]) ** giving.power
+        excess = 0.5 * math.erfc((gentler - felt**giving.power) / (giving.spread * _ROOT_OF_TWO))
     chance = max(excess, 0.0) * np.float64(rules.tables.yields[kind])
     draw = np.float64(high(mix(state))) * 2.0**-32
     if giving.abrades:

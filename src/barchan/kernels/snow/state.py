@@ -81,6 +81,10 @@ class Giving(NamedTuple):
     """Height (µm) of the saltation layer: a cell that stands out by more is worn no faster."""
     corner: int
     """Place of the corner that an oblique wind comes from, counted as ``UPWIND``."""
+    spread: float
+    """Standard deviation of the threshold wind over the wind on the flat; 0: the threshold is sharp."""
+    power: float
+    """Power of the stress with which the wind grows."""
     oblique: int
     """Chance, in 2**-32, that grains come from that corner and not along the columns' axis."""
 
