@@ -59,7 +59,15 @@ def _towards(frame: MeasuredFrame) -> float:
 def _flux(frame: MeasuredFrame) -> float:
     lattice = frame.scenario.lattice
     travel = math.hypot(*frame.travel)
-    return flux(travel, lattice.cells, frame.steps, lattice.thickness, lattice.cell_size)
+    return flux(travel, lattice.cells, frame.steps, _unit_height(frame), lattice.cell_size)
+
+
+def _unit_height(frame: MeasuredFrame) -> float:
+    """Height (m) of a unit: of a slab, or where units are masses their mean on the bed."""
+    lattice, bed = frame.scenario.lattice, frame.bed
+    if all(layer.mass is None for layer in bed.layers):
+        return lattice.thickness
+    return _ratio(bed.volume, bed.units * lattice.cell_size**2)
 
 
 def _per_year(frame: MeasuredFrame, per_step: float) -> float:

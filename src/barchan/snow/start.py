@@ -68,8 +68,11 @@ def check_counts(bed: Bed, parameters: SnowParameters) -> None:
     if quanta > MOST_QUANTA:
         text = f"has stacks of up to {quanta} quanta; allowed: up to {MOST_QUANTA}"
         raise ScenarioError([Problem("sand", text)])
-    thickest = int(quantum_heights(parameters.quantum)[int(LEAST_DENSITY)])
     total = quanta + sum(quanta_in(old, parameters) for old in parameters.beneath)
+    if total > MOST_QUANTA:
+        text = f"has stacks of up to {total} quanta with older layers; allowed: up to {MOST_QUANTA}"
+        raise ScenarioError([Problem("model.beneath", text)])
+    thickest = int(quantum_heights(parameters.quantum)[int(LEAST_DENSITY)])
     relief = float(np.ptp(bed.ground)) / HEIGHT_UNIT + total * thickest
     if relief > HIGHEST:
         text = (
