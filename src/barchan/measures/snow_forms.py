@@ -102,7 +102,7 @@ class Arrest:
 
 
 def arrest(hours: NDArray[np.float64], way: NDArray[np.float64], still: float = MOVING) -> Arrest:
-    """When forms that had come a ``way`` (m) after some ``hours`` fell below the speed ``still`` (m/h) for good.
+    """When forms that came a ``way`` (m) within ``hours`` fell below the speed ``still`` (m/h) for good.
 
     Raises ValueError for fewer than two times, or times that do not increase.
     """
