@@ -1,7 +1,7 @@
 """Which forms does snow of an age take under a wind?
 
-Snow of 30 kg/m² and 120 kg/m³ that has lain at -10 °C for 0.1 hours to 7 days, 2 % of its cells weak, then six
-hours of a wind of 7 to 20 m/s over 6.4 × 16 m; two seeds. The class of the field follows from its relief,
+Snow of 30 kg/m² and 120 kg/m³ that has lain at -10 °C for 0.1 hours to 7 days, 2 % of its cells weak, then
+six hours of a wind of 7 to 20 m/s over 6.4 × 16 m; two seeds. The class of the field follows from its relief,
 skewness of slopes, speed and bonded share by stated limits (`barchan.measures.snow_forms`).
 """
 

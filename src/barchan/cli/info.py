@@ -42,6 +42,7 @@ def info(
     as_csv
         Print the measures as CSV, a row each.
     """
+    from barchan.analysis.forms import form
     from barchan.analysis.time_series import last_values
     from barchan.archive import open_run
     from barchan.cli import measure_table
@@ -55,6 +56,8 @@ def info(
     if frames:
         with open_run(run) as dataset:
             values = last_values(dataset, scenario, wind)
+        if (found := form(values, scenario)) is not None:
+            rows.append(("forms", found))
     if as_json:
         data = {"run": str(run), "contents": dict(rows), "measures": measure_table.as_data(values)}
         console.out(json.dumps(data, indent=2, ensure_ascii=False))

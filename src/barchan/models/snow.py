@@ -4,6 +4,7 @@ from typing import Literal
 
 from barchan.parameters import parameter
 from barchan.snow.fields import DERIVED, STRATA
+from barchan.snow.measures import MEASURES
 from barchan.snow.model import SnowModel
 from barchan.snow.parameters import SnowParameters
 
@@ -41,3 +42,4 @@ class Snow(SnowModel):
     Parameters = SnowModelParameters
     derived = DERIVED
     strata = STRATA
+    measures = MEASURES
