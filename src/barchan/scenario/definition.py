@@ -153,8 +153,15 @@ class Scenario(Parameters):
     def first_bed(self) -> Bed:
         """The bed that a run starts with; raises ScenarioError with every problem found."""
         model = self.new_model()
-        heights = {"unit_height": model.unit_height, "beneath": model.beneath}
-        return first_bed(self.lattice, self.ground, self.sand, self.seed, model.layers, **heights)
+        return first_bed(
+            self.lattice,
+            self.ground,
+            self.sand,
+            self.seed,
+            model.layers,
+            unit_height=model.unit_height,
+            beneath=model.beneath,
+        )
 
     def new_model(self) -> Model:
         """The model, set up for the lattice."""
