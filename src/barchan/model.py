@@ -256,6 +256,13 @@ class Model(ABC):
         """Thickness (m) of what ``initialise`` lays beneath the units of the start."""
         return 0.0
 
+    def held_temperature(self, temperature: float) -> float:
+        """The temperature (°C) nearest to this one for which the model's rules hold."""
+        if self.temperature_range is None:
+            return temperature
+        coldest, warmest = self.temperature_range
+        return min(max(temperature, coldest), warmest)
+
     def moves(self, wind: Segment) -> bool:
         """Whether a wind can move anything; by default one that has polls."""
         return wind.polls > 0

@@ -1,5 +1,7 @@
 """Each closure of snow by itself: abrasion, creep, wet snow, corners, thresholds, gusts, depths in metres."""
 
+import dataclasses
+
 import numpy as np
 import pytest
 
@@ -7,6 +9,7 @@ import barchan
 from barchan.errors import ScenarioError
 from barchan.simulation import Simulation
 from barchan.snow.conditions import Conditions
+from barchan.wind.weather import Weather
 from tests.snow.scenes import SWITCHED_OFF, snow
 
 STILL = {"grows": False}
@@ -139,3 +142,24 @@ def test_heights_of_light_quanta_do_not_drift():
     """100 kg/m² of 0.1 kg/m² quanta at 347 kg/m³ stand 288.2 mm high, not 300."""
     simulation = snow(1000, {"speed": 0.0}, quantum=0.1, start_density=347.0)
     np.testing.assert_allclose(simulation.elevation, 100.0 / 347.0, rtol=2e-3)
+
+
+def test_a_record_with_a_warm_hour_runs_and_says_so(tmp_path):
+    """Air of 7 °C counts as 5 °C, the warmest that the rules hold for."""
+    rows = [f"2024-01-01T{hour:02}:00:00,9,270,{7 if hour == 4 else -5}" for hour in range(8)]
+    (tmp_path / "warm.csv").write_text("\n".join(["time,speed,direction,temperature", *rows]))
+    scenario = barchan.load(
+        {
+            "barchan": 2,
+            "lattice": {"rows": 8, "columns": 16, "cell_size": 0.1},
+            "wind": {"kind": "record", "path": str(tmp_path / "warm.csv")},
+            "model": {"name": "snow"},
+            "run": {"steps": 3, "seed": 1},
+        }
+    )
+    (told,) = (remark for remark in scenario.remarks() if "beyond" in remark)
+    assert told.startswith("1 of the record's 8 rows have air of 7 to 7 °C, beyond -90 to 5 °C")
+    model = scenario.new_model()
+    warm = scenario.seeded().forcing().wind_of(0)
+    warm = dataclasses.replace(warm, weather=Weather(7.0, None))
+    assert model.conditions(warm).temperature == 5.0

@@ -19,7 +19,7 @@ from barchan.lattice import Lattice
 from barchan.models import Model, models
 from barchan.parameters import Parameters, parameter
 from barchan.scenario.consistency import broken_edges, inconsistencies, starved_edges
-from barchan.scenario.effects import stated_speeds, unmoved, unused
+from barchan.scenario.effects import beyond_range, stated_speeds, unmoved, unused
 from barchan.scenario.source_map import SourceMap
 from barchan.scenario.summary import html_table, in_a_line, summary
 from barchan.wind import Clock, Forcing, Steady, StepClock, WeatherCourse, Wind
@@ -251,7 +251,7 @@ class Scenario(Parameters):
         model = self.new_model()
         parts = [part for _, part in self.wind.placed_parts()]
         remarks: list[Iterable[str]] = [self.source_map.notes]
-        remarks += [unmoved(self), unused(self), starved_edges(self)]
+        remarks += [unmoved(self), unused(self), beyond_range(self), starved_edges(self)]
         remarks += [self.ground.remarks(self.lattice), broken_edges(self, ground)]
         remarks += [model.remarks(part.longest_hop, part.direction) for part in parts]
         return list(dict.fromkeys(remark for found in remarks for remark in found))

@@ -46,6 +46,26 @@ def _strongest(scenario: "Scenario") -> list[Segment]:
     return [replace(scenario.seeded().forcing().wind_of(0), speed=speed, polls=polls)]
 
 
+def beyond_range(scenario: "Scenario") -> list[str]:
+    """A remark on a record with air warmer or colder than the model's rules hold for."""
+    limits = scenario.new_model().temperature_range
+    if limits is None or not isinstance(scenario.wind, SeriesWind):
+        return []
+    temperature = scenario.wind.series(scenario.seeded().seed).record.temperature
+    if temperature is None:
+        return []
+    low, high = limits
+    outside = temperature[(temperature < low) | (temperature > high)]
+    if not outside.size:
+        return []
+    told = (
+        f"{outside.size} of the record's {temperature.size} rows have air of {outside.min():.3g} to "
+        f"{outside.max():.3g} °C, beyond {low:g} to {high:g} °C, for which the rules of "
+        f"{scenario.new_model().title} hold: they count as the nearest of these; melt is not modelled"
+    )
+    return [told]
+
+
 def unused(scenario: "Scenario") -> list[str]:
     """Remarks on a hop length or a wind speed of the model in whose place every wind states its own."""
     winds = [part for _, part in scenario.wind.placed_parts()]

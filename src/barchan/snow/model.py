@@ -119,9 +119,9 @@ class SnowModel(Model):
         if wind is None:
             wind = self.parameters.reference_wind if segment.polls else 0.0
         temperature = segment.weather.temperature
-        return Conditions(
-            self.parameters, wind, self.parameters.temperature if temperature is None else temperature
-        )
+        if temperature is None:
+            temperature = self.parameters.temperature
+        return Conditions(self.parameters, wind, self.held_temperature(temperature))
 
     def advance(self, bed: Bed, segment: Segment, stream: Stream) -> Tally:
         """Let snow age, fall and pack, and the wind drift it, step by step."""
