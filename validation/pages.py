@@ -57,12 +57,6 @@ THEMES = (
         ),
     ),
     Theme(
-        "snow",
-        "Snow",
-        "Sizes and speeds of forms of snow, the dune that bonds arrest, and forms over wind and age.",
-        ("snow_ranges", "snow_arrest", "snow_diagram"),
-    ),
-    Theme(
         "winds",
         "Winds",
         "Winds that change: stars, crests under two winds, directions that spread, mixed axes.",

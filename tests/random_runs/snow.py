@@ -29,7 +29,7 @@ def scenario(number: int) -> dict[str, Any]:
         "quantum": rng.choice([0.1, 0.5, 1.0, 3.0, 20.0]),
         "layers": rng.choice([2, 3, 8]),
         "hop": rng.choice([0.05, 0.1, 0.37, 1.0]),
-        "reference_wind": rng.choice([16.0, 20.0]),
+        "reference_wind": rng.choice([20.0, 25.0]),
         "creep": rng.choice([{"gain": 1.0}, {"gain": 8.0}, {"law": "threshold"}]),
         "abrasion": {"rate": rng.choice([0.02, 0.5])},
         "threshold": {"law": rng.choice(["bonds", "bonds", "li_pomeroy", "snowtran", "mar"])},

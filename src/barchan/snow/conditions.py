@@ -35,6 +35,8 @@ _ABRADED = 0.09
 """Threshold stress (Pa) of the snow that the rate of abrasion is stated for."""
 _NEVER = np.int32(2**30)
 """A step (µm) that no snow reaches."""
+_SURE = 1e9
+"""Chance for each unit of excess that gives whatever the excess is."""
 _ANY_DENSITY = 1024
 
 
@@ -174,11 +176,12 @@ def layer_tables(now: Conditions, drifting: bool, flux_share: float, cell_size: 
     excess = now.usual_excess
     hops = parameters.hop / cell_size / parameters.p_s
     wears = now.supply * parameters.abrasion.rate * _ABRADED / static * hops * flux_share
+    yields = parameters.erosion_chance * now.supply * detached / excess
     return LayerTables(
         thickness=quantum_heights(parameters.quantum),
         age_class=_AGES,
         threshold=(threshold / stress).astype(np.float32).ravel(),
-        yields=(parameters.erosion_chance * now.supply * detached / excess).astype(np.float32).ravel(),
+        yields=np.minimum(yields, _SURE).astype(np.float32).ravel(),
         wears=np.where(bonded, wears, 0.0).astype(np.float32).ravel(),
         bonded=bonded.astype(np.uint8).ravel(),
         face_limit=_limits(now, density, bonded, cell_size).ravel(),

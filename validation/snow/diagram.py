@@ -8,7 +8,7 @@ skewness of slopes, speed and bonded share by stated limits (`barchan.measures.s
 import json
 
 from validation.pages import RESULTS
-from validation.snow_scenes import advance, field, forms
+from validation.snow.scenes import advance, field, forms
 from validation.study import Row, over_seeds
 
 TITLE = "Forms of snow over wind and age"
@@ -37,7 +37,3 @@ def rows():
         )
         relief = "; ".join(f"{100 * sum(r['relief']) / 2:.1f}" for r in row)
         yield Row(f"age {age:g} h", "", f"{found}. Relief: {relief} cm", "")
-
-
-READING = """
-"""

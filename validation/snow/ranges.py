@@ -6,7 +6,7 @@ hours, at -20 and at -5 °C, bonds growing. Speeds are from frames half an hour 
 """
 
 from barchan.snow.conditions import Conditions
-from validation.snow_scenes import advance, field, forms
+from validation.snow.scenes import advance, field, forms
 from validation.study import Row, over_seeds, spread
 
 TITLE = "Waves and dunes of snow"
@@ -65,7 +65,3 @@ def rows():
         f"{spread(warm['relief'])} m",
         f"{sum(w < c for w, c in zip(warm['relief'], cold['relief'], strict=True))} of 5 seeds",
     )
-
-
-READING = """
-"""
