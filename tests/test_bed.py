@@ -118,7 +118,7 @@ def test_a_level_bed_stands_at_its_stack_everywhere(rows, columns, stack, height
 
 OLD = LayerInfo("old", "int32", "kg/m²", "snow that has hardened", mass=1.0)
 FRESH = LayerInfo("fresh", "int32", "kg/m²", "snow that fell last", mass=1.0, height_field="height")
-HEIGHT = FieldInfo("height", "int32", "0.1 mm", "thickness of the snow")
+HEIGHT = FieldInfo("height", "int32", "µm", "thickness of the snow")
 
 
 def snow_bed():
@@ -126,7 +126,7 @@ def snow_bed():
     lattice = Lattice(rows=2, columns=8)
     old, fresh = np.full(lattice.shape, 3), np.full(lattice.shape, 2)
     bed = Bed(lattice, np.full(lattice.shape, 10.0), old, fresh, layers=(OLD, FRESH))
-    bed.add(HEIGHT, np.full(lattice.shape, 500))
+    bed.add(HEIGHT, np.full(lattice.shape, 50_000))
     return bed
 
 

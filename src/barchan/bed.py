@@ -42,7 +42,7 @@ class Bed:
             self.add(layer, values)
             if layer.height_field:
                 meaning = f"thickness of the {layer.name}"
-                self.add(FieldInfo(layer.height_field, "int32", "0.1 mm", meaning), np.zeros_like(values))
+                self.add(FieldInfo(layer.height_field, "int32", "µm", meaning), np.zeros_like(values))
 
     @classmethod
     def from_fields(

@@ -38,8 +38,8 @@ class LayerInfo(FieldInfo):
     class_unit: str = ""
 
 
-HEIGHT_UNIT = 1e-4
-"""Height (m) of one unit of a layer's ``height_field``."""
+HEIGHT_UNIT = 1e-6
+"""Height (m) of one unit of a layer's ``height_field``; of a quantum of 0.1 kg/m² a two-hundredth at most."""
 
 
 GROUND = FieldInfo("ground", "float64", "m", "elevation of the non-erodible ground")

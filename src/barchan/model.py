@@ -267,6 +267,23 @@ class Model(ABC):
         """Warnings about this choice of parameters on this lattice."""
         return []
 
+    @property
+    def unit_height(self) -> float | None:
+        """Height (m) of a unit of the start's uppermost layer, where it is not a slab of the lattice."""
+        return None
+
+    @property
+    def beneath(self) -> float:
+        """Thickness (m) of what ``initialise`` lays beneath the units of the start."""
+        return 0.0
+
+    def held_temperature(self, temperature: float) -> float:
+        """The temperature (°C) nearest to this one for which the model's rules hold."""
+        if self.temperature_range is None:
+            return temperature
+        coldest, warmest = self.temperature_range
+        return min(max(temperature, coldest), warmest)
+
     def moves(self, wind: Segment) -> bool:
         """Whether a wind can move anything; by default one that has polls."""
         return wind.polls > 0

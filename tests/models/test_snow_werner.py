@@ -22,7 +22,7 @@ def snow(steps=160, hardening=None, **changes):
 
 
 def predicted(scenario):
-    return scenario.facts()["predicted to be immobile"]
+    return scenario.forecast()["predicted to be immobile"]
 
 
 @pytest.mark.parametrize(

@@ -10,7 +10,7 @@ from barchan.simulation import Ledger, Simulation
 from tests.tiny import tiny
 
 SNOW = LayerInfo("snow", "int32", "kg/m²", "snow", mass=1.0, height_field="height")
-HEIGHT = FieldInfo("height", "int32", "0.1 mm", "thickness of the snow")
+HEIGHT = FieldInfo("height", "int32", "µm", "thickness of the snow")
 LIMIT = 5
 """Mass (kg/m²) of snow that weighs the bed down until nothing moves."""
 
@@ -26,7 +26,7 @@ class Packing(Model):
         self.temperatures = [*getattr(self, "temperatures", []), segment.weather.temperature]
         fallen = round(segment.weather.snowfall * segment.seconds)
         bed.lay(np.full(self.lattice.shape, fallen))
-        bed.arrays["height"][...] = bed.arrays["snow"] * 100
+        bed.arrays["height"][...] = bed.arrays["snow"] * 10_000
         heavy = bed.arrays["snow"].max() >= LIMIT
         finished = "the snow is too heavy to move" if heavy else None
         return Tally(steps=segment.steps, entered=fallen * self.lattice.cells, finished=finished)

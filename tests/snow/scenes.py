@@ -10,7 +10,7 @@ WIND = {"kind": "steady", "speed": 10.0, "unit": "m/s"}
 SWITCHED_OFF: dict[str, Any] = {
     "bonding": {"grows": False},
     "relief": {"acts": False},
-    "creep": {"strength": 0.0},
+    "creep": {"gain": 0.0},
     "abrasion": {"rate": 0.0},
     "packing": {"law": "none"},
 }

@@ -36,7 +36,7 @@ def check(scenario: str, /, *values: Tokens) -> None:
     console.print(f"steps: {sound.run.steps}")
     console.print(f"expected time: {spoken_time(sound)}")
     console.print(f"memory: about {in_words(memory_needed(sound))}")
-    for name, fact in sound.facts().items():
+    for name, fact in {**sound.facts(), **sound.forecast()}.items():
         console.print(f"{name}: {fact}")
     for remark in sound.remarks(bed.ground):
         print_note(remark)

@@ -43,6 +43,7 @@ def info(
         Print the measures as CSV, a row each.
     """
     from barchan.analysis.balance import balance_of
+    from barchan.analysis.forms import form
     from barchan.analysis.time_series import last_values
     from barchan.archive import open_run
     from barchan.cli import measure_table
@@ -57,6 +58,8 @@ def info(
         with open_run(run) as dataset:
             rows.append(("balance", balance_of(dataset, scenario).text()))
             values = last_values(dataset, scenario, wind)
+        if (found := form(values, scenario)) is not None:
+            rows.append(("forms", found))
     if as_json:
         data = {"run": str(run), "contents": dict(rows), "measures": measure_table.as_data(values)}
         console.out(json.dumps(data, indent=2, ensure_ascii=False))
@@ -88,6 +91,7 @@ def _contents(run: Path) -> tuple[int, "Scenario", list[tuple[str, str]]]:
         ("field", f"{lattice.columns} × {lattice.rows} cells of {lattice.cell_size:g} m"),
         ("unit", unit_of(scenario)),
         *scenario.facts().items(),
+        *_forecast(known.scenario, changed=bool(known.events)),
         ("wind", wind_in_words(scenario)),
         ("seed", str(scenario.run.seed)),
         *([("branch of", f"{known.parent.run}, from step {known.parent.step} on")] if known.parent else []),
@@ -98,6 +102,12 @@ def _contents(run: Path) -> tuple[int, "Scenario", list[tuple[str, str]]]:
         ("size", f"{known.bytes / 1e6:.1f} MB"),
     ]
     return known.frames, known.scenario, rows
+
+
+def _forecast(scenario: "Scenario", changed: bool) -> list[tuple[str, str]]:
+    """What was predicted of the run before it started; later changes are not part of it."""
+    told = ", before what was changed" if changed else ""
+    return [(name, f"{text}{told}") for name, text in scenario.forecast().items()]
 
 
 def _changes(events: Sequence["Record"]) -> list[tuple[str, str]]:

@@ -35,7 +35,7 @@ def print_facts(simulation: Simulation, random_seed: bool) -> None:
     seed = f"seed {scenario.run.seed}" + (" (random)" if random_seed else "")
     console.print(f"{field_size(scenario)}, {scenario.run.steps} steps, {seed}")
     console.print(f"expected time: {spoken_time(scenario)}")
-    for name, fact in scenario.facts().items():
+    for name, fact in {**scenario.facts(), **scenario.forecast()}.items():
         console.print(f"{name}: {fact}")
     for remark in scenario.remarks(simulation.bed.ground):
         print_note(remark)

@@ -15,9 +15,19 @@ from barchan.streams import Stream
 
 
 def first_bed(
-    lattice: Lattice, ground: Ground, sand: Sand, seed: int, layers: Sequence[LayerInfo] = (SAND,)
+    lattice: Lattice,
+    ground: Ground,
+    sand: Sand,
+    seed: int,
+    layers: Sequence[LayerInfo] = (SAND,),
+    *,
+    unit_height: float | None = None,
+    beneath: float = 0.0,
 ) -> Bed:
     """The ground and the layers on it before the first step, all units in the uppermost; rocks start bare.
+
+    ``unit_height`` (m) is the height of a unit, where it is not a slab of the lattice; ``beneath`` (m) is the
+    thickness of what the model lays under these units.
 
     Raises ScenarioError with every problem found: files that do not fit, stacks too high to be counted.
     """
@@ -28,7 +38,10 @@ def first_bed(
     except ScenarioError as error:
         found += error.problems
     try:
-        slabs = sand.slabs(lattice, elevation, Stream(seed, "initial surface"))
+        counted = lattice
+        if unit_height is not None:
+            counted = lattice.model_copy(update={"slab_aspect": None, "slab_height": unit_height})
+        slabs = sand.slabs(counted, elevation + beneath, Stream(seed, "initial surface"))
     except ScenarioError as error:
         found += error.problems
     if not found:

@@ -6,6 +6,7 @@ from barchan.model import Curve
 from barchan.parameters import parameter
 from barchan.snow.curves import snow_curves
 from barchan.snow.fields import DERIVED, STRATA
+from barchan.snow.measures import MEASURES
 from barchan.snow.model import SnowModel
 from barchan.snow.parameters import SnowParameters
 
@@ -43,6 +44,7 @@ class Snow(SnowModel):
     Parameters = SnowModelParameters
     derived = DERIVED
     strata = STRATA
+    measures = MEASURES
 
     @classmethod
     def curves(cls, parameters: SnowModelParameters) -> list[Curve]:

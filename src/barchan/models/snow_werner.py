@@ -128,7 +128,7 @@ class SnowWerner(SlabModel):
     def _temperature(self, weather: Weather) -> float:
         """The temperature (°C) that the forcing states, or else the model's own."""
         stated = weather.temperature
-        return self.parameters.hardening.temperature if stated is None else stated
+        return self.parameters.hardening.temperature if stated is None else self.held_temperature(stated)
 
     def finished(self, bed: Bed) -> str | None:
         """The day on which the last snow became immobile, once it is."""

@@ -169,7 +169,16 @@ class Scenario(Parameters):
 
     def first_bed(self) -> Bed:
         """The bed that a run starts with; raises ScenarioError with every problem found."""
-        return first_bed(self.lattice, self.ground, self.sand, self.seed, self.layers)
+        model = self.new_model()
+        return first_bed(
+            self.lattice,
+            self.ground,
+            self.sand,
+            self.seed,
+            model.layers,
+            unit_height=model.unit_height,
+            beneath=model.beneath,
+        )
 
     def new_model(self) -> Model:
         """The model, set up for the lattice."""
@@ -195,7 +204,7 @@ class Scenario(Parameters):
 
     def facts(self) -> dict[str, str]:
         """What ground, time, parameters and wind come to on this lattice, for people to read."""
-        model, forcing = self.new_model(), self.seeded().forcing()
+        model = self.new_model()
         return {
             **self.ground.facts(self.lattice),
             **sand_facts(self),
@@ -203,8 +212,11 @@ class Scenario(Parameters):
             **self.time_facts(),
             **model.facts(),
             **model.wind_facts(stated_speeds(self)),
-            **model.forecast(forcing),
         }
+
+    def forecast(self) -> dict[str, str]:
+        """What can be predicted of the run before it starts, for people to read."""
+        return self.new_model().forecast(self.seeded().forcing())
 
     def forcing(self) -> Forcing:
         """The wind over this scenario's lattice, with its clock; the scenario must have a seed."""

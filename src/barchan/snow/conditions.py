@@ -9,10 +9,17 @@ from numpy.typing import NDArray
 
 from barchan.aeolian.snow.bonding import LOOSEST_BONDS, bonding_rate, threshold_stress
 from barchan.aeolian.snow.drift import IMPACT_STRESS
+from barchan.aeolian.snow.thresholds import (
+    BY_DENSITY,
+    li_pomeroy_median,
+    li_pomeroy_spread,
+    normal_share,
+)
 from barchan.fields import HEIGHT_UNIT
 from barchan.kernels.snow.state import (
     AGE_CLASSES,
     DENSITY_CLASSES,
+    Creep,
     LayerTables,
     age_classes,
     density_of,
@@ -27,7 +34,9 @@ _HOUR = 3600.0
 _ABRADED = 0.09
 """Threshold stress (Pa) of the snow that the rate of abrasion is stated for."""
 _NEVER = np.int32(2**30)
-"""A step (0.1 mm) that no snow reaches."""
+"""A step (µm) that no snow reaches."""
+_SURE = 1e9
+"""Chance for each unit of excess that gives whatever the excess is."""
 _ANY_DENSITY = 1024
 
 
@@ -51,15 +60,39 @@ class Conditions:
 
     def threshold(self, density: NDArray | float, hours: NDArray | float) -> NDArray[np.float64]:
         """Threshold stress (Pa) of snow at rest, by density (kg/m³) and age (h at -10 °C)."""
-        bonding = self.parameters.bonding
+        parameters, bonding = self.parameters, self.parameters.bonding
+        aged = hours if bonding.grows else np.full(np.shape(hours), LOOSEST_BONDS)
+        law, air = parameters.threshold.law, parameters.air_density
+        if law in BY_DENSITY:
+            ustar = BY_DENSITY[law](density)
+            return np.broadcast_to(air * ustar**2, np.broadcast_shapes(np.shape(density), np.shape(hours)))
+        if law == "li_pomeroy":
+            winds = li_pomeroy_median(self.temperature, aged)
+            ustar = np.vectorize(parameters.drift.friction_velocity, otypes=[np.float64])(winds)
+            return np.broadcast_to(air * ustar**2, np.broadcast_shapes(np.shape(density), np.shape(hours)))
         return threshold_stress(
             density,
-            hours if bonding.grows else np.full(np.shape(hours), LOOSEST_BONDS),
+            aged,
             self.temperature,
-            air_density=self.parameters.air_density,
-            weight=self.parameters.threshold.weight,
+            air_density=air,
+            weight=parameters.threshold.weight,
             exponent=bonding.exponent,
         )
+
+    @property
+    def spread(self) -> float:
+        """Standard deviation of the threshold wind over the wind on the flat; 0: the threshold is sharp."""
+        if self.parameters.threshold.law != "li_pomeroy":
+            return 0.0
+        return li_pomeroy_spread(self.temperature) / max(self.wind, 1e-6)
+
+    @property
+    def usual_excess(self) -> float:
+        """What the wind on flat, fresh drift in motion exceeds its threshold by, as a poll measures it."""
+        below = self.impact_threshold / max(self.stress, 1e-12)
+        if self.spread > 0.0:
+            return normal_share((1.0 - below**self.parameters.drift.stress_power) / self.spread)
+        return max(1.0 - below, 1e-12)
 
     @property
     def fresh_threshold(self) -> float:
@@ -87,11 +120,20 @@ class Conditions:
         usual = Conditions(self.parameters, self.wind, self.parameters.temperature).flux
         return self.flux / usual if usual > 0.0 else 1.0
 
-    @property
-    def creep_chance(self) -> float:
-        """Chance that a quantum that has landed rolls."""
-        creep, excess = self.parameters.creep, self.stress - self.impact_threshold
-        return min(creep.greatest, creep.strength * self.impact_threshold / max(excess, 1e-12))
+    def creep(self, cell_size: float) -> Creep | None:
+        """How quanta that have landed roll on cells of a size (m); None: not at all.
+
+        By impacts a quantum is pushed s times the slope along either axis, which is chosen at random. Quanta
+        land at the rate Q p_s / (L m0), so that s Q p_s cell / (2 L) creep down a slope of one; this is
+        ``gain`` Q for s = 2 gain L / (p_s cell).
+        """
+        rules = self.parameters.creep
+        if rules.law == "impacts":
+            pushes = 2.0 * rules.gain * self.parameters.hop / (self.parameters.p_s * cell_size)
+            return Creep(True, np.int64(0), pushes * HEIGHT_UNIT / cell_size) if rules.gain > 0.0 else None
+        excess = max(self.stress - self.impact_threshold, 1e-12)
+        chance = min(rules.greatest, rules.strength * self.impact_threshold / excess)
+        return Creep(False, np.int64(round(chance * 2**32)), 0.0) if rules.strength > 0.0 else None
 
     @property
     def rate(self) -> float:
@@ -131,14 +173,15 @@ def layer_tables(now: Conditions, drifting: bool, flux_share: float, cell_size: 
     bonded = np.broadcast_to((hours >= bonding.loose_hours) & bonding.grows, static.shape)
     threshold = np.where(drifting & ~bonded, IMPACT_STRESS * static, static)
     detached = np.where(bonded, (now.fresh_threshold / static) ** bonding.detachment, 1.0)
-    excess = max(1.0 - now.impact_threshold / stress, 1e-12)
+    excess = now.usual_excess
     hops = parameters.hop / cell_size / parameters.p_s
     wears = now.supply * parameters.abrasion.rate * _ABRADED / static * hops * flux_share
+    yields = parameters.erosion_chance * now.supply * detached / excess
     return LayerTables(
         thickness=quantum_heights(parameters.quantum),
         age_class=_AGES,
         threshold=(threshold / stress).astype(np.float32).ravel(),
-        yields=(parameters.erosion_chance * now.supply * detached / excess).astype(np.float32).ravel(),
+        yields=np.minimum(yields, _SURE).astype(np.float32).ravel(),
         wears=np.where(bonded, wears, 0.0).astype(np.float32).ravel(),
         bonded=bonded.astype(np.uint8).ravel(),
         face_limit=_limits(now, density, bonded, cell_size).ravel(),
@@ -148,7 +191,7 @@ def layer_tables(now: Conditions, drifting: bool, flux_share: float, cell_size: 
 def _limits(
     now: Conditions, density: NDArray[np.float64], bonded: NDArray[np.bool_], cell_size: float
 ) -> NDArray[np.int32]:
-    """Largest steps (0.1 mm) to a face neighbour that stand: one quantum at least, however thick."""
+    """Largest steps (µm) to a face neighbour that stand: one quantum at least, however thick."""
     repose = now.parameters.repose
     wet = now.temperature > 0.0
     angle = np.where(density < repose.fallen_below, repose.fallen, repose.drift)
@@ -175,13 +218,13 @@ def _classes(drift: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
 
 
 def thickness_of(words: NDArray[np.int64], quantum: float) -> NDArray[np.int64]:
-    """Thickness (0.1 mm) of packed layers of quanta of a mass (kg/m²)."""
+    """Thickness (µm) of packed layers of quanta of a mass (kg/m²)."""
     heights = quantum_heights(quantum)[density_of(words).astype(np.int64)]
     return np.asarray(quanta_of(words) * heights)
 
 
 @lru_cache(maxsize=8)
 def quantum_heights(quantum: float) -> NDArray[np.int32]:
-    """Height (0.1 mm) of a quantum (kg/m²) by density in whole kg/m³."""
+    """Height (µm) of a quantum (kg/m²) by density in whole kg/m³."""
     density = np.maximum(np.arange(_ANY_DENSITY), 1)
     return np.maximum(np.rint(quantum / density / HEIGHT_UNIT), 1).clip(max=2**30).astype(np.int32)

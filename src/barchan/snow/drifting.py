@@ -8,7 +8,7 @@ from pydantic import model_validator
 
 from barchan.aeolian.snow.bonding import weight_threshold
 from barchan.aeolian.snow.density import GREATEST_DENSITY, LEAST_DENSITY, drift_density
-from barchan.aeolian.snow.drift import FLUX_LAWS, FRICTION_LAWS, WINDS, log_law
+from barchan.aeolian.snow.drift import FLUX_LAWS, FRICTION_LAWS, STRESS_POWERS, WINDS, log_law
 from barchan.aeolian.wall import speed_at
 from barchan.parameters import NOT_GIVEN, Parameters, parameter
 
@@ -88,13 +88,28 @@ class Drift(Parameters):
         """Saturated flux (kg/m/s)."""
         return float(FLUX_LAWS[self.flux](ustar, threshold, air_density))  # type: ignore[arg-type]
 
+    @property
+    def stress_power(self) -> float:
+        """Power of the stress with which the wind grows."""
+        return STRESS_POWERS[self.friction]
+
     def speed_of(self, ustar: NDArray[np.float64]) -> NDArray[np.float64]:
         """Winds (m/s at 10 m) of friction velocities (m/s)."""
         return WINDS[self.friction](ustar, self.roughness)
 
 
 class Threshold(Parameters):
-    """The stress that snow withstands by the weight of its grains."""
+    """The wind that snow withstands."""
+
+    law: Literal["bonds", "li_pomeroy", "snowtran", "mar"] = parameter(
+        "bonds",
+        unit="-",
+        meaning="What the threshold follows from. bonds: weight of the grains, and bonds by age, temperature "
+        "and density; li_pomeroy: a chance to give by time and temperature, normal about a median wind; "
+        "snowtran, mar: density alone.",
+        source="bonds: see the documentation; Li & Pomeroy 1997b; snowtran: Liston et al. 2007; mar: Gallée "
+        "et al. 2001",
+    )
 
     grain_radius: float = parameter(
         1.5e-4,
@@ -158,8 +173,28 @@ class Relief(Parameters):
 
 
 class SnowCreep(Parameters):
-    """Grains that roll down before they rest, the more the nearer the wind is to its threshold."""
+    """Grains that roll down a slope after they have landed."""
 
+    law: Literal["impacts", "threshold"] = parameter(
+        "impacts",
+        unit="-",
+        live=True,
+        meaning="impacts: every impact of saltating grains pushes grains down the slope, so that the flux of "
+        "creep is the flux of saltation times slope times gain; threshold: grains that land roll to the "
+        "lowest neighbour the more often the nearer the wind is to its threshold, whatever the slope.",
+        source="impacts: flux of reptation in proportion to impacts (Anderson 1987) and reduced by the slope "
+        "(Yizhaq et al. 2004); threshold: ours",
+    )
+    gain: float = parameter(
+        1.0,
+        unit="-",
+        ge=0,
+        le=20,
+        live=True,
+        meaning="Flux of creep down a slope of one, over the flux of saltation, where creep follows impacts; "
+        "0: nothing rolls.",
+        source="ours, see the calibration in the documentation",
+    )
     strength: float = parameter(
         0.8,
         unit="-",
@@ -167,7 +202,7 @@ class SnowCreep(Parameters):
         le=10,
         live=True,
         meaning="Chance to roll times the excess of the stress over its impact threshold, over that "
-        "threshold; 0: nothing rolls.",
+        "threshold, where creep follows the threshold; 0: nothing rolls.",
         source="ours, from the effect of slope on the threshold",
     )
     greatest: float = parameter(

@@ -39,7 +39,7 @@ from barchan.snow.parameters import SnowParameters
 from barchan.snow.remarks import remarks_on
 from barchan.snow.rules import rules_under
 from barchan.snow.snowfall import Fallen
-from barchan.snow.start import check_counts, lay_first_snow, start_problems
+from barchan.snow.start import check_counts, lay_first_snow, quanta_in, start_density, start_problems
 from barchan.streams import Stream, derive
 from barchan.wind.frame import WindFrame
 from barchan.wind.segment import Segment
@@ -68,6 +68,17 @@ class SnowModel(Model):
         self._packed = 0
         self._stock = -1
         self._stress_of: float | None = None
+
+    @property
+    def unit_height(self) -> float:
+        """Height (m) of a quantum of the snow of the start."""
+        return self.parameters.quantum / start_density(self.parameters)
+
+    @property
+    def beneath(self) -> float:
+        """Thickness (m) of the older layers."""
+        old = self.parameters.beneath
+        return sum(quanta_in(one, self.parameters) * self.parameters.quantum / one.density for one in old)
 
     def initialise(self, bed: Bed, seed: int) -> None:
         """Turn the quanta of the start into layers; raises ScenarioError where they cannot be counted."""
@@ -111,14 +122,14 @@ class SnowModel(Model):
         return self.parameters.erosion_chance * hops * self.parameters.quantum / density
 
     def conditions(self, segment: Segment) -> Conditions:
-        """Wind and temperature of a segment."""
-        wind = segment.speed
+        """Wind and temperature of a segment: of gusts the mean wind, weighted by what each moves."""
+        wind = segment.speed if segment.driving_speed is None else segment.driving_speed
         if wind is None:
             wind = self.parameters.reference_wind if segment.polls else 0.0
         temperature = segment.weather.temperature
-        return Conditions(
-            self.parameters, wind, self.parameters.temperature if temperature is None else temperature
-        )
+        if temperature is None:
+            temperature = self.parameters.temperature
+        return Conditions(self.parameters, wind, self.held_temperature(temperature))
 
     def advance(self, bed: Bed, segment: Segment, stream: Stream) -> Tally:
         """Let snow age, fall and pack, and the wind drift it, step by step."""

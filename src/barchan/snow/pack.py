@@ -45,7 +45,7 @@ def fields_of(parameters: SnowParameters) -> tuple[FieldInfo, ...]:
 
 
 def entered(bed: Bed, parameters: SnowParameters, frame: WindFrame) -> tuple[Pack, NDArray[np.int32]]:
-    """The pack of a bed in the wind's frame, and the ground (0.1 mm over its lowest) under it."""
+    """The pack of a bed in the wind's frame, and the ground (µm over its lowest) under it."""
     ground = frame.enter(np.rint((bed.ground - bed.ground.min()) / HEIGHT_UNIT).astype(np.int32))
     ground = np.ascontiguousarray(ground).ravel()
     buried = np.zeros((ground.size, parameters.layers), np.int64)

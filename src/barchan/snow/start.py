@@ -15,7 +15,7 @@ from barchan.snow.parameters import OldLayer, SnowParameters
 from barchan.streams import Stream
 
 HIGHEST = 1 << 30
-"""Height (0.1 mm) that the kernel's surface can reach with room for what a run adds."""
+"""Height (µm) that the kernel's surface can reach with room for what a run adds."""
 
 
 def lay_first_snow(bed: Bed, parameters: SnowParameters, seed: int) -> None:
@@ -32,15 +32,19 @@ def lay_first_snow(bed: Bed, parameters: SnowParameters, seed: int) -> None:
         draws = Stream(seed, "weak snow").draws(number * bed.lattice.cells, bed.lattice.cells)
         chosen = (draws >> np.uint64(32)) < np.uint64(round(old.weak_share * 2**32))
         layers.append(np.where(chosen.reshape(shape), weak, word).astype(np.int64))
-    density = parameters.start_density
-    if density is None:
-        density = Conditions(parameters, parameters.reference_wind, parameters.temperature).drift_density
-    kind = pack_word(0, _epoch(parameters.start_age), density)
+    kind = pack_word(0, _epoch(parameters.start_age), start_density(parameters))
     own = bed.arrays[SNOW].astype(np.int64)
     layers.append(np.where(own > 0, (own << 40) | kind, 0))
     _stack(bed, layers)
     bed.arrays[SNOW][...] = sum(quanta_of(layer) for layer in layers)
     bed.arrays[HEIGHT][...] = sum(thickness_of(layer, parameters.quantum) for layer in layers)
+
+
+def start_density(parameters: SnowParameters) -> float:
+    """Density (kg/m³) of the snow of the start."""
+    if parameters.start_density is not None:
+        return parameters.start_density
+    return Conditions(parameters, parameters.reference_wind, parameters.temperature).drift_density
 
 
 def start_problems(parameters: SnowParameters) -> list[tuple[str, str]]:
@@ -64,8 +68,11 @@ def check_counts(bed: Bed, parameters: SnowParameters) -> None:
     if quanta > MOST_QUANTA:
         text = f"has stacks of up to {quanta} quanta; allowed: up to {MOST_QUANTA}"
         raise ScenarioError([Problem("sand", text)])
-    thickest = int(quantum_heights(parameters.quantum)[int(LEAST_DENSITY)])
     total = quanta + sum(quanta_in(old, parameters) for old in parameters.beneath)
+    if total > MOST_QUANTA:
+        text = f"has stacks of up to {total} quanta with older layers; allowed: up to {MOST_QUANTA}"
+        raise ScenarioError([Problem("model.beneath", text)])
+    thickest = int(quantum_heights(parameters.quantum)[int(LEAST_DENSITY)])
     relief = float(np.ptp(bed.ground)) / HEIGHT_UNIT + total * thickest
     if relief > HIGHEST:
         text = (

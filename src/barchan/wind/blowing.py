@@ -139,4 +139,12 @@ class Blowing(WithWeather):
             seconds = clock.seconds()
             speeds = speed * self.gusts.factors((step + start) * seconds, share * seconds, clock.gusts)
         mean = float(speeds.mean())
-        return WindInterval(share, direction, None, mean, clock.mean_strength(speeds), weather)
+        return WindInterval(
+            share,
+            direction,
+            None,
+            mean,
+            clock.mean_strength(speeds),
+            weather,
+            clock.driving_speed(speeds),
+        )

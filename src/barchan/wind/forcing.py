@@ -118,6 +118,7 @@ class Forcing:
             seconds,
             ends,
             self.influx,
+            interval.driving_speed,
             interval.weather,
         )
 

@@ -35,6 +35,8 @@ class WindInterval:
     """Polls of this interval over the polls that a step has in the same time."""
     weather: Weather = UNKNOWN
     """Air temperature and snowfall, where they are stated."""
+    driving_speed: float | None = None
+    """Of a speed that varies: its mean (m/s), each moment weighted by its flux; where that is known."""
 
 
 @dataclass(frozen=True)
@@ -70,6 +72,13 @@ class StepClock:
     def mean_strength(self, speeds: NDArray[np.float64]) -> float:
         """Mean strength of speeds (m/s) of equal duration."""
         return 1.0 if self.strength is None else float(self.strength(speeds).mean())
+
+    def driving_speed(self, speeds: NDArray[np.float64]) -> float | None:
+        """Mean of speeds (m/s) of equal duration, weighted by their strengths; None where none moves sand."""
+        if self.strength is None or len(speeds) == 1:
+            return None
+        strengths = self.strength(speeds)
+        return float(np.average(speeds, weights=strengths)) if strengths.any() else None
 
     def seconds(self) -> float:
         """Duration of a step (s); raises ValueError if unknown."""

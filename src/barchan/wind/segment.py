@@ -28,6 +28,8 @@ class Segment:
     """Whether the segment is the last of its steps."""
     influx: Influx | None = None
     """Sand that enters across open edges from upwind, where any does."""
+    driving_speed: float | None = None
+    """Mean wind (m/s) weighted by flux, of a wind whose speed varies within the segment."""
     weather: Weather = UNKNOWN
     """Air temperature and snowfall, where the forcing states them."""
 

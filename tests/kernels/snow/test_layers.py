@@ -10,6 +10,7 @@ from numba import njit
 
 from barchan.kernels.snow import layers
 from barchan.kernels.snow.state import (
+    MOST_QUANTA,
     ONE_QUANTUM,
     Pack,
     density_of,
@@ -119,3 +120,13 @@ def test_one_layer_packs_as_the_differential_equation_says():
     assert density > 103.0
     assert float(density_of(pack.top)[0]) == pytest.approx(density, rel=5e-3)
     assert int(quanta_of(pack.top)[0]) == 100
+
+
+def test_layers_are_merged_only_where_their_quanta_can_be_counted():
+    """The two lowest are of one age, but together one quantum too many: the next pair is merged instead."""
+    pack = bare(3)
+    pack.buried[0] = [pack_word(MOST_QUANTA - 1, 5, 400.0), pack_word(2, 5, 400.0), pack_word(3, 9, 400.0)]
+    pack.buried_count[0] = 3
+    pack.top[0] = pack_word(1, 20, 400.0)
+    lay(pack, HEIGHTS, np.uint64(0), 30, 400 * 64)
+    assert [layer[:2] for layer in stack(pack)] == [(MOST_QUANTA - 1, 5), (5, 7), (1, 20), (1, 30)]

@@ -46,6 +46,10 @@ WINDS: dict[str, Callable[[NDArray[np.float64], float], NDArray[np.float64]]] = 
 """Winds (m/s at 10 m) by name, of friction velocities (m/s) and the roughness length (m)."""
 
 
+STRESS_POWERS: dict[str, float] = {"log": 0.5, "saltating": 0.5 / _EXPONENT}
+"""Power of the shear stress with which the wind grows, by name of the friction law."""
+
+
 def sorensen(ustar: NDArray[np.float64], threshold: float, air_density: float) -> NDArray[np.float64]:
     """Mass flux (kg/m/s), (ρ_a / g) u*³ (1 - V⁻²) (2.6 + 2.5 V⁻² + 2 V⁻¹), V = u* / u*_t; 0 below.
 

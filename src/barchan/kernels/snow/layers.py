@@ -31,7 +31,7 @@ _GRAVITY = 9.81
 
 @internal(forceinline=True)
 def thickness_of(thickness, density):
-    """Height (0.1 mm) of a quantum of a density (1/64 kg/m³)."""
+    """Height (µm) of a quantum of a density (1/64 kg/m³)."""
     return thickness[np.uint64(density >> _WHOLE_DENSITY)]
 
 
@@ -63,7 +63,7 @@ def pop(pack, thickness, cell):
 
 @internal()
 def _height(pack, thickness, cell):
-    """Height (0.1 mm) of a cell's buried layers."""
+    """Height (µm) of a cell's buried layers."""
     total = np.int64(0)
     for k in range(np.int64(pack.buried_count[cell])):
         word = pack.buried[cell, k]
@@ -133,7 +133,7 @@ def lay_quanta(pack, thickness, counts, epoch, density):
 
 @njit(cache=True)
 def measure_surface(pack, thickness, ground):
-    """Compute the surface of every cell (0.1 mm) from its layers over the ``ground`` (0.1 mm)."""
+    """Compute the surface of every cell (µm) from its layers over the ``ground`` (µm)."""
     for cell in range(pack.top.size):
         word = pack.top[cell]
         top = (word >> _QUANTA_SHIFT) * thickness_of(thickness, word & _DENSITIES)

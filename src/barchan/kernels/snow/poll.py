@@ -4,9 +4,21 @@ The rules are numbered as in ``docs/snow.md``. Everything is done in the wind's 
 numbers; with all closures off the same random numbers are drawn for the same questions as for slabs of sand.
 """
 
+import math
+
 import numpy as np
 
 from barchan.kernels.bed.grid import neighbour
+from barchan.kernels.bed.state import (
+    EAST,
+    NORTH,
+    NORTHEAST,
+    NORTHWEST,
+    SOUTH,
+    SOUTHEAST,
+    SOUTHWEST,
+    WEST,
+)
 from barchan.kernels.core.borrow import borrowed
 from barchan.kernels.core.inlining import never_inline
 from barchan.kernels.core.internal import internal
@@ -17,33 +29,38 @@ from barchan.kernels.slabs.shadow import in_shadow, whole_view
 from barchan.kernels.slabs.state import CAPPED, LEFT, MOVED, TRAVEL_ACROSS, TRAVEL_ALONG
 from barchan.kernels.snow.layers import pop, state_class
 from barchan.kernels.snow.slopes import feed, lay_down
+from barchan.kernels.snow.state import UPWIND
+
+_ROOT_OF_TWO = math.sqrt(2.0)
 
 _ALL = 1 << 32
 """A chance of one."""
 
-_UPWIND, _UPPER, _LOWER, _LEFT, _RIGHT = 2, 5, 6, 1, 3
-"""Directions of the neighbours upwind, upwind to either side, and beside a cell, in the wind's frame."""
+_AXES, _TIE = np.uint64(1), np.uint64(2)
+"""Bits that choose an axis, and one of two neighbours that are equally low."""
+
+_AROUND = np.array([EAST, NORTHEAST, NORTH, NORTHWEST, WEST, SOUTHWEST, SOUTH, SOUTHEAST])
+"""Directions of the neighbours, anticlockwise, in the wind's frame."""
+
+_ASIDE = np.array([-1, 1, -2, 2])
+"""Places in ``_AROUND`` from the upwind cell to those upwind to either side, and to those beside."""
 
 
 @internal()
 def exposure(giving, pack, grid, row, col, here, state):
     """How far (0 to 1) a cell stands out of the bed upwind, over the saltation layer's height.
 
-    Grains do not come along one line: of ten comparisons eight are with the cell upwind, one each with those
-    upwind to either side or, as often, beside it.
+    Grains do not come along one line: of twenty comparisons sixteen are with the cell upwind, one each with
+    those upwind to either side and beside it. Under oblique winds the cell upwind is now the one along the
+    axis and now the one at the corner, so that the mean direction is the wind's.
     """
     pack = borrowed(pack)
-    side = below(high(mix(state)), 20)
-    direction = _UPWIND
-    if side == 0:
-        direction = _UPPER
-    elif side == 1:
-        direction = _LOWER
-    elif side == 2:
-        direction = _LEFT
-    elif side == 3:
-        direction = _RIGHT
-    r, c = neighbour(row, col, direction, grid)
+    draw = mix(state)
+    place = UPWIND if np.int64(low(draw)) >= giving.oblique else giving.corner
+    side = below(high(draw), 20)
+    if side < _ASIDE.size:
+        place = (place + _ASIDE[side]) & 7
+    r, c = neighbour(row, col, _AROUND[place], grid)
     rise = np.int64(here) - np.int64(pack.surface[np.uint64(r * grid.cols + c)])
     return min(max(rise, 0), giving.exposure_height) / giving.exposure_height
 
@@ -59,6 +76,9 @@ def _chance_allows(giving, stress, pack, rules, row, col, cell, here, state):
     if stress is not None:
         felt = np.float64(stress[cell])
     excess = felt - np.float64(rules.tables.threshold[kind])
+    if giving.spread > 0.0:
+        gentler = np.float64(rules.tables.threshold[kind]) ** giving.power
+        excess = 0.5 * math.erfc((gentler - felt**giving.power) / (giving.spread * _ROOT_OF_TWO))
     chance = max(excess, 0.0) * np.float64(rules.tables.yields[kind])
     draw = np.float64(high(mix(state))) * 2.0**-32
     if giving.abrades:
@@ -103,13 +123,14 @@ def carry(pack, rules, view, along, across, travelled, state, peak):
     """Carry a quantum hop by hop until it rests or leaves the field.
 
     ``travelled`` says whether it has just come down from a first hop. Returns its last row and column, the
-    random state, whether it is still in the field, whether it stays by itself, and the distances travelled.
+    random state, whether it is still in the field, whether it stays by itself, whether it lies in shadow, and
+    the distances travelled.
     """
     slabs = rules.slabs
     grid, wind = slabs.grid, slabs.wind
     way_along, way_across = np.int64(0), np.int64(0)
     row, col = across >> 32, along >> 32
-    hops, stays = 0, False
+    hops, stays, sheltered = 0, False, False
     while not stays and hops < wind.max_hops and slabs.interruption[0] == 0:
         if hops > 0 or not travelled:
             along = wrapped(along + wind.hop_along, grid.cols, grid.wrap_along)
@@ -119,23 +140,53 @@ def carry(pack, rules, view, along, across, travelled, state, peak):
             way_across += wind.hop_across >> 16
         hops += 1
         if along < 0 or across < 0:
-            return row, col, state, False, False, way_along, way_across
+            return row, col, state, False, False, False, way_along, way_across
         row, col = across >> 32, along >> 32
         state += GOLDEN
         cell = np.uint64(row * grid.cols + col)
         here = pack.surface[cell]
-        stays = _stays_by_chance(rules.stress, pack, rules, cell, high(mix(state)))
-        stays = stays or in_shadow(view, row, col, here, peak, grid, slabs.axis, slabs.ray)
-    return row, col, state, True, stays, way_along, way_across
+        sheltered = in_shadow(view, row, col, here, peak, grid, slabs.axis, slabs.ray)
+        stays = sheltered or _stays_by_chance(rules.stress, pack, rules, cell, high(mix(state)))
+    return row, col, state, True, stays, sheltered, way_along, way_across
+
+
+@internal()
+def _pushed(creep, pack, grid, row, col, state):
+    """The cell where a quantum lies after it was pushed down the slope, cell by cell.
+
+    It is pushed along one of the axes, chosen at random each time, towards the lower neighbour; the mean
+    number of pushes down an even slope is the drop to a neighbour times ``per_height``.
+    """
+    left = np.float64(0.0)
+    while True:
+        state += GOLDEN
+        draw = mix(state)
+        direction = np.int64(low(draw) & _AXES)
+        r, c = neighbour(row, col, direction, grid)
+        other_r, other_c = neighbour(row, col, direction + 2, grid)
+        there = np.int64(pack.surface[np.uint64(r * grid.cols + c)])
+        other = np.int64(pack.surface[np.uint64(other_r * grid.cols + other_c)])
+        if other < there or (other == there and low(draw) & _TIE != 0):
+            r, c, there = other_r, other_c, other
+        drop = np.int64(pack.surface[np.uint64(row * grid.cols + col)]) - there
+        if drop <= 0 or high(draw) * 2.0**-32 >= drop * creep.per_height + left:
+            return row, col, state
+        row, col = r, c
+        left -= 1.0
 
 
 @internal(forceinline=True)
-def _roll(creep, pack, grid, row, col, state):
-    """The cell where a quantum lies after it has rolled, by chance, to the lowest face neighbour."""
+def _roll(creep, pack, grid, row, col, sheltered, state):
+    """The cell where a quantum lies after it has rolled, by chance, to a lower face neighbour."""
     if creep is None:
         return row, col, state
+    if creep.by_slope:
+        # no grains strike the bed in shadow, where the flow has come off
+        if sheltered:
+            return row, col, state
+        return _pushed(creep, pack, grid, row, col, state)
     state += GOLDEN
-    if high(mix(state)) >= creep.chance:
+    if np.int64(high(mix(state))) >= creep.chance:
         return row, col, state
     lowest = pack.surface[np.uint64(row * grid.cols + col)]
     to_row, to_col = row, col
@@ -148,9 +199,9 @@ def _roll(creep, pack, grid, row, col, state):
 
 
 @internal(forceinline=True)
-def settle(pack, rules, row, col, state):
+def settle(pack, rules, row, col, sheltered, state):
     """Let a quantum that has landed roll, slide and lie; the random state and the height it reaches."""
-    row, col, state = _roll(rules.creep, pack, rules.slabs.grid, row, col, state)
+    row, col, state = _roll(rules.creep, pack, rules.slabs.grid, row, col, sheltered, state)
     return state, lay_down(pack, rules, row, col, rules.density)
 
 
@@ -180,7 +231,7 @@ def run_polls(pack, rules, work, count, peak, tally):
             draw = mix(state)
             along |= np.int64(high(draw))
             across |= np.int64(low(draw))
-        row, col, state, inside, stays, way_along, way_across = carry(
+        row, col, state, inside, stays, sheltered, way_along, way_across = carry(
             pack, rules, view, along, across, False, state, peak
         )
         tally[TRAVEL_ALONG] += way_along
@@ -190,6 +241,6 @@ def run_polls(pack, rules, work, count, peak, tally):
             continue
         # 6 roll, slide, and lie there as drift
         tally[CAPPED] += not stays
-        state, height = settle(pack, rules, row, col, state)
+        state, height = settle(pack, rules, row, col, sheltered, state)
         peak = max(peak, height)
     return peak

@@ -33,7 +33,7 @@ _PLACES = np.uint64(3)
 
 @internal(forceinline=True)
 def _limit(pack, rules, cell):
-    """Largest step (0.1 mm) down to a face neighbour at which a cell's uppermost layer stands."""
+    """Largest step (µm) down to a face neighbour at which a cell's uppermost layer stands."""
     return np.int64(rules.tables.face_limit[state_class(pack.top[cell], rules.epoch, rules.tables.age_class)])
 
 

@@ -36,7 +36,7 @@ class Pack(NamedTuple):
     """The snow on all cells, flat, in the wind's frame; changed in place."""
 
     surface: NDArray[np.int32]
-    """Height (0.1 mm) of the surface over the lowest ground, with room before it as for slabs."""
+    """Height (µm) of the surface over the lowest ground, with room before it as for slabs."""
     quanta: NDArray[np.int32]
     """Quanta of snow on each cell."""
     top: NDArray[np.int64]
@@ -54,7 +54,7 @@ class LayerTables(NamedTuple):
     """
 
     thickness: NDArray[np.int32]
-    """Height of a quantum (0.1 mm) by density in whole kg/m³."""
+    """Height of a quantum (µm) by density in whole kg/m³."""
     age_class: NDArray[np.uint8]
     """Class of each age (epochs) below ``OLDEST``."""
     threshold: NDArray[np.float32]
@@ -66,7 +66,11 @@ class LayerTables(NamedTuple):
     bonded: NDArray[np.uint8]
     """Whether the snow counts as bonded."""
     face_limit: NDArray[np.int32]
-    """Largest step (0.1 mm) to a lower face neighbour that stands."""
+    """Largest step (µm) to a lower face neighbour that stands."""
+
+
+UPWIND = 4
+"""Place of the cell upwind among a cell's neighbours, counted anticlockwise from the one downwind."""
 
 
 class Giving(NamedTuple):
@@ -74,14 +78,26 @@ class Giving(NamedTuple):
 
     abrades: bool
     exposure_height: int
-    """Height (0.1 mm) of the saltation layer: a cell that stands out by more is worn no faster."""
+    """Height (µm) of the saltation layer: a cell that stands out by more is worn no faster."""
+    corner: int
+    """Place of the corner that an oblique wind comes from, counted as ``UPWIND``."""
+    spread: float
+    """Standard deviation of the threshold wind over the wind on the flat; 0: the threshold is sharp."""
+    power: float
+    """Power of the stress with which the wind grows."""
+    oblique: int
+    """Chance, in 2**-32, that grains come from that corner and not along the columns' axis."""
 
 
 class Creep(NamedTuple):
     """Quanta that roll on after they have landed."""
 
-    chance: np.uint64
-    """Chance, in 2**-32, that a quantum rolls once to the lowest face neighbour."""
+    by_slope: bool
+    """Whether quanta are pushed down in proportion to the slope, or roll by a chance that knows no slope."""
+    chance: np.int64
+    """Chance, in 2**-32, to roll once to the lowest face neighbour."""
+    per_height: float
+    """Mean number of pushes along an axis for each µm of the drop to its lower neighbour."""
 
 
 class SnowRules(NamedTuple):
@@ -102,7 +118,7 @@ class SnowRules(NamedTuple):
     density: int
     """Density of what the wind lays down, in 1/``DENSITY_UNIT`` kg/m³."""
     gentlest: int
-    """Step (0.1 mm) to a face neighbour at which any snow stands."""
+    """Step (µm) to a face neighbour at which any snow stands."""
     corner_factor: float
     """Limit to a corner neighbour over that to a face; 0: nothing slides to corners."""
 

@@ -63,7 +63,7 @@ def let_enter(pack, rules, influx, key, tally):
                 state = derive(start, number + 1)
                 along, across = first_landing(edge, cell, state, rules.slabs)
                 tally[ENTERED] += 1
-                row, col, state, inside, stays, way_along, way_across = carry(
+                row, col, state, inside, stays, sheltered, way_along, way_across = carry(
                     pack, rules, view, along, across, True, state, peak
                 )
                 tally[TRAVEL_ALONG] += way_along
@@ -72,5 +72,5 @@ def let_enter(pack, rules, influx, key, tally):
                     tally[LEFT] += 1
                     continue
                 tally[CAPPED] += not stays
-                state, height = settle(pack, rules, row, col, state)
+                state, height = settle(pack, rules, row, col, sheltered, state)
                 peak = max(peak, height)

@@ -1,0 +1,56 @@
+"""How large may a dune of snow be and still move? Prediction: √(37 Q t* / ρ).
+
+Snow rests in a dune for its length over its speed; where bonds meet the wind first, at the age t* at which
+0.64 of the threshold of drift equals the shear stress, it stays. Domes of drift, a 37th as high as long, on
+bare ground under a steady wind; one locks when more than a tenth of its snow has never moved in the end. The
+greatest mobile length is where that share passes a tenth, between lengths of 1.5 to 12 m; one seed.
+"""
+
+import math
+
+import numpy as np
+from scipy.optimize import brentq
+
+from barchan.snow.conditions import Conditions
+from validation.snow.scenes import dome, field
+from validation.study import Row, over_seeds
+
+TITLE = "The greatest dune of snow that moves"
+
+LENGTHS = (1.5, 3.0, 6.0, 12.0)
+LOCKED = 0.1
+CASES = ((7.8, -10.0), (8.5, -10.0), (9.5, -10.0), (7.8, -20.0), (8.5, -20.0))
+
+
+def predicted(wind, temperature):
+    """√(37 Q t* / ρ) in m, t* in hours at this temperature."""
+    now = Conditions(field(max(wind, 9.0), temperature, 1).model.parameters, wind, temperature)
+    found = brentq(
+        lambda log: 0.64 * float(now.threshold(now.drift_density, 10.0**log)) - now.stress, -1.0, 4.0
+    )
+    hours = 10.0**found / now.rate
+    return math.sqrt(37.0 * now.flux * hours * 3600.0 / now.drift_density)
+
+
+def locked(length, wind, temperature, seed):
+    return {"share": dome(length, wind, temperature, seed)}
+
+
+def rows():
+    cases = [(length, wind, temperature) for wind, temperature in CASES for length in LENGTHS]
+    results = over_seeds(locked, cases, (1,))
+    shares = np.array([np.mean(r["share"]) for r in results]).reshape(len(CASES), len(LENGTHS))
+    for (wind, temperature), share in zip(CASES, shares, strict=True):
+        expected = predicted(wind, temperature)
+        above = np.flatnonzero(share > LOCKED)
+        at = int(above[0]) if above.size else len(LENGTHS)
+        low = LENGTHS[at - 1] if at else 0.0
+        high = LENGTHS[at] if at < len(LENGTHS) else math.inf
+        listed = ", ".join(f"{s:.0%}" for s in share)
+        agrees = low <= 2.0 * expected and high >= expected / 2.0
+        yield Row(
+            f"{wind:g} m/s, {temperature:g} °C",
+            f"{expected:.2g} m",
+            f"between {low:g} and {high:g} m (never moved: {listed} of {', '.join(map(str, LENGTHS))} m)",
+            "within a factor 2" if agrees else "differs",
+        )
