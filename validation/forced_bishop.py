@@ -26,6 +26,6 @@ def rows():
 
 
 READING = """
-Forced erosion hastens Bishop's barchans as the Prague thesis shows. The mean lee slope separates the two
-angles of repose in most seeds but by less than its spread: at 500 steps little of the field is slip face.
+Forced erosion hastens Bishop's barchans as the Prague thesis shows. The mean lee slope does not
+separate the two angles of repose: at 500 steps little of the field is slip face.
 """

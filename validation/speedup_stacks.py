@@ -33,5 +33,5 @@ def rows():
 READING = """
 Momiji's transverse dunes and Bishop's barchans agree with single runs of the Prague thesis; Momiji's
 barchans are a tenth lower with hops rounded to whole cells and agree with hops of exact length. Bishop's
-with eight neighbours are a tenth lower than with four: sand also slides over corners.
+with eight neighbours are as high as with four within the scatter of seeds.
 """
