@@ -12,7 +12,7 @@ import numpy as np
 from scipy.optimize import brentq
 
 from barchan.snow.conditions import Conditions
-from validation.snow.scenes import dome, field
+from validation.snow_scenes import dome, field
 from validation.study import Row, over_seeds
 
 TITLE = "The greatest dune of snow that moves"
