@@ -65,11 +65,11 @@ def rows():
 READING = """
 Hops and shadows are exact at every angle (the mean hop, and the shadow of a cone to within a cell, are
 tested), and yet the lattice shows, through avalanches that know only four or eight ways. Crests lean
-towards the diagonal, most at 11° to an axis: by up to 16° with von Neumann neighbours and with Moore
+towards the diagonal, most at 11° to an axis: by up to 18° with von Neumann neighbours and with Moore
 neighbours and limits 2 and 3, in either order of neighbours, so the fixed order is not the cause. Moore
 neighbours with one limit for faces and corners (`--model.neighbourhood moore`, its default corners) are the
-least biased: errors of 4° on the average, 10° at most, straighter crests, and nearly one spacing (61 to 65
-m) from 0 to 34°. But with the wind exactly along the diagonal their ridges hardly join (coherence 0.27).
+least biased: errors of 4° on the average, 10° at most, straighter crests, and nearly one spacing (61 to 64
+m) from 0 to 34°. But with the wind exactly along the diagonal their ridges hardly join (coherence 0.26).
 The trial in our reference found the opposite order, 2 and 3 better than 2 and 2; it looked at two winds
 120° apart. Spacing after 1000 steps is half as large again at oblique angles as along an axis with the
 other neighbourhoods: along an axis hops have no sideways part, and ridges merge more slowly.

@@ -59,7 +59,7 @@ def _crescents(values):
 
 
 READING = """
-No neighbourhood is better than another: slants are 0.08 to 0.09 of the width on the average in all five,
+No neighbourhood is better than another: slants are 0.08 to 0.11 of the width on the average in all five,
 and their mean is near zero. But they hang on the angle, in the same way for all: near zero along an axis,
 at 34° and along the diagonal, positive at 11° (the left side, towards the nearer axis, reaches farther) and
 negative at 22.5°. What slides where is not the cause then; what remains is how hops and shadows meet the

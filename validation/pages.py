@@ -65,8 +65,14 @@ THEMES = (
     Theme(
         "grains",
         "Grains in flight",
-        "Ripples out of single grains: speed, growth and spacing, over terrain, with several sizes, of snow.",
-        ("grown_ripples", "grain_drift", "grain_terrains", "grain_sizes", "snow_sintering"),
+        "Ripples out of single grains: speed, growth and spacing, over terrain, with several sizes.",
+        ("grown_ripples", "grain_drift", "grain_terrains", "grain_sizes"),
+    ),
+    Theme(
+        "snow",
+        "Snow",
+        "Waves and dunes of snow, the greatest dune that moves, forms over wind and age, grains that bond.",
+        ("snow_ranges", "snow_arrest", "snow_diagram", "snow_sintering"),
     ),
     Theme(
         "lattice",

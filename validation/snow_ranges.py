@@ -6,7 +6,7 @@ hours, at -20 and at -5 °C, bonds growing. Speeds are from frames half an hour 
 """
 
 from barchan.snow.conditions import Conditions
-from validation.snow.scenes import advance, field, forms
+from validation.snow_scenes import advance, field, forms
 from validation.study import Row, over_seeds, spread
 
 TITLE = "Waves and dunes of snow"
