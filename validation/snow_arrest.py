@@ -55,6 +55,7 @@ def rows():
             "within a factor 2" if agrees else "differs",
         )
 
+
 READING = """
 The limit grows with the wind and as it gets colder, and lies within a factor of two of the prediction in all
 five cases. As Sharma et al. (2019, The Cryosphere 13) found, small domes travel on, middle ones leave a core and

@@ -2,7 +2,8 @@
 
 Cells and hops of 0.2 m, quanta of 1 kg/m², 9.6 × 25.6 m, periodic; five seeds. Waves: 60 kg/m² of loose drift
 without bonds under 10 m/s at -10 °C for 24 hours. Cover: 12 kg/m² of drift on bare ground under 12 m/s for 10
-hours, at -20 and at -5 °C, bonds growing. Speeds are from frames half an hour apart.
+hours, at -20 and at -5 °C, bonds growing. Speeds are from frames half an hour apart. All with creep by impacts,
+the default (`creep.law` `impacts`), and with creep by the threshold.
 """
 
 from barchan.snow.conditions import Conditions
@@ -12,8 +13,11 @@ from validation.study import Row, over_seeds, spread
 TITLE = "Waves and dunes of snow"
 
 
-def waves(seed):
-    simulation = field(10.0, -10.0, seed, bonding={"grows": False})
+LAWS = ("impacts", "threshold")
+
+
+def waves(law, seed):
+    simulation = field(10.0, -10.0, seed, bonding={"grows": False}, creep={"law": law})
     advance(simulation, 24.0)
     found = forms(simulation)
     expected = Conditions(simulation.model.parameters, 10.0, -10.0).flux / found["density"] / found["relief"]
@@ -24,8 +28,8 @@ def waves(seed):
     }
 
 
-def cover(temperature, seed):
-    simulation = field(12.0, temperature, seed, mean=12)
+def cover(law, temperature, seed):
+    simulation = field(12.0, temperature, seed, mean=12, creep={"law": law})
     advance(simulation, 10.0)
     return forms(simulation)
 
@@ -35,7 +39,13 @@ def _within(values, low, high):
 
 
 def rows():
-    (found,) = over_seeds(waves, [()])
+    for law in LAWS:
+        for row in _rows(law):
+            yield Row(f"{row.what}, creep by {law}", row.published, row.found, row.verdict)
+
+
+def _rows(law):
+    (found,) = over_seeds(waves, [(law,)])
     yield Row(
         "spacing of waves", "3 to 20 m", f"{spread(found['spacing'])} m", _within(found["spacing"], 3, 20)
     )
@@ -45,7 +55,7 @@ def rows():
     ratio = found["ratio"]
     yield Row("speed over Q/(ρ H)", "0.6 to 1.4", spread(ratio), _within(ratio, 0.6, 1.4))
     yield Row("speed", "above 0.05 m/h", f"{spread(found['speed'])} m/h", _within(found["speed"], 0.05, 99))
-    cold, warm = over_seeds(cover, [(-20.0,), (-5.0,)])
+    cold, warm = over_seeds(cover, [(law, -20.0), (law, -5.0)])
     yield Row(
         "height of dunes on bare ground, -20 °C",
         "0.07 to 0.55 m",
@@ -65,3 +75,13 @@ def rows():
         f"{spread(warm['relief'])} m",
         f"{sum(w < c for w, c in zip(warm['relief'], cold['relief'], strict=True))} of 5 seeds",
     )
+
+
+READING = """
+By impacts waves form, their spacing and speed in the reported ranges in every seed. Their shape does not come
+out on cells and hops of 0.2 m: they are low for their spacing, and steeper to windward, where a slip face should be
+in the lee; on cells and hops of 0.1 m they have slip faces (preset `snow-waves`, one run). By the threshold the
+surface stays flat on this lattice. On bare ground at 12 m/s the cover hardly opens in ten hours, by either law, and
+the warmer one is the flatter in every seed. So bonding races growth as predicted, but the forms of depositing snow
+need a finer lattice than this one, or another law of creep.
+"""
