@@ -170,23 +170,23 @@ where 15 to 20 are published. Lee faces are the steeper ones in every wind. The 
 10 m/s and 71 at 15 m/s, is near what Lorenz (2011, Aeolian Research 3) filmed, ripples of 10 cm at 30 mm a
 minute in a wind of about 10 m/s.
 
-What does so are grains that impacts push along the bed, in a wind whose stress is higher over waves. None of
-their numbers was fitted: the momentum is what rebounds and ejecta leave, the speed at which they start is
-that which lifts a grain by its diameter, the stress is that of the theory of turbulent flow over low waves
-(Fourrière et al. 2010), and the wind that keeps grains going is that of the impact threshold. Over a flat
-bed they then carry 0.15 to 0.19 of all sand (one seed, 10 to 15 m/s); a quarter is what measurements of creep
-say (from memory). Without them ripples of 12 m/s are a thirtieth as fast and two thirds as high after half an
-hour, and their growth quickens. In a wind whose stress is the same everywhere they grow to 17 mm with the steeper
-faces windward, and do not saturate. If the stress is highest right on the crest instead of ahead of it none
-form. Streamlines matter less: in a wind that blows level ripples are much the same. Whole grain diameters
-roughen the bed and make steeper, higher ripples.
+What does so are grains that impacts push along the bed, in a wind whose stress is higher over waves. None
+of their numbers was fitted: the momentum is what rebounds and ejecta leave, the speed at which they start
+is that which lifts a grain by its diameter, the stress is that of the theory of turbulent flow over low
+waves (Fourrière et al. 2010), and the wind that keeps grains going is that of the impact threshold. Over a
+flat bed they then carry 0.15 to 0.19 of all sand (one seed, 10 to 15 m/s); a quarter is what measurements
+of creep say (from memory). Without them ripples of 12 m/s are a thirtieth as fast and two thirds as high
+after half an hour, and their growth quickens. In a wind whose stress is the same everywhere they grow to 17
+mm with the steeper faces windward, and do not saturate. If the stress is highest right on the crest instead
+of ahead of it none form. Streamlines matter less: in a wind that blows level ripples are much the same.
+Whole grain diameters roughen the bed and make steeper, higher ripples.
 
 Grains of 0.30 mm make ripples a twentieth farther apart than those of 0.15 mm in 3 of 3 seeds, hardly more
-than the seeds differ. They travel 2.6 times as fast: under them the wind near the bed stays at 0.94 of the impact threshold, under those of 0.15 mm
-at 0.80 (flat beds, one seed), so that it takes 0.88 instead of 0.64 off the friction of a pushed grain, which
-goes three times as far for it, and half as far again for its greater speed. Across the wind these fields are
-16 cm wide; in one of 64 cm ripples of 12 m/s looked the same after 20 minutes, with straight crests and forks
-(one seed). There the momentum that grains take must spread less across the wind than along it: shared as
-widely, it lets grains crowd into lanes 10 cm apart, which break crests up into pits after a quarter of an
-hour.
+than the seeds differ. They travel 2.6 times as fast: under them the wind near the bed stays at 0.94 of the
+impact threshold, under those of 0.15 mm at 0.80 (flat beds, one seed), so that it takes 0.88 instead of
+0.64 off the friction of a pushed grain, which goes three times as far for it, and half as far again for its
+greater speed. Across the wind these fields are 16 cm wide; in one of 64 cm ripples of 12 m/s looked the
+same after 20 minutes, with straight crests and forks (one seed). There the momentum that grains take must
+spread less across the wind than along it: shared as widely, it lets grains crowd into lanes 10 cm apart,
+which break crests up into pits after a quarter of an hour.
 """

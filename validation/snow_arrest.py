@@ -57,8 +57,8 @@ def rows():
 
 
 READING = """
-The limit grows with the wind and as it gets colder, and lies within a factor of two of the prediction in all
-five cases. As Sharma et al. (2019, The Cryosphere 13) found, small domes travel on, middle ones leave a core and
-large ones stay. At 7.8 m/s and -10 °C, little above the threshold, even the smallest dome is locked: there
-snow bonds before it has moved at all. The shares that never moved are of one run each.
+The limit grows with the wind and as it gets colder, and lies within a factor of two of the prediction in
+all five cases. As Sharma et al. (2019, The Cryosphere 13) found, small domes travel on, middle ones leave a
+core and large ones stay. At 7.8 m/s and -10 °C, little above the threshold, even the smallest dome is
+locked: there snow bonds before it has moved at all. The shares that never moved are of one run each.
 """

@@ -42,15 +42,15 @@ def rows():
 
 
 READING = """
-Bonded snow lies flat at 7 m/s. Below the wind that the cover withstands (the solid line of the figure) only its
-weak cells give drift, which gathers in deposits of 8 to 10 cm with slip faces; they stand still, or move by
-less than 0.1 m/h: stationary at 9 m/s, later also at 11 and 13 m/s. Above that line the whole cover travels in
-forms up to 20 cm high, at 2 m/h under 11 m/s and 8 m/h under 20 m/s. Their slopes are as steep to windward as to
-lee or steeper (skewness 0 to 0.6), but less than a tenth of their surface has bonded, so the stated limits
-call them mixed: neither deposits with slip faces nor worn bonded snow. Of the published fields, moving and
-stationary forms on young snow under weak winds and worn forms on old snow under strong ones, the stationary
-ones come out where they should, and the worn ones do not come out at all: a wind that exceeds the
-threshold strips old snow rather than carving it. Both seeds agree in 28 of 30 cases.
+Bonded snow lies flat at 7 m/s. Below the wind that the cover withstands (the solid line of the figure) only
+its weak cells give drift, which gathers in deposits of 8 to 10 cm with slip faces; they stand still, or
+move by less than 0.1 m/h: stationary at 9 m/s, later also at 11 and 13 m/s. Above that line the whole cover
+travels in forms up to 20 cm high, at 2 m/h under 11 m/s and 8 m/h under 20 m/s. Their slopes are as steep
+to windward as to lee or steeper (skewness 0 to 0.6), but less than a tenth of their surface has bonded, so
+the stated limits call them mixed: neither deposits with slip faces nor worn bonded snow. Of the published
+fields, moving and stationary forms on young snow under weak winds and worn forms on old snow under strong
+ones, the stationary ones come out where they should, and the worn ones do not come out at all: a wind that
+exceeds the threshold strips old snow rather than carving it. Both seeds agree in 28 of 30 cases.
 """
 
 COLOURS = {

@@ -1,9 +1,9 @@
 """Do snow's waves and dunes lie in the ranges that are reported?
 
-Cells and hops of 0.2 m, quanta of 1 kg/m², 9.6 × 25.6 m, periodic; five seeds. Waves: 60 kg/m² of loose drift
-without bonds under 10 m/s at -10 °C for 24 hours. Cover: 12 kg/m² of drift on bare ground under 12 m/s for 10
-hours, at -20 and at -5 °C, bonds growing. Speeds are from frames half an hour apart. All with creep by impacts,
-the default (`creep.law` `impacts`), and with creep by the threshold.
+Cells and hops of 0.2 m, quanta of 1 kg/m², 9.6 × 25.6 m, periodic; five seeds. Waves: 60 kg/m² of loose
+drift without bonds under 10 m/s at -10 °C for 24 hours. Cover: 12 kg/m² of drift on bare ground under 12
+m/s for 10 hours, at -20 and at -5 °C, bonds growing. Speeds are from frames half an hour apart. All with
+creep by impacts, the default (`creep.law` `impacts`), and with creep by the threshold.
 """
 
 from barchan.snow.conditions import Conditions
@@ -78,10 +78,10 @@ def _rows(law):
 
 
 READING = """
-By impacts waves form, their spacing and speed in the reported ranges in every seed. Their shape does not come
-out on cells and hops of 0.2 m: they are low for their spacing, and steeper to windward, where a slip face should be
-in the lee; on cells and hops of 0.1 m they have slip faces (preset `snow-waves`, one run). By the threshold the
-surface stays flat on this lattice. On bare ground at 12 m/s the cover hardly opens in ten hours, by either law, and
-the warmer one is the flatter in every seed. So bonding races growth as predicted, but the forms of depositing snow
-need a finer lattice than this one, or another law of creep.
+By impacts waves form, their spacing and speed in the reported ranges in every seed. Their shape does not
+come out on cells and hops of 0.2 m: they are low for their spacing, and steeper to windward, where a slip
+face should be in the lee; on cells and hops of 0.1 m they have slip faces (preset `snow-waves`, one run).
+By the threshold the surface stays flat on this lattice. On bare ground at 12 m/s the cover hardly opens in
+ten hours, by either law, and the warmer one is the flatter in every seed. So bonding races growth as
+predicted, but the forms of depositing snow need a finer lattice than this one, or another law of creep.
 """
