@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from barchan.measures.crest_lines import crest_length, crest_lines, defect_density, mean_direction
+from barchan.measures.crest_lines import CrestLine, crest_length, crest_lines, defect_density, mean_direction
 from tests.measures.waves import COLUMNS, ROWS, WAVES, sine, wavelength
 
 
@@ -57,21 +57,10 @@ def test_crests_cross_joined_edges_in_one_piece():
     assert line.ends == 2
 
 
-def test_two_directions_spread_by_the_angle_between_them():
-    one, other = crest_lines(ridge(40), width=1.0, reach=12) + crest_lines(ridge(40).T, width=1.0, reach=12)
-    turned = mean_direction([one, other])
-    assert turned[1] > 45.0
-
-
 def test_a_spread_of_straight_crests_follows_from_their_angles():
-    lines = []
-    for angle in (80.0, 100.0):
-        at = np.arange(50.0)
-        lines.append(
-            type(crest_lines(ridge(40), width=1.0, reach=12)[0])(
-                at * np.cos(np.radians(angle)), at * np.sin(np.radians(angle)), 2
-            )
-        )
+    at = np.arange(50.0)
+    angles = np.radians([80.0, 100.0])
+    lines = [CrestLine(at * np.cos(angle), at * np.sin(angle), 2) for angle in angles]
     azimuth, spread = mean_direction(lines)
     assert azimuth == pytest.approx(90.0)
     # doubled angles lie 20 degrees to either side of their mean: R = cos 20 degrees

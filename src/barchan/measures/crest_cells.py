@@ -17,6 +17,10 @@ SHARP = 0.1
 HIGH = 0.5
 """Standard deviations above its surroundings that a crest reaches somewhere; ours."""
 
+ROUND = 0.5
+"""Share of the reach that the contour lines over a crest may have as their radius: flanks of a cone have none;
+ours."""
+
 FARTHEST = 1.0
 """Cells by which a thinned line may be moved onto the crest."""
 
@@ -35,7 +39,7 @@ def crest_cells(
 
     surface = smoothed(elevation, width, periodic)
     above = surface - local_mean(surface, reach, periodic)
-    ridge, north, east = _ridges(surface, above, periodic)
+    ridge, north, east = _ridges(surface, above, periodic, ROUND * reach)
     spread = float(np.std(above, where=np.isfinite(above))) if np.isfinite(above).any() else 0.0
     margin = [(8 if joined else 0,) * 2 for joined in periodic]
     wide = np.pad(np.where(ridge, above, -np.inf), margin, mode="wrap")
@@ -56,8 +60,13 @@ def local_mean(field: Field, reach: float, periodic: Periodic) -> Field:
     return np.where(known, total / np.where(known, weight, 1.0), np.nan)
 
 
-def _ridges(surface: Field, above: Field, periodic: Periodic) -> tuple[NDArray[np.bool_], Field, Field]:
-    """Cells that a crest runs through, not yet thinned, and the crest's place from their centres."""
+def _ridges(
+    surface: Field, above: Field, periodic: Periodic, radius: float
+) -> tuple[NDArray[np.bool_], Field, Field]:
+    """Cells that a crest runs through, not yet thinned, and the crest's place from their centres.
+
+    Contour lines bend about a crest with at most a ``radius`` (cells).
+    """
     pads: list[Literal["wrap", "edge"]] = ["wrap" if joined else "edge" for joined in periodic]
     wide = np.pad(np.pad(surface, ((1, 1), (0, 0)), mode=pads[0]), ((0, 0), (1, 1)), mode=pads[1])
     south, north = wide[:-2, 1:-1], wide[2:, 1:-1]
@@ -70,10 +79,13 @@ def _ridges(surface: Field, above: Field, periodic: Periodic) -> tuple[NDArray[n
     at = np.flatnonzero(known & (bend < -SHARP * mean) & (above > 0.0))
     along_y, along_x = ((north - south) / 2).ravel()[at], ((east - west) / 2).ravel()[at]
     angle = 0.5 * np.arctan2(2 * xy.ravel()[at], (xx - yy).ravel()[at]) + np.pi / 2
-    step = -(along_x * np.cos(angle) + along_y * np.sin(angle)) / bend.ravel()[at]
+    slope, bent = along_x * np.cos(angle) + along_y * np.sin(angle), bend.ravel()[at]
+    step = -slope / bent
+    down = along_y * np.cos(angle) - along_x * np.sin(angle)
     places = step * np.sin(angle), step * np.cos(angle)
     ridge = np.zeros(surface.size, bool)
     ridge[at] = np.maximum(np.abs(places[0]), np.abs(places[1])) <= BESIDE
+    ridge[at] &= np.abs(down) <= -bent * radius
     offsets = []
     for place in places:
         offset = np.zeros(surface.size)

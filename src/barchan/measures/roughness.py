@@ -1,0 +1,52 @@
+"""How rough a surface is: heights about its smoothed self, and the area that it turns to the wind."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from barchan.directions import downwind
+from barchan.measures.filters import Periodic, gradient, smoothed
+
+
+def roughness(elevation: NDArray, periodic: Periodic = (True, True), scale: float = 2.0) -> float:
+    """Root-mean-square height (m) of a surface about itself smoothed over ``scale`` cells.
+
+    It holds what is smaller than about six times the scale, the width of the filter's pass: slabs and ripples
+    on dunes, or the noise of a survey. Cells of NaN are left out. 0 on a plane without open edges.
+    """
+    rest = np.asarray(elevation, float) - smoothed(elevation, scale, periodic)
+    known = np.isfinite(rest)
+    return float(np.sqrt(np.mean(rest[known] ** 2))) if known.any() else float("nan")
+
+
+def frontal_area_index(
+    elevation: NDArray,
+    cell_size: float,
+    direction: float,
+    periodic: Periodic = (True, True),
+    width: float = 0.5,
+) -> float:
+    """Area that rises against a wind from ``direction`` (degrees), per area of ground (Raupach 1992).
+
+    The mean of the slopes that rise downwind, of the surface smoothed over ``width`` cells: height over
+    spacing for ridges across the wind. Cells of NaN are left out.
+    """
+    east, north = gradient(smoothed(elevation, width, periodic), cell_size, periodic)
+    x, y = downwind(direction)
+    rise = east * x + north * y
+    known = np.isfinite(rise)
+    return float(np.maximum(rise[known], 0.0).mean()) if known.any() else float("nan")
+
+
+def floor_share(elevation: NDArray, periodic: Periodic = (True, True), width: float = 1.0) -> float:
+    """Share of the cells in the lowest tenth of the relief: the floor between bedforms.
+
+    The relief of the surface, smoothed over ``width`` cells, reaches from its 2nd to its 98th percentile. Sine
+    waves have 0.20 of their area there, ridges with straight flanks 0.10 to 0.12, dunes far apart on a level
+    floor nearly all. Cells of NaN are left out; NaN on a bed without relief.
+    """
+    surface = smoothed(elevation, width, periodic)
+    known = surface[np.isfinite(surface)]
+    if not known.size or np.ptp(known) <= 1e-9 * max(1.0, float(np.abs(known).max())):
+        return float("nan")
+    low, high = np.percentile(known, (2.0, 98.0))
+    return float(np.mean(known <= low + 0.1 * (high - low)))
