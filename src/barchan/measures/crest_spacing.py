@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.signal import find_peaks
 
+from barchan.directions import downwind
 from barchan.measures.crest_to_toe import profiles
 from barchan.measures.filters import Field, Periodic, smoothed, without_trend
 
@@ -46,22 +47,29 @@ def crest_spacing(
     height = float(2 * np.sqrt(2) * surface.std(where=known)) if known.any() else 0.0
     if not height > rounding:
         return CrestSpacing(float("nan"), float("nan"), 0)
-    gaps = _gaps(profiles(surface, direction, periodic), PROMINENCE * height)
+    lines = profiles(surface, direction, periodic)
+    x, y = downwind(direction)
+    extent = round(abs(x) * surface.shape[1] + abs(y) * surface.shape[0])
+    gaps = _gaps(lines, PROMINENCE * height, extent)
     if not gaps.size:
         return CrestSpacing(float("nan"), float("nan"), 0)
     return CrestSpacing(float(gaps.mean()) * cell_size, float(gaps.std()) * cell_size, int(gaps.size))
 
 
-def _gaps(lines: Field, prominence: float) -> Field:
-    """Distances (cells) between neighbouring crests of each line, none of them over a void."""
+def _gaps(lines: Field, prominence: float, extent: int) -> Field:
+    """Distances (cells) between neighbouring crests of each line, none of them over a void.
+
+    Gaps that begin within the ``extent`` (cells) of the field count: over joined edges lines go through it twice.
+    """
     flat = np.pad(lines, ((0, 0), (0, 1)), constant_values=np.nan).ravel()
     gone = np.isnan(flat)
     sunk = np.where(gone, np.nanmin(lines) - prominence if not gone.all() else 0.0, flat)
     peaks, _ = find_peaks(sunk, prominence=prominence)
+    peaks = peaks[~(gone[peaks - 1] | gone[peaks + 1])]
     if len(peaks) < 2:
         return np.zeros(0)
     voids = np.cumsum(gone)
-    whole = voids[peaks[1:]] == voids[peaks[:-1]]
+    whole = (voids[peaks[1:]] == voids[peaks[:-1]]) & (peaks[:-1] % (lines.shape[1] + 1) < extent)
     return np.diff(_refined(sunk, peaks))[whole]
 
 

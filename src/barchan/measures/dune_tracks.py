@@ -108,14 +108,13 @@ class _Follower:
         """Go on with the dunes of the next frame."""
         links = self._links(dunes, np.rint(shift).astype(np.int64))
         owner: dict[int, int] = {}
-        for old, (before, track) in enumerate(self.last):
+        for old, (_, track) in enumerate(self.last):
             heirs = [new for new in links if old in links[new]]
             mine = [new for new in heirs if self._largest(links[new]) == old]
             if mine:
                 owner[max(mine, key=lambda new: dunes[new].cells)] = track
             elif not heirs and frame:
                 self.encounters.append(Encounter("vanishes", frame, (track,)))
-            del before
         numbers = [owner.get(new, -1) for new in range(len(dunes))]
         for new, dune in enumerate(dunes):
             if numbers[new] < 0:

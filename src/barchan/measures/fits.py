@@ -92,7 +92,7 @@ class SpeedSizeLaw:
 
 
 def speed_size(heights: NDArray, speeds: NDArray) -> SpeedSizeLaw:
-    """The law between the heights (m) of dunes and their speeds, fitted to the speeds by least squares.
+    """The law between the heights (m) of dunes and their speeds, fitted by least squares of the speeds' logarithms.
 
     Bagnold's c = q / H with the offset that dunes measured in the field show (Andreotti, Claudin and Douady
     2002). Intervals follow from the covariance of the fit. NaN where there are fewer than 4 dunes, where all
@@ -104,13 +104,14 @@ def speed_size(heights: NDArray, speeds: NDArray) -> SpeedSizeLaw:
     h, c = np.asarray(heights, float)[used], np.asarray(speeds, float)[used]
     if len(h) < FEWEST or np.ptp(h) <= 1e-12:
         return SpeedSizeLaw(NOT_FITTED, NOT_FITTED)
-    slope, level = np.polyfit(h, 1.0 / c, 1, w=c)  # 1/c is linear in h: a start for the fit of c itself
+    slope, level = np.polyfit(h, 1.0 / c, 1, w=c)  # 1/c is linear in h: a start for the fit
     if not slope > 0:
         return SpeedSizeLaw(NOT_FITTED, NOT_FITTED)
     with warnings.catch_warnings():
         warnings.simplefilter("error", OptimizeWarning)
         try:
-            best, covariance = curve_fit(lambda x, q, more: q / (x + more), h, c, (1 / slope, level / slope))
+            start = 1 / slope, max(level / slope, -0.9 * h.min())
+            best, covariance = curve_fit(_log_speed, h, np.log(c), start)
         except (RuntimeError, OptimizeWarning):
             return SpeedSizeLaw(NOT_FITTED, NOT_FITTED)
     errors = np.sqrt(np.diag(covariance)) * float(stats.t.ppf(0.975, len(h) - 2))
@@ -118,3 +119,7 @@ def speed_size(heights: NDArray, speeds: NDArray) -> SpeedSizeLaw:
         Fitted(float(v), float(v - e), float(v + e)) for v, e in zip(best, errors, strict=True)
     )
     return SpeedSizeLaw(flux, offset)
+
+
+def _log_speed(height: Field, flux: float, offset: float) -> Field:
+    return np.asarray(np.log(np.maximum(flux, 1e-300) / np.maximum(height + offset, 1e-300)))

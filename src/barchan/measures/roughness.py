@@ -3,8 +3,8 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from barchan.directions import downwind
-from barchan.measures.filters import Periodic, gradient, smoothed
+from barchan.measures.crest_to_toe import profiles
+from barchan.measures.filters import Periodic, smoothed
 
 
 def roughness(elevation: NDArray, periodic: Periodic = (True, True), scale: float = 2.0) -> float:
@@ -27,14 +27,12 @@ def frontal_area_index(
 ) -> float:
     """Area that rises against a wind from ``direction`` (degrees), per area of ground (Raupach 1992).
 
-    The mean of the slopes that rise downwind, of the surface smoothed over ``width`` cells: height over
-    spacing for ridges across the wind. Cells of NaN are left out.
+    The mean of the rises from cell to cell downwind, of the surface smoothed over ``width`` cells, over the
+    width of a cell: height over spacing for ridges across the wind. Cells of NaN are left out.
     """
-    east, north = gradient(smoothed(elevation, width, periodic), cell_size, periodic)
-    x, y = downwind(direction)
-    rise = east * x + north * y
-    known = np.isfinite(rise)
-    return float(np.maximum(rise[known], 0.0).mean()) if known.any() else float("nan")
+    rises = np.diff(profiles(smoothed(elevation, width, periodic), direction, periodic), axis=1) / cell_size
+    known = np.isfinite(rises)
+    return float(np.maximum(rises[known], 0.0).mean()) if known.any() else float("nan")
 
 
 def floor_share(elevation: NDArray, periodic: Periodic = (True, True), width: float = 1.0) -> float:
