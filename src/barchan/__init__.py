@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from barchan.models import model_names
     from barchan.scenario import Scenario, preset_names
     from barchan.simulation import PlantStroke, RockStroke, SetParameter, SetWind, Simulation, Stroke
+    from barchan.survey import measure
 
 _HOMES = {
     "ArchiveError": "errors",
@@ -32,6 +33,7 @@ _HOMES = {
     "Stroke": "simulation",
     "branch": "archive",
     "load": "entry",
+    "measure": "survey",
     "model_names": "models",
     "open_run": "archive",
     "preset_names": "scenario",
@@ -57,6 +59,7 @@ __all__ = [
     "__version__",
     "branch",
     "load",
+    "measure",
     "model_names",
     "open_run",
     "preset_names",

@@ -1,0 +1,55 @@
+"""The change between two surfaces, as a table to read, as JSON and as CSV."""
+
+import csv
+import io
+import math
+from typing import TYPE_CHECKING, Any
+
+from barchan.analysis.suited_units import LADDERS, number, suited
+from barchan.cli.measure_table import MARK
+from barchan.cli.terminal import console
+
+if TYPE_CHECKING:
+    from barchan.survey import Finding
+
+
+def print_findings(findings: "list[Finding]") -> None:
+    """A line for each result: value, standard error, unit, and why it should not be quoted."""
+    lines = [(one.title, _text(one), f"{MARK} {one.doubt}" if one.doubt else "") for one in findings]
+    titles, shown = (max(len(line[column]) for line in lines) for column in (0, 1))
+    for title, text, doubt in lines:
+        console.out(f"{title:{titles}}  {text:{shown}}  {doubt}".rstrip())
+
+
+def _text(one: "Finding") -> str:
+    if math.isnan(one.value):
+        return "–"
+    value, unit = suited(one.value, one.unit)
+    size = next((size for name, size, _ in LADDERS.get(one.unit, ()) if name == unit), 1.0)
+    error = "" if math.isnan(one.error) else f" ± {one.error / size:.2g}"
+    return f"{number(value)}{error} {unit}".rstrip()
+
+
+def as_data(findings: "list[Finding]") -> list[dict[str, Any]]:
+    """A record for each result; null where there is no value or no error."""
+    return [
+        {
+            "name": one.name,
+            "title": one.title,
+            "value": one.value if math.isfinite(one.value) else None,
+            "error": one.error if math.isfinite(one.error) else None,
+            "unit": one.unit,
+            "doubt": one.doubt or None,
+        }
+        for one in findings
+    ]
+
+
+def as_csv(findings: "list[Finding]") -> str:
+    """A row for each result; empty where there is no value or no error."""
+    text = io.StringIO()
+    table = csv.writer(text, lineterminator="\n")
+    table.writerow(["name", "title", "value", "error", "unit", "doubt"])
+    for one in as_data(findings):
+        table.writerow(["" if part is None else part for part in one.values()])
+    return text.getvalue()
