@@ -7,7 +7,9 @@ from tests.measures.waves import ridges, sine
 
 def barchan(along, across, height=4.0, size=16.0):
     """A crescent whose horns point to growing ``along``: a gentle back, a steep front, arms to both sides."""
-    bend = 0.6 * size * np.minimum((across / size) ** 2, 4.0)  # the brink recedes from the middle to the horns
+    bend = (
+        0.6 * size * np.minimum((across / size) ** 2, 4.0)
+    )  # the brink recedes from the middle to the horns
     width = np.clip(1.0 - (across / (1.25 * size)) ** 2, 0.0, None)
     place = along - bend
     back, front = 1.6 * size * width, 0.4 * size * np.sqrt(width) + 1e-9

@@ -37,7 +37,9 @@ def test_surfaces_that_have_nothing_in_common_have_not_moved():
 
 def test_the_noise_of_a_change_is_found_under_dunes_that_moved():
     noise = np.random.default_rng(2).normal(0.0, 0.03, SHAPE)
-    moved = random_surface(3, drift=(0, 3.0), shape=SHAPE, size=6.0) - random_surface(3, shape=SHAPE, size=6.0)
+    moved = random_surface(3, drift=(0, 3.0), shape=SHAPE, size=6.0) - random_surface(
+        3, shape=SHAPE, size=6.0
+    )
     assert difference_noise(20 * moved + noise) == pytest.approx(0.03, rel=0.1)
 
 

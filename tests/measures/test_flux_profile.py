@@ -7,7 +7,9 @@ from barchan.measures.flux_profile import flux_profile
 from tests.measures.waves import ridges
 
 
-@pytest.mark.parametrize(("wind", "axis", "sign"), [(270.0, 1, 1), (90.0, 1, -1), (180.0, 0, 1), (0.0, 0, -1)])
+@pytest.mark.parametrize(
+    ("wind", "axis", "sign"), [(270.0, 1, 1), (90.0, 1, -1), (180.0, 0, 1), (0.0, 0, -1)]
+)
 def test_the_flux_of_a_dune_that_moves_unchanged_is_its_speed_times_its_height(wind, axis, sign):
     before = 3.0 * (ridges(2, 0) if axis else ridges(0, 2))
     moved = np.roll(before, sign, axis)

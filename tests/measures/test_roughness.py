@@ -3,13 +3,14 @@
 import numpy as np
 import pytest
 
-from barchan.measures.roughness import floor_share, frontal_area_index, roughness
-from tests.measures.waves import hill, ridges, sine
+from barchan.measures.roughness import frontal_area_index, roughness
+from tests.measures.waves import ridges, sine
 
 
 def test_roughness_of_noise_is_what_the_filter_takes_from_it():
     noise = np.random.default_rng(1).normal(0.0, 0.1, (200, 200))
-    # a Gaussian of width w leaves 1 / (4 pi w^2) of white noise's variance, and is 1 / (2 pi w^2) at its centre
+    # a Gaussian of width w leaves 1 / (4 pi w^2) of white noise's variance, and is 1 / (2 pi w^2) at its
+    # centre
     left = 1 - 2 / (2 * np.pi * 4) + 1 / (4 * np.pi * 4)
     assert roughness(noise) == pytest.approx(0.1 * np.sqrt(left), rel=0.02)
 
@@ -21,12 +22,7 @@ def test_a_long_wave_is_not_rough():
 
 def test_ridges_turn_their_height_over_their_spacing_to_the_wind():
     surface = 3.0 * ridges(5, 0)
-    assert frontal_area_index(surface, 2.0, 270.0, width=0.0) == pytest.approx(np.ptp(surface) / 32.0, rel=0.01)
+    assert frontal_area_index(surface, 2.0, 270.0, width=0.0) == pytest.approx(
+        np.ptp(surface) / 32.0, rel=0.01
+    )
     assert frontal_area_index(surface, 2.0, 0.0, width=0.0) == pytest.approx(0.0, abs=1e-9)
-
-
-def test_the_floor_of_waves_is_a_fifth_and_of_single_hills_most():
-    # a sine is below a tenth of its relief for arccos(0.8) / pi of its period
-    assert floor_share(sine(2, 0), width=0.0) == pytest.approx(np.arccos(0.8) / np.pi, abs=0.03)
-    assert floor_share(hill(24, 40), width=0.0) > 0.9
-    assert np.isnan(floor_share(np.zeros((4, 4))))

@@ -5,7 +5,7 @@ import io
 import math
 from typing import TYPE_CHECKING, Any
 
-from barchan.analysis.suited_units import LADDERS, number, suited
+from barchan.analysis.suited_units import number, spoken, suited
 from barchan.cli.measure_table import MARK
 from barchan.cli.terminal import console
 
@@ -24,10 +24,12 @@ def print_findings(findings: "list[Finding]") -> None:
 def _text(one: "Finding") -> str:
     if math.isnan(one.value):
         return "–"
-    value, unit = suited(one.value, one.unit)
-    size = next((size for name, size, _ in LADDERS.get(one.unit, ()) if name == unit), 1.0)
-    error = "" if math.isnan(one.error) else f" ± {one.error / size:.2g}"
-    return f"{number(value)}{error} {unit}".rstrip()
+    if math.isnan(one.error):
+        return spoken(one.value, one.unit)
+    larger = max(abs(one.value), one.error)
+    shown, unit = suited(larger, one.unit)
+    size = larger / shown if shown else 1.0
+    return f"{number(one.value / size)} ± {number(float(f'{one.error / size:.2g}'))} {unit}".rstrip()
 
 
 def as_data(findings: "list[Finding]") -> list[dict[str, Any]]:

@@ -30,7 +30,8 @@ class File:
     ] = None
     variable: Annotated[str | None, _option("Variable to read in a NetCDF file of several.")] = None
     missing: Annotated[
-        str | None, _option("Numbers for cells without a height, with commas between; none if all are heights.")
+        str | None,
+        _option("Numbers for cells without a height, with commas between; none if all are heights."),
     ] = None
     limits: Annotated[
         tuple[float, float] | None, _option("Heights (m) of black and white, of an image.", "--range")
@@ -38,7 +39,9 @@ class File:
     periodic: Annotated[bool, _option("Opposite edges of the file are joined.")] = False
     flatten: Annotated[
         float | None,
-        _option("Subtract the mean over squares of this width (m): relief of the ground wider than the bedforms."),
+        _option(
+            "Subtract the mean over squares of this width (m): relief of the ground wider than the bedforms."
+        ),
     ] = None
 
 
@@ -68,7 +71,8 @@ class Dates:
         _option("Random error (m, one standard deviation) of a cell's change; estimated without it."),
     ] = None
     offset: Annotated[
-        float | None, _option("Standard error (m) of the level of one survey against the other; 0 without it.")
+        float | None,
+        _option("Standard error (m) of the level of one survey against the other; 0 without it."),
     ] = None
 
 
@@ -86,8 +90,8 @@ def measure(
     """Measure any surface: heights, crests, dunes; or the change between two dates of a place.
 
     Files are GeoTIFF (.tif), ESRI ASCII grids (.asc), points on a grid (.xyz), NetCDF (.nc), SRTM (.hgt),
-    NumPy arrays (.npy, row 0 in the south), greyscale images (.png), or the folders of runs. With two files of
-    the same cells the migration and the volumes moved are printed, with standard errors.
+    NumPy arrays (.npy, row 0 in the south), greyscale images (.png), or the folders of runs. With two files
+    of the same cells the migration and the volumes moved are printed, with standard errors.
 
     A measure marked with ? should not be quoted, for the reason that follows.
 
@@ -183,6 +187,7 @@ def _print(survey: "Survey", output: Output) -> None:
         return
     if output.as_csv:
         console.out(measure_table.as_csv(values), end="")
+        console.out(f"class,class of the field,{form.name},,,")
         return
     console.out(survey.field.spoken())
     console.out(f"class: {form.name} ({form.reason})")

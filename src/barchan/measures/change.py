@@ -68,11 +68,11 @@ def displacement_between(
 ) -> Displacement:
     """Displacement of bedforms from one surface to the next, by cross-correlation, with its error.
 
-    As in ``migration``. The field is cut into up to 4 × 4 windows of 24 cells or more to a side, and each one's
-    displacement is sought near that of the field; those that correlate by 0.5 count. The error is their
+    As in ``migration``. The field is cut into up to 4 × 4 windows of 24 cells or more to a side, and each
+    one's displacement is sought near that of the field; those that correlate by 0.5 count. The error is their
     standard deviation over the square root of their number: it holds the noise of the surveys and the
-    differences of the dunes' own speeds. NaN where surfaces correlate by less than 0.5, errors NaN where fewer
-    than 3 windows count. Raises ValueError where the shapes differ.
+    differences of the dunes' own speeds. NaN where surfaces correlate by less than 0.5, errors NaN where
+    fewer than 3 windows count. Raises ValueError where the shapes differ.
     """
     _require_alike(before, after)
     nothing = Estimate(float("nan"), float("nan"))
@@ -83,10 +83,8 @@ def displacement_between(
     shift, correlation = displacement(first, second, None, periodic)
     if correlation < LEAST_CORRELATION:
         return Displacement(nothing, nothing, correlation, 0)
-    parts = np.array([part for part in _in_windows(first, second, shift)]).reshape(-1, 2)
-    errors = (
-        parts.std(axis=0, ddof=1) / np.sqrt(len(parts)) if len(parts) >= FEWEST else np.full(2, np.nan)
-    )
+    parts = np.array(list(_in_windows(first, second, shift))).reshape(-1, 2)
+    errors = parts.std(axis=0, ddof=1) / np.sqrt(len(parts)) if len(parts) >= FEWEST else np.full(2, np.nan)
     north, east = (Estimate(float(v), float(e)) for v, e in zip(shift, errors, strict=True))
     return Displacement(east, north, correlation, len(parts))
 

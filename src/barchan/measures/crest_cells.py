@@ -18,7 +18,8 @@ HIGH = 0.5
 """Standard deviations above its surroundings that a crest reaches somewhere; ours."""
 
 ROUND = 0.5
-"""Share of the reach that the contour lines over a crest may have as their radius: flanks of a cone have none;
+"""Share of the reach that the contour lines over a crest may have as their radius: flanks of a cone have
+none;
 ours."""
 
 FARTHEST = 1.0
@@ -28,11 +29,12 @@ FARTHEST = 1.0
 def crest_cells(
     elevation: NDArray, periodic: Periodic, width: float, reach: float
 ) -> tuple[NDArray[np.bool_], Field, Field]:
-    """Cells of the crests, a line one cell wide, and how far the crest lies from their centres (rows, columns).
+    """Cells of the crests, a line one cell wide, and how far the crest lies from their centres (rows,
+    columns).
 
     A crest is where, across the direction of the strongest downward bend, the surface smoothed over ``width``
-    cells is highest (Steger 1998). It lies above the mean of the square of ``2 reach + 1`` cells about it, and
-    somewhere by half of the standard deviation of those differences. Next to cells of NaN there is none.
+    cells is highest (Steger 1998). It lies above the mean of the square of ``2 reach + 1`` cells about it,
+    and somewhere by half of the standard deviation of those differences. Next to cells of NaN there is none.
     """
     from skimage.filters import apply_hysteresis_threshold
     from skimage.morphology import skeletonize
@@ -43,7 +45,8 @@ def crest_cells(
     spread = float(np.std(above, where=np.isfinite(above))) if np.isfinite(above).any() else 0.0
     margin = [(8 if joined else 0,) * 2 for joined in periodic]
     wide = np.pad(np.where(ridge, above, -np.inf), margin, mode="wrap")
-    thin = skeletonize(apply_hysteresis_threshold(wide, 0.0, HIGH * spread))
+    raised = apply_hysteresis_threshold(wide, 0.0, HIGH * spread)  # type: ignore[no-untyped-call]
+    thin = skeletonize(raised)  # type: ignore[no-untyped-call]
     rows, columns = (slice(m, thin.shape[axis] - m) for axis, (m, _) in enumerate(margin))
     return np.asarray(thin[rows, columns]), north, east
 

@@ -56,7 +56,11 @@ def crest_lines(
     branches = [c for c in found if c.length < shortest and sum(c.ends) == 1]
     if branches:
         found = chains(_without(cells, branches), periodic)
-    lines = [_line(chain, north, east, unknown, periodic) for chain in found if sum(chain.ends) < 2 or chain.length >= shortest]
+    lines = [
+        _line(chain, north, east, unknown, periodic)
+        for chain in found
+        if sum(chain.ends) < 2 or chain.length >= shortest
+    ]
     return sorted(lines, key=lambda line: -line.length)
 
 

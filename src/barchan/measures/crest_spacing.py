@@ -59,7 +59,8 @@ def crest_spacing(
 def _gaps(lines: Field, prominence: float, extent: int) -> Field:
     """Distances (cells) between neighbouring crests of each line, none of them over a void.
 
-    Gaps that begin within the ``extent`` (cells) of the field count: over joined edges lines go through it twice.
+    Gaps that begin within the ``extent`` (cells) of the field count: over joined edges lines go through it
+    twice.
     """
     flat = np.pad(lines, ((0, 0), (0, 1)), constant_values=np.nan).ravel()
     gone = np.isnan(flat)
@@ -77,4 +78,6 @@ def _refined(line: Field, peaks: NDArray[np.intp]) -> Field:
     """Places of peaks to a fraction of a cell, by parabolas through their neighbours."""
     left, middle, right = (line[peaks + step] for step in (-1, 0, 1))
     bend = left - 2 * middle + right
-    return peaks + np.clip(np.where(bend < 0, 0.5 * (left - right) / np.where(bend < 0, bend, 1.0), 0.0), -0.5, 0.5)
+    return peaks + np.clip(
+        np.where(bend < 0, 0.5 * (left - right) / np.where(bend < 0, bend, 1.0), 0.0), -0.5, 0.5
+    )

@@ -143,5 +143,6 @@ def outline(dune: Dune) -> list[Field]:
     south, west = int(dune.rows.min()) - 1, int(dune.columns.min()) - 1
     mask = np.zeros((int(np.ptp(dune.rows)) + 3, int(np.ptp(dune.columns)) + 3))
     mask[dune.rows - south, dune.columns - west] = 1.0
-    rings = [ring + (south, west) for ring in find_contours(mask, 0.5, fully_connected="high")]
+    traced = find_contours(mask, 0.5, fully_connected="high")  # type: ignore[no-untyped-call]
+    rings = [ring + np.array([south, west]) for ring in traced]
     return sorted(rings, key=lambda ring: -float(np.ptp(ring[:, 0]) * np.ptp(ring[:, 1])))

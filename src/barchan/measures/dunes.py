@@ -43,7 +43,8 @@ def find_dunes(
     """Every body of sand deeper than ``level`` (m) that rises above it by ``least`` (m) or more.
 
     The depth of the sand (m) is smoothed over ``width`` cells; the level is its mean where none is given.
-    Cells of NaN belong to no dune. Left out are ridges that run on without an end over joined edges, and dunes that an open edge cuts.
+    Cells of NaN belong to no dune. Left out are ridges that run on without an end over joined edges, and
+    dunes that an open edge cuts.
     """
     deep = smoothed(depth, width, periodic)
     known = np.isfinite(deep)
@@ -72,7 +73,7 @@ def _cells_of(bodies: NDArray[np.int64]) -> list[tuple[NDArray[np.intp], NDArray
     cells = cells[np.argsort(flat[cells], kind="stable")]
     starts = np.flatnonzero(np.diff(flat[cells])) + 1
     parts = np.split(cells, starts) if cells.size else []
-    return [np.unravel_index(part, bodies.shape) for part in parts]
+    return [(part // bodies.shape[1], part % bodies.shape[1]) for part in parts]
 
 
 def bodies_of(raised: NDArray[np.bool_], periodic: Periodic) -> NDArray[np.int64]:

@@ -92,7 +92,8 @@ class SpeedSizeLaw:
 
 
 def speed_size(heights: NDArray, speeds: NDArray) -> SpeedSizeLaw:
-    """The law between the heights (m) of dunes and their speeds, fitted by least squares of the speeds' logarithms.
+    """The law between the heights (m) of dunes and their speeds, fitted by least squares of the speeds'
+    logarithms.
 
     Bagnold's c = q / H with the offset that dunes measured in the field show (Andreotti, Claudin and Douady
     2002). Intervals follow from the covariance of the fit. NaN where there are fewer than 4 dunes, where all
@@ -115,9 +116,7 @@ def speed_size(heights: NDArray, speeds: NDArray) -> SpeedSizeLaw:
         except (RuntimeError, OptimizeWarning):
             return SpeedSizeLaw(NOT_FITTED, NOT_FITTED)
     errors = np.sqrt(np.diag(covariance)) * float(stats.t.ppf(0.975, len(h) - 2))
-    flux, offset = (
-        Fitted(float(v), float(v - e), float(v + e)) for v, e in zip(best, errors, strict=True)
-    )
+    flux, offset = (Fitted(float(v), float(v - e), float(v + e)) for v, e in zip(best, errors, strict=True))
     return SpeedSizeLaw(flux, offset)
 
 

@@ -31,9 +31,10 @@ def flux_profile(
     """Flux in a wind from ``direction`` (degrees) that turns one surface (m) into another after a ``time``.
 
     The sand that passes a place is what the surface upwind of it has lost (Exner's equation), the mean over
-    the width of the field: dq/dx = -dh/dt. Only differences are known: the least flux is set to 0, which it is
-    where the floor is bare. Sand that passes without leaving a trace does not count. Cells of NaN are left out
-    of the mean. Exact along the lattice's axes; in other directions profiles near corners are short. Raises ValueError where the time is not above 0 or the shapes differ.
+    the width of the field: dq/dx = -dh/dt. Only differences are known: the least flux is set to 0, which it
+    is where the floor is bare. Sand that passes without leaving a trace does not count. Cells of NaN are left
+    out of the mean. Exact along the lattice's axes; in other directions profiles near corners are short.
+    Raises ValueError where the time is not above 0 or the shapes differ.
     """
     if not time > 0.0:
         raise ValueError(f"a time of {time:g} lies between the surfaces; allowed: above 0")
@@ -49,4 +50,4 @@ def flux_profile(
     x, y = downwind(direction)
     extent = round(abs(x) * before.shape[1] + abs(y) * before.shape[0])
     once = lost[:extent] if len(lost) == 2 * extent else lost  # joined edges: profiles go twice through
-    return FluxProfile((np.arange(len(once)) + 1.0) * cell_size, once - once.min())
+    return FluxProfile((np.arange(len(once)) + 1.0) * cell_size, np.asarray(once - once.min(), float))

@@ -16,9 +16,9 @@ from barchan.measures.crest_to_toe import crest_to_toe_height
 from barchan.measures.dune_shapes import DuneShape, dune_shape
 from barchan.measures.dunes import find_dunes
 from barchan.measures.filters import Field, Periodic, gradient, smoothed, without_trend
+from barchan.measures.floor import floor_beneath, floor_share
 from barchan.measures.lee_side import LeeSide, lee_side
 from barchan.measures.orientation import Orientation, crest_orientation
-from barchan.measures.roughness import floor_share
 from barchan.measures.spacing import dominant_spacing
 from barchan.measures.stars import summits
 
@@ -81,6 +81,12 @@ def landform(
     return Landform("undetermined", f"crests without a common direction ({field.orientation.coherence:.2f})")
 
 
+def half_spacing(spacing: float, cell_size: float, shape: tuple[int, ...]) -> float:
+    """Half a spacing (m) in cells: 4 at least, where there is none too, and half of the field at most."""
+    half = spacing / cell_size / 2
+    return float(np.clip(half if math.isfinite(half) else 4.0, 4.0, max(min(shape) / 2, 4.0)))
+
+
 @dataclass(frozen=True)
 class _Traits:
     """What the rules ask for, each computed when one does."""
@@ -117,15 +123,19 @@ class _Traits:
         across = self.orientation.azimuth + 90.0
         return dominant_spacing(self.elevation, self.cell_size, across, self.periodic)
 
+    @property
+    def reach(self) -> float:
+        """Half a spacing (cells), within the field."""
+        return half_spacing(self.spacing, self.cell_size, self.elevation.shape)
+
     @cached_property
     def apart(self) -> bool:
-        return floor_share(without_trend(self.elevation, self.periodic), self.periodic) >= APART
+        return floor_share(self.elevation, self.reach, self.periodic) >= APART
 
     @cached_property
     def dunes(self) -> list[DuneShape]:
         """Single dunes above the floor."""
-        surface = without_trend(self.elevation, self.periodic)
-        depth = surface - np.nanpercentile(surface, 2.0)
+        depth = self.elevation - floor_beneath(self.elevation, self.reach, self.periodic)
         wind = 0.0 if math.isnan(self.wind) else self.wind
         least = 0.3 * crest_to_toe_height(self.elevation, wind, self.periodic)
         found = find_dunes(depth, least, self.periodic)

@@ -33,18 +33,3 @@ def frontal_area_index(
     rises = np.diff(profiles(smoothed(elevation, width, periodic), direction, periodic), axis=1) / cell_size
     known = np.isfinite(rises)
     return float(np.maximum(rises[known], 0.0).mean()) if known.any() else float("nan")
-
-
-def floor_share(elevation: NDArray, periodic: Periodic = (True, True), width: float = 1.0) -> float:
-    """Share of the cells in the lowest tenth of the relief: the floor between bedforms.
-
-    The relief of the surface, smoothed over ``width`` cells, reaches from its 2nd to its 98th percentile. Sine
-    waves have 0.20 of their area there, ridges with straight flanks 0.10 to 0.12, dunes far apart on a level
-    floor nearly all. Cells of NaN are left out; NaN on a bed without relief.
-    """
-    surface = smoothed(elevation, width, periodic)
-    known = surface[np.isfinite(surface)]
-    if not known.size or np.ptp(known) <= 1e-9 * max(1.0, float(np.abs(known).max())):
-        return float("nan")
-    low, high = np.percentile(known, (2.0, 98.0))
-    return float(np.mean(known <= low + 0.1 * (high - low)))

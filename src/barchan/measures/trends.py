@@ -36,9 +36,7 @@ def steadiness(times: NDArray, values: NDArray, window: float) -> Steadiness:
     return Steadiness(mean, float(np.ptp(v)) / abs(mean), slope * float(np.ptp(t)) / abs(mean))
 
 
-def coarsening(
-    times: NDArray, sizes: NDArray, first: float = 0.0, last: float = float("inf")
-) -> PowerLaw:
+def coarsening(times: NDArray, sizes: NDArray, first: float = 0.0, last: float = float("inf")) -> PowerLaw:
     """The power law size = factor · time^exponent between two times, with the exponent's 95 % interval.
 
     Times count from the flat bed. Neighbouring frames resemble each other and count as fewer; see

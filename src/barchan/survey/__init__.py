@@ -1,6 +1,7 @@
 """Surfaces from anywhere, measured: elevation models, arrays, frames of runs; one, or two dates of one place.
 
-Reads with the readers of ``ground`` and ``archive``, measures with ``measures``, writes crest lines and dunes.
+Reads with the readers of ``ground`` and ``archive``, measures with ``measures``, writes crest lines and
+dunes.
 """
 
 from barchan.survey.comparing import Comparison, Finding, compare

@@ -109,10 +109,10 @@ def compare(
 ) -> Comparison:
     """Compare two surfaces of the same cells at the same place.
 
-    ``years`` is the time between them; two frames of a run with a clock know it. ``noise`` (m) is the standard
-    deviation of the random error of a cell's change, estimated from the surfaces where it is not given;
-    ``offset`` (m) the standard error of the level of one against the other. Raises SurveyError where frames
-    differ.
+    ``years`` is the time between them; two frames of a run with a clock know it. ``noise`` (m) is the
+    standard deviation of the random error of a cell's change, estimated from the surfaces where it is not
+    given; ``offset`` (m) the standard error of the level of one against the other. Raises SurveyError where
+    frames differ.
     """
     wrong = [text for text in _differences(before, after) if text]
     if wrong:
@@ -120,7 +120,11 @@ def compare(
             f"{before.name} and {after.name}: {'; '.join(wrong)}; allowed: the same cells at the same place, "
             "for instance by rio warp AFTER new.tif --like BEFORE --resampling bilinear"
         )
-    for name, value, least in (("--years", years, 0.0), ("--noise", noise, -1e-300), ("--offset", offset, -1e-300)):
+    for name, value, least in (
+        ("--years", years, 0.0),
+        ("--noise", noise, -1e-300),
+        ("--offset", offset, -1e-300),
+    ):
         if value is not None and not (math.isfinite(value) and value > least):
             raise SurveyError(f"{name} {value:g}; allowed: {'above 0' if not least else '0 or more'}")
     elapsed = (after.seconds - before.seconds) / YEAR if years is None else years

@@ -8,7 +8,6 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy import ndimage
 
 from barchan.analysis.declared_measures import Value
 from barchan.errors import SurveyError
@@ -17,8 +16,9 @@ from barchan.measures.crest_spacing import CrestSpacing, crest_spacing
 from barchan.measures.crest_to_toe import crest_to_toe_height
 from barchan.measures.dune_shapes import DuneShape, dune_shape
 from barchan.measures.dunes import Dune, find_dunes
-from barchan.measures.filters import smoothed, without_trend
-from barchan.measures.landform import LOPSIDED, Landform, landform
+from barchan.measures.filters import without_trend
+from barchan.measures.landform import LOPSIDED, Landform, half_spacing, landform
+from barchan.measures.floor import floor_beneath
 from barchan.measures.lee_side import LeeSide, lee_side
 from barchan.measures.orientation import Orientation, crest_orientation
 from barchan.measures.relief import bedform_height
@@ -37,8 +37,8 @@ LEAST = 0.3
 def measure(source: Any, *, wind: float | None = None, **reading: Any) -> "Survey":
     """Measure a surface: a file, a run's folder, an array with its ``cell_size`` (m), or a HeightField.
 
-    ``wind`` (degrees clockwise from north) is where the resultant wind comes from; without it that of a run, or
-    the one that the steeper sides show. Other keywords are those of ``read_field``. Raises SurveyError.
+    ``wind`` (degrees clockwise from north) is where the resultant wind comes from; without it that of a run,
+    or the one that the steeper sides show. Other keywords are those of ``read_field``. Raises SurveyError.
     """
     if isinstance(source, str | Path):
         source = read_field(source, **reading)
@@ -148,36 +148,24 @@ class Survey:
         return landform(self.heights, self.cell_size, self.wind, self.periodic)
 
     @property
-    def _reach(self) -> float:
+    def reach(self) -> float:
         """Half a spacing (cells), within the field."""
-        half = self.spacing / self.cell_size / 2
-        return float(np.clip(half if math.isfinite(half) else 4.0, 4.0, min(self.heights.shape) / 2))
+        return half_spacing(self.spacing, self.cell_size, self.heights.shape)
 
     @cached_property
     def crests(self) -> list[CrestLine]:
         """Crest lines, the longest first; none on a surface without relief."""
         if not self.bedform_height > 0.0:
             return []
-        return crest_lines(without_trend(self.heights, self.periodic), self.periodic, reach=self._reach)
+        return crest_lines(without_trend(self.heights, self.periodic), self.periodic, reach=self.reach)
 
     @cached_property
     def dunes(self) -> list[tuple[Dune, DuneShape]]:
         """Single dunes above the floor between them, the largest first, with their shapes."""
         if not self.dune_height > 0.0:
             return []
-        surface = without_trend(self.heights, self.periodic)
-        depth = surface - _floor(surface, 2 * self._reach, self.periodic)
+        depth = self.heights - floor_beneath(self.heights, self.reach, self.periodic)
         found = find_dunes(depth, LEAST * self.dune_height, self.periodic)
         wind = self.across if math.isnan(self.wind) else self.wind
         shapes = [(dune, dune_shape(dune, wind, self.cell_size)) for dune in found]
         return sorted(shapes, key=lambda one: -one[1].volume)
-
-
-def _floor(surface: NDArray[np.float64], reach: float, periodic: tuple[bool, bool]) -> NDArray[np.float64]:
-    """The surface on which dunes narrower than ``2 reach + 1`` cells stand: its morphological opening."""
-    modes: list[Any] = ["wrap" if joined else "nearest" for joined in periodic]
-    size = 2 * round(reach) + 1
-    smooth = smoothed(surface, 2.0, periodic)
-    known = np.isfinite(smooth)
-    lowest = ndimage.minimum_filter(np.where(known, smooth, np.inf), size, mode=modes)
-    return np.asarray(ndimage.maximum_filter(np.where(np.isinf(lowest), -np.inf, lowest), size, mode=modes))

@@ -30,15 +30,19 @@ def read_field(
 ) -> HeightField:
     """The surface in a file of heights or in a frame of a run.
 
-    ``cell_size`` (m) is needed where the file has no coordinates; ``crs``, ``variable`` and ``missing`` are as
-    for the ground of a scenario; ``limits`` are the heights (m) of black and white in an image; ``step`` is the
-    frame of a run, its last without it; ``periodic`` says that a file's opposite edges are joined. Raises
-    SurveyError, or ArchiveError for a run.
+    ``cell_size`` (m) is needed where the file has no coordinates; ``crs``, ``variable`` and ``missing`` are
+    as for the ground of a scenario; ``limits`` are the heights (m) of black and white in an image; ``step``
+    is the frame of a run, its last without it; ``periodic`` says that a file's opposite edges are joined.
+    Raises SurveyError, or ArchiveError for a run.
     """
     path = Path(source)
     given = {
-        "--cell-size": cell_size, "--crs": crs, "--variable": variable, "--missing": missing, "--range": limits
-    }  # fmt: skip
+        "--cell-size": cell_size,
+        "--crs": crs,
+        "--variable": variable,
+        "--missing": missing,
+        "--range": limits,
+    }
     if path.is_dir():
         if told := [name for name, value in given.items() if value is not None]:
             raise SurveyError(f"{path}: a run knows its cells and heights; leave {', '.join(told)} out")

@@ -6,7 +6,8 @@ import numpy as np
 
 from barchan.analysis.declared_measures import FROM_NORTH, Measure
 from barchan.measures.crest_lines import crest_length, defect_density, mean_direction
-from barchan.measures.roughness import floor_share, frontal_area_index, roughness
+from barchan.measures.floor import floor_share
+from barchan.measures.roughness import frontal_area_index, roughness
 from barchan.survey.measuring import STRAIGHT, Survey
 
 CELLS = 6.0
@@ -116,7 +117,9 @@ SURFACE_MEASURES: tuple[Measure[Survey], ...] = (
         lambda s: frontal_area_index(s.heights, s.cell_size, s.across, s.periodic),
         _flanks,
     ),
-    Measure("floor_share", "floor between bedforms", "fraction", lambda s: floor_share(s.heights, s.periodic)),
+    Measure(
+        "floor_share", "floor between bedforms", "fraction", lambda s: floor_share(s.heights, s.reach, s.periodic)
+    ),
     Measure("roughness", "roughness below 12 cells", "m", lambda s: roughness(s.heights, s.periodic)),
     Measure("dunes", "single dunes", "-", lambda s: len(s.dunes), _dunes),
     Measure("median_dune_height", "their median height", "m", lambda s: _median(s, "height"), _dunes),

@@ -123,7 +123,9 @@ def _write_geojson(target: Path, field: HeightField, features: list[dict[str, An
 def _target(path: str | Path, suffixes: tuple[str, ...]) -> Path:
     target = Path(path)
     if target.suffix.lower() not in suffixes:
-        raise SurveyError(f"{target}: written as {target.suffix or 'no suffix'}; allowed: {', '.join(suffixes)}")
+        raise SurveyError(
+            f"{target}: written as {target.suffix or 'no suffix'}; allowed: {', '.join(suffixes)}"
+        )
     return target
 
 
