@@ -14,7 +14,7 @@ from barchan.measures.dune_shapes import DuneShape, dune_shape, outline
 from barchan.measures.dune_tracks import Encounter, Track, Tracks, track_dunes
 from barchan.measures.dunes import Dune, find_dunes
 from barchan.measures.fits import Fitted, PowerLaw, SpeedSizeLaw, power_law, speed_size
-from barchan.measures.floor import floor_beneath, floor_share
+from barchan.measures.floor import dunes_on_floor, floor_beneath, floor_share
 from barchan.measures.flux_profile import FluxProfile, flux_profile
 from barchan.measures.horns import Horns, horns
 from barchan.measures.landform import Landform, landform
@@ -66,6 +66,7 @@ __all__ = [
     "displacement_between",
     "dominant_spacing",
     "dune_shape",
+    "dunes_on_floor",
     "find_dunes",
     "floor_beneath",
     "floor_share",

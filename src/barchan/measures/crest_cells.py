@@ -29,8 +29,7 @@ FARTHEST = 1.0
 def crest_cells(
     elevation: NDArray, periodic: Periodic, width: float, reach: float
 ) -> tuple[NDArray[np.bool_], Field, Field]:
-    """Cells of the crests, a line one cell wide, and how far the crest lies from their centres (rows,
-    columns).
+    """Cells of the crests, a line one cell wide, and the crest's place from their centres (rows, columns).
 
     A crest is where, across the direction of the strongest downward bend, the surface smoothed over ``width``
     cells is highest (Steger 1998). It lies above the mean of the square of ``2 reach + 1`` cells about it,

@@ -34,8 +34,8 @@ def chains(lines: NDArray[np.bool_], periodic: Periodic) -> list[Chain]:
     used: set[tuple[int, int]] = set()
     starts = [*np.flatnonzero((degree > 0) & (degree != 2)).tolist(), *np.flatnonzero(degree == 2).tolist()]
     for start in starts:
-        for first in range(len(links.near[start])):
-            if (start, links.near[start][first][0]) not in used:
+        for first, (there, _, _) in enumerate(links.near[start]):
+            if (start, there) not in used:
                 found.append(links.walk(start, first, degree, used))
     return found
 

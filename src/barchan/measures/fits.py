@@ -92,8 +92,7 @@ class SpeedSizeLaw:
 
 
 def speed_size(heights: NDArray, speeds: NDArray) -> SpeedSizeLaw:
-    """The law between the heights (m) of dunes and their speeds, fitted by least squares of the speeds'
-    logarithms.
+    """The law between the heights (m) of dunes and their speeds, by least squares of logarithms.
 
     Bagnold's c = q / H with the offset that dunes measured in the field show (Andreotti, Claudin and Douady
     2002). Intervals follow from the covariance of the fit. NaN where there are fewer than 4 dunes, where all

@@ -17,7 +17,7 @@ class FluxProfile:
     distance: Field
     """Distance downwind (m)."""
     flux: Field
-    """Volume (with pores) that passes each place, per metre of width and unit of time: m² per unit of time."""
+    """Volume (with pores) that passes each place, per metre of width: m² per unit of time."""
 
 
 def flux_profile(

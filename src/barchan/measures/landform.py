@@ -12,11 +12,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from barchan.directions import downwind
-from barchan.measures.crest_to_toe import crest_to_toe_height
 from barchan.measures.dune_shapes import DuneShape, dune_shape
-from barchan.measures.dunes import find_dunes
 from barchan.measures.filters import Field, Periodic, gradient, smoothed, without_trend
-from barchan.measures.floor import floor_beneath, floor_share
+from barchan.measures.floor import dunes_on_floor, floor_share
 from barchan.measures.lee_side import LeeSide, lee_side
 from barchan.measures.orientation import Orientation, crest_orientation
 from barchan.measures.spacing import dominant_spacing
@@ -135,10 +133,8 @@ class _Traits:
     @cached_property
     def dunes(self) -> list[DuneShape]:
         """Single dunes above the floor."""
-        depth = self.elevation - floor_beneath(self.elevation, self.reach, self.periodic)
         wind = 0.0 if math.isnan(self.wind) else self.wind
-        least = 0.3 * crest_to_toe_height(self.elevation, wind, self.periodic)
-        found = find_dunes(depth, least, self.periodic)
+        found = dunes_on_floor(self.elevation, self.reach, self.periodic)
         return [dune_shape(dune, wind, self.cell_size) for dune in found]
 
 

@@ -15,10 +15,10 @@ from barchan.measures.crest_lines import CrestLine, crest_lines
 from barchan.measures.crest_spacing import CrestSpacing, crest_spacing
 from barchan.measures.crest_to_toe import crest_to_toe_height
 from barchan.measures.dune_shapes import DuneShape, dune_shape
-from barchan.measures.dunes import Dune, find_dunes
+from barchan.measures.dunes import Dune
 from barchan.measures.filters import without_trend
+from barchan.measures.floor import dunes_on_floor
 from barchan.measures.landform import LOPSIDED, Landform, half_spacing, landform
-from barchan.measures.floor import floor_beneath
 from barchan.measures.lee_side import LeeSide, lee_side
 from barchan.measures.orientation import Orientation, crest_orientation
 from barchan.measures.relief import bedform_height
@@ -29,9 +29,6 @@ from barchan.survey.reading import read_field
 
 STRAIGHT = 0.2
 """Straightness from which on crests have a common direction; that of frames of runs."""
-
-LEAST = 0.3
-"""Share of the mean height from crest to toe that a dune has at least; ours."""
 
 
 def measure(source: Any, *, wind: float | None = None, **reading: Any) -> "Survey":
@@ -162,10 +159,7 @@ class Survey:
     @cached_property
     def dunes(self) -> list[tuple[Dune, DuneShape]]:
         """Single dunes above the floor between them, the largest first, with their shapes."""
-        if not self.dune_height > 0.0:
-            return []
-        depth = self.heights - floor_beneath(self.heights, self.reach, self.periodic)
-        found = find_dunes(depth, LEAST * self.dune_height, self.periodic)
+        found = dunes_on_floor(self.heights, self.reach, self.periodic)
         wind = self.across if math.isnan(self.wind) else self.wind
         shapes = [(dune, dune_shape(dune, wind, self.cell_size)) for dune in found]
         return sorted(shapes, key=lambda one: -one[1].volume)

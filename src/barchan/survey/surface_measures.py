@@ -118,7 +118,10 @@ SURFACE_MEASURES: tuple[Measure[Survey], ...] = (
         _flanks,
     ),
     Measure(
-        "floor_share", "floor between bedforms", "fraction", lambda s: floor_share(s.heights, s.reach, s.periodic)
+        "floor_share",
+        "floor between bedforms",
+        "fraction",
+        lambda s: floor_share(s.heights, s.reach, s.periodic),
     ),
     Measure("roughness", "roughness below 12 cells", "m", lambda s: roughness(s.heights, s.periodic)),
     Measure("dunes", "single dunes", "-", lambda s: len(s.dunes), _dunes),
