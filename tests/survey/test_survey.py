@@ -47,7 +47,7 @@ def test_dunes_lie_in_the_files_coordinates_with_their_volumes(tif, tmp_path):
     survey = barchan.measure(tif, wind=270.0)
     assert survey.landform.name == "barchan"
     path = write_dunes(tmp_path / "dunes.csv", survey)
-    rows = list(csv.DictReader(path.open(encoding="utf-8")))
+    rows = list(csv.DictReader(path.read_text("utf-8").splitlines()))
     assert len(rows) == 2
     north, east = np.mgrid[:128, :128]
     for row, column, height in ((*SOLITARY, 4.0), (*SOUTH_WEST, 3.0)):

@@ -15,9 +15,9 @@ def floor_beneath(
 ) -> Field:
     """Elevation (m) of the floor beneath bedforms narrower than ``2 reach + 1`` cells.
 
-    The morphological opening of the surface smoothed over ``width`` cells: the highest surface that squares of
-    that size reach from below. It follows a tilt and wide hills, and fills in beneath dunes; half of a spacing
-    is a good ``reach``. Cells of NaN are left out.
+    The morphological opening of the surface smoothed over ``width`` cells: the highest surface that squares
+    of that size reach from below. It follows a tilt and wide hills, and runs on beneath dunes; half of a
+    spacing is a good ``reach``. Cells of NaN are left out.
     """
     modes: list[Literal["wrap", "nearest"]] = ["wrap" if joined else "nearest" for joined in periodic]
     size = 2 * round(reach) + 1
@@ -35,7 +35,7 @@ LEAST = 0.2
 def dunes_on_floor(elevation: NDArray, reach: float, periodic: Periodic = (True, True)) -> list[Dune]:
     """Single dunes of a surface whose depth of sand is not known: ``find_dunes`` above ``floor_beneath``.
 
-    Bodies are left out that rise by less than a fifth of the 99.5th percentile of the heights above the floor.
+    Bodies are left out that rise by less than a fifth of the 99.5th percentile of heights above the floor.
     """
     above = np.asarray(elevation, float) - floor_beneath(elevation, reach, periodic)
     known = above[np.isfinite(above)]
