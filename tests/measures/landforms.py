@@ -41,7 +41,7 @@ FIELDS = {
     "flat": (0.02 * sine(6, 0, (128, 128)), 1.0, np.nan),
     "ripples": (0.008 * ridges(6, 0, shape=(128, 128)), 0.006, np.nan),
     "transverse": (3.0 * ridges(5, 1, shape=(128, 128)), 1.0, np.nan),
-    "linear": (3.0 * sine(5, 1, (128, 128)), 1.0, np.nan),
+    "linear": (3.0 * sine(5, 1, (128, 128)), 1.0, 170.0),
     "barchan": (field_of_dunes(barchan, PLACES), 1.0, np.nan),
     "parabolic": (field_of_dunes(lambda x, y: barchan(-x, y), PLACES), 1.0, 270.0),
     "star": (field_of_dunes(star, [(64, 64), (64, 190), (190, 64), (190, 190)], (256, 256)), 1.0, np.nan),

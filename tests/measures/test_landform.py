@@ -34,6 +34,7 @@ def test_a_void_and_a_trend_do_not_change_the_class(name):
 def test_symmetric_ridges_across_a_known_wind_are_transverse():
     assert landform(3.0 * sine(5, 0), 1.0, 270.0).name == "transverse"
     assert landform(3.0 * sine(5, 0), 1.0, 10.0).name == "linear"
+    assert landform(3.0 * sine(5, 0), 1.0).name == "undetermined"
 
 
 def test_the_lee_side_of_ridges_follows_from_their_slopes():

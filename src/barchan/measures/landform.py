@@ -66,8 +66,8 @@ def landform(
 ) -> Landform:
     """The class of a surface (m), in a resultant wind from ``wind`` (degrees) where that is known.
 
-    Without a wind the steeper side of the bedforms is taken for their lee, and ridges as steep to either side
-    for linear dunes. The rule, in order: flat, where 99.5 % of the slopes are below 2 degrees; ripples, where
+    Without a wind the steeper side of the bedforms is taken for their lee; where neither is, the class of
+    ridges and of horned dunes is undetermined. The rule, in order: flat, where 99.5 % of the slopes are below 2 degrees; ripples, where
     the spacing is below 2 m; dunes apart from each other (40 % floor) are barchans or parabolic dunes where
     their horns point downwind or upwind; stars, where half of the summits have three arms or more; transverse
     or linear, by the angle of crests (or of slender single dunes) to the wind: 45 degrees and more, or less.
@@ -183,7 +183,7 @@ def _crested(field: _Traits) -> Landform | None:
         double = np.exp(2j * np.radians([dune.orientation for dune in slender])).sum()
         azimuth = float(np.degrees(np.angle(double)) / 2)
     if math.isnan(field.wind):
-        return Landform("linear", "ridges as steep to either side")
+        return Landform("undetermined", "ridges about as steep to either side; the wind would tell their class")
     x, y = downwind(field.wind)
     along = abs(x * math.sin(math.radians(azimuth)) + y * math.cos(math.radians(azimuth)))
     angle = math.degrees(math.acos(min(along, 1.0)))
