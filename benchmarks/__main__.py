@@ -6,7 +6,7 @@ import statistics
 from collections.abc import Iterator
 from pathlib import Path
 
-from benchmarks import exports, grains, kernel, plain, program, threads
+from benchmarks import exports, grains, kernel, measures, plain, program, threads
 
 PAGE = Path(__file__).parents[1] / "docs" / "benchmarks.md"
 NOTES = Path(__file__).with_name("notes.md")
@@ -74,6 +74,8 @@ def report(only: str) -> Iterator[str]:
         yield f"The 3000 iterations of Szabó 2019: {seconds:.1f} s, against {published:.0f} s there."
     if not only or "export".startswith(only):
         yield from exports.report()
+    if not only or "measures".startswith(only):
+        yield from measures.report()
     if not only:
         yield ""
         yield "| program | seconds |"

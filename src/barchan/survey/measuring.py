@@ -22,6 +22,7 @@ from barchan.measures.landform import LOPSIDED, Landform, half_spacing, landform
 from barchan.measures.lee_side import LeeSide, lee_side
 from barchan.measures.orientation import Orientation, crest_orientation
 from barchan.measures.relief import bedform_height
+from barchan.measures.roughness import roughness
 from barchan.measures.slopes import Slopes, slip_face_angle, streamwise_slopes
 from barchan.measures.spacing import dominant_spacing
 from barchan.survey.height_field import HeightField
@@ -123,6 +124,11 @@ class Survey:
     def bedform_height(self) -> float:
         """Height (m) of waves with the standard deviation of the surface."""
         return bedform_height(self.heights, self.periodic)
+
+    @cached_property
+    def grit(self) -> float:
+        """Root-mean-square height (m) of what is smaller than about six cells."""
+        return roughness(self.heights, self.periodic, 1.0)
 
     @cached_property
     def dune_height(self) -> float:

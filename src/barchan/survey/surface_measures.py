@@ -23,8 +23,7 @@ ROUGH = 3.0
 def _relief(survey: Survey) -> str:
     if not survey.bedform_height > 0.0:
         return "no relief"
-    rough = roughness(survey.heights, survey.periodic, 1.0)
-    return "" if survey.bedform_height > ROUGH * rough else "the relief is roughness from cell to cell"
+    return "" if survey.bedform_height > ROUGH * survey.grit else "the relief is roughness from cell to cell"
 
 
 def _spacing(survey: Survey) -> str:
