@@ -25,4 +25,7 @@ def test_ridges_turn_their_height_over_their_spacing_to_the_wind():
     assert frontal_area_index(surface, 2.0, 270.0, width=0.0) == pytest.approx(
         np.ptp(surface) / 32.0, rel=0.01
     )
+    assert frontal_area_index(surface, 2.0, 90.0, (True, False), 0.0) == pytest.approx(
+        np.ptp(surface) / 32.0, rel=0.02
+    )
     assert frontal_area_index(surface, 2.0, 0.0, width=0.0) == pytest.approx(0.0, abs=1e-9)

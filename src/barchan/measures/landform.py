@@ -183,7 +183,9 @@ def _crested(field: _Traits) -> Landform | None:
         double = np.exp(2j * np.radians([dune.orientation for dune in slender])).sum()
         azimuth = float(np.degrees(np.angle(double)) / 2)
     if math.isnan(field.wind):
-        return Landform("undetermined", "ridges about as steep to either side; the wind would tell their class")
+        return Landform(
+            "undetermined", "ridges about as steep to either side; the wind would tell their class"
+        )
     x, y = downwind(field.wind)
     along = abs(x * math.sin(math.radians(azimuth)) + y * math.cos(math.radians(azimuth)))
     angle = math.degrees(math.acos(min(along, 1.0)))

@@ -2,8 +2,9 @@
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy import ndimage
 
-from barchan.measures.crest_to_toe import profiles
+from barchan.directions import downwind
 from barchan.measures.filters import Periodic, smoothed
 
 
@@ -30,6 +31,13 @@ def frontal_area_index(
     The mean of the rises from cell to cell downwind, of the surface smoothed over ``width`` cells, over the
     width of a cell: height over spacing for ridges across the wind. Cells of NaN are left out.
     """
-    rises = np.diff(profiles(smoothed(elevation, width, periodic), direction, periodic), axis=1) / cell_size
+    surface, (x, y) = smoothed(elevation, width, periodic), downwind(direction)
+    x, y = round(x, 12), round(y, 12)
+    ahead = ndimage.shift(surface, (-y, -x), order=1, mode="grid-wrap")
+    if y and not periodic[0]:
+        ahead[-1 if y > 0 else 0] = np.nan
+    if x and not periodic[1]:
+        ahead[:, -1 if x > 0 else 0] = np.nan
+    rises = (ahead - surface) / cell_size
     known = np.isfinite(rises)
     return float(np.maximum(rises[known], 0.0).mean()) if known.any() else float("nan")
