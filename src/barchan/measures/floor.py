@@ -19,9 +19,13 @@ def floor_beneath(
     of that size reach from below. It follows a tilt and wide hills, and runs on beneath dunes; half of a
     spacing is a good ``reach``. Cells of NaN are left out.
     """
+    return _opened(smoothed(elevation, width, periodic), reach, periodic)
+
+
+def _opened(smooth: Field, reach: float, periodic: Periodic) -> Field:
+    """The morphological opening of a surface with squares of ``2 reach + 1`` cells."""
     modes: list[Literal["wrap", "nearest"]] = ["wrap" if joined else "nearest" for joined in periodic]
     size = 2 * round(reach) + 1
-    smooth = smoothed(elevation, width, periodic)
     known = np.isfinite(smooth)
     lowest = ndimage.minimum_filter(np.where(known, smooth, np.inf), size, mode=modes)
     opened = ndimage.maximum_filter(np.where(np.isinf(lowest), -np.inf, lowest), size, mode=modes)
@@ -54,7 +58,8 @@ def floor_share(
     waves have 0.20 of their area there, ridges with straight flanks 0.10, dunes far apart on a level floor
     nearly all. Cells of NaN are left out; NaN on a bed without relief.
     """
-    above = smoothed(elevation, width, periodic) - floor_beneath(elevation, reach, periodic, width)
+    smooth = smoothed(elevation, width, periodic)
+    above = smooth - _opened(smooth, reach, periodic)
     known = above[np.isfinite(above)]
     size = np.abs(np.asarray(elevation, float)[np.isfinite(elevation)]).max(initial=1.0)
     if not known.size or known.max() <= 1e-9 * size:

@@ -67,10 +67,11 @@ def landform(
     """The class of a surface (m), in a resultant wind from ``wind`` (degrees) where that is known.
 
     Without a wind the steeper side of the bedforms is taken for their lee; where neither is, the class of
-    ridges and of horned dunes is undetermined. The rule, in order: flat, where 99.5 % of the slopes are below 2 degrees; ripples, where
-    the spacing is below 2 m; dunes apart from each other (40 % floor) are barchans or parabolic dunes where
-    their horns point downwind or upwind; stars, where half of the summits have three arms or more; transverse
-    or linear, by the angle of crests (or of slender single dunes) to the wind: 45 degrees and more, or less.
+    ridges and of horned dunes is undetermined. The rule, in order: flat, where 99.5 % of the slopes are below
+    2 degrees; ripples, where the spacing is below 2 m; dunes apart from each other (40 % floor) are barchans
+    or parabolic dunes where their horns point downwind or upwind; stars, where half of the summits have three
+    arms or more; transverse or linear, by the angle of crests (or of slender single dunes) to the wind: 45
+    degrees and more, or less.
     """
     field = _Traits(np.asarray(elevation, float), cell_size, wind, periodic)
     for rule in (_flat, _ripples, _horned, _star, _crested):
