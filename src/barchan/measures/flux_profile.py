@@ -50,4 +50,4 @@ def flux_profile(
     x, y = downwind(direction)
     extent = round(abs(x) * before.shape[1] + abs(y) * before.shape[0])
     once = lost[:extent] if len(lost) == 2 * extent else lost  # joined edges: profiles go twice through
-    return FluxProfile((np.arange(len(once)) + 1.0) * cell_size, np.asarray(once - once.min(), float))
+    return FluxProfile((np.arange(len(once)) + 1.0) * cell_size, np.asarray(once - once.min(), np.float64))
