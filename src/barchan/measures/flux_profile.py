@@ -50,4 +50,5 @@ def flux_profile(
     x, y = downwind(direction)
     extent = round(abs(x) * before.shape[1] + abs(y) * before.shape[0])
     once = lost[:extent] if len(lost) == 2 * extent else lost  # joined edges: profiles go twice through
-    return FluxProfile((np.arange(len(once)) + 1.0) * cell_size, np.asarray(once - once.min(), np.float64))
+    distance = np.arange(1, len(once) + 1, dtype=np.float64) * cell_size
+    return FluxProfile(distance, np.asarray(once - once.min(), np.float64))
