@@ -6,7 +6,7 @@ import statistics
 from collections.abc import Iterator
 from pathlib import Path
 
-from benchmarks import exports, grains, kernel, plain, program, threads
+from benchmarks import exports, grains, kernel, measures, plain, program, threads
 
 PAGE = Path(__file__).parents[1] / "docs" / "benchmarks.md"
 NOTES = Path(__file__).with_name("notes.md")
@@ -72,14 +72,20 @@ def report(only: str) -> Iterator[str]:
         seconds = grains.published_case_seconds()
         published = grains.PUBLISHED_SECONDS
         yield f"The 3000 iterations of Szabó 2019: {seconds:.1f} s, against {published:.0f} s there."
-    if not only or "export".startswith(only):
-        yield from exports.report()
+    yield from _of_frames(only)
     if not only:
         yield ""
         yield "| program | seconds |"
         yield "|---|---|"
         for name, seconds in program.measure().items():
             yield f"| {name} | {seconds:.2f} |"
+
+
+def _of_frames(only: str) -> Iterator[str]:
+    """Tables of what is done with single frames."""
+    for name, case in (("export", exports), ("measures", measures)):
+        if not only or name.startswith(only):
+            yield from case.report()
 
 
 def _threads() -> Iterator[str]:

@@ -27,6 +27,7 @@ if TYPE_CHECKING:
         SnowfallStroke,
         Stroke,
     )
+    from barchan.survey import measure
 
 _HOMES = {
     "ArchiveError": "errors",
@@ -43,6 +44,7 @@ _HOMES = {
     "Stroke": "simulation",
     "branch": "archive",
     "load": "entry",
+    "measure": "survey",
     "model_names": "models",
     "open_run": "archive",
     "preset_names": "scenario",
@@ -70,6 +72,7 @@ __all__ = [
     "__version__",
     "branch",
     "load",
+    "measure",
     "model_names",
     "open_run",
     "preset_names",

@@ -71,5 +71,9 @@ class ExportError(BarchanError):
     """Frames of a run that cannot be written for another program."""
 
 
+class SurveyError(BarchanError):
+    """A surface that cannot be measured, or two that cannot be compared."""
+
+
 class FieldError(BarchanError, ValueError):
     """An array that is no field of the lattice: of another shape or type, or not of numbers."""

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from typing import Any, Generic, TypeVar
 
 from barchan.analysis import doubts
 from barchan.analysis.measured_frame import MeasuredFrame
@@ -11,16 +12,19 @@ from barchan.models import ModelMeasure, models
 from barchan.scenario import Scenario
 from barchan.wind.clock import YEAR
 
+Measured = TypeVar("Measured")
+"""Something that has measures: a frame of a run, or any surface."""
+
 
 @dataclass(frozen=True)
-class Measure:
+class Measure(Generic[Measured]):
     """A declared measure."""
 
     name: str
     title: str
     unit: str
-    compute: Callable[[MeasuredFrame], float]
-    doubt: Callable[[MeasuredFrame], str] = doubts.none
+    compute: Callable[[Measured], float]
+    doubt: Callable[[Measured], str] = doubts.none
     """Why its value should not be quoted, or why there is none; empty where all is well."""
     reference: str = ""
     """What an angle is counted from."""
@@ -30,16 +34,16 @@ class Measure:
     def __repr__(self) -> str:
         return f"<Measure {self.name}: {self.title}{f' ({self.unit})' if self.unit != '-' else ''}>"
 
-    def of(self, frame: MeasuredFrame) -> "Value":
-        """Its value for a frame."""
-        return Value(self, float(self.compute(frame)), self.doubt(frame))
+    def of(self, measured: Measured) -> "Value":
+        """Its value for a frame or a surface."""
+        return Value(self, float(self.compute(measured)), self.doubt(measured))
 
 
 @dataclass(frozen=True)
 class Value:
     """The value of a measure for one frame."""
 
-    measure: Measure
+    measure: Measure[Any]
     value: float
     """In the measure's unit; NaN where there is none."""
     doubt: str
@@ -71,7 +75,7 @@ SLABS = "slabs"
 
 FROM_NORTH = "clockwise from north"
 
-MEASURES = (
+MEASURES: tuple[Measure[MeasuredFrame], ...] = (
     Measure("highest", "highest stack", "m", lambda m: float(m.bed.depth.max())),
     Measure("highest_stack", "highest stack", SLABS, lambda m: highest_stack(m.bed.stack), row="highest"),
     Measure("bare_fraction", "bare ground", "fraction", lambda m: bare_fraction(m.bed.stack)),
@@ -124,7 +128,7 @@ MEASURES = (
 )
 """Every measure of any frame, in the order in which tables show them."""
 
-PER_YEAR = (
+PER_YEAR: tuple[Measure[MeasuredFrame], ...] = (
     Measure(
         "speed_per_year",
         "migration downwind",
@@ -140,7 +144,7 @@ PER_YEAR = (
 """Measures of a frame whose steps have a duration."""
 
 
-def measures_of(scenario: Scenario) -> tuple[Measure, ...]:
+def measures_of(scenario: Scenario) -> tuple[Measure[MeasuredFrame], ...]:
     """Every measure of a scenario's frames: those of any frame, by year too, and its model's own."""
     timed = () if scenario.step_seconds is None else PER_YEAR
     unit = scenario.layers[-1].unit
@@ -156,5 +160,5 @@ def in_rows(values: list[Value]) -> list[list[Value]]:
     return list(rows.values())
 
 
-def _own(own: ModelMeasure) -> Measure:
+def _own(own: ModelMeasure) -> Measure[MeasuredFrame]:
     return Measure(own.name, own.title, own.unit, lambda m: float(own.compute(*m.modelled())))

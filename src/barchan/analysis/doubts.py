@@ -30,7 +30,7 @@ STEP = 0.4
 """Share of a spacing from frame to frame beyond which a crest may be taken for its neighbour; ours."""
 
 
-def none(_frame: MeasuredFrame) -> str:
+def none(_measured: object) -> str:
     """No reason."""
     return ""
 

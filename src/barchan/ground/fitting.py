@@ -23,6 +23,8 @@ TOLERANCE = 1e-3
 FARTHEST = 0.5
 """Cells by which that may shift the far edge of the field."""
 
+ADVICE = "state missing [{codes}] if it is one (and fill 'interpolate'), missing [] if all are heights"
+
 
 def _several(value: Any) -> Any:
     """A single number as a list of one."""
@@ -96,20 +98,24 @@ class FromFile(Parameters):
         """
         try:
             raster = self.raster()
-            heights = self._filled(self._scaled(raster, lattice.cell_size), least, most)
+            heights = self._filled(self.scaled(raster, lattice.cell_size), least, most)
             return self._fitted(heights, raster.place, lattice)
         except UnreadableError as error:
             raise ScenarioError([Problem(f"{group}.path", f"'{self.path}': {error}")]) from None
 
-    def _scaled(self, raster: Raster, cell_size: float) -> NDArray[np.float64]:
-        """Heights, NaN where there is none."""
+    def scaled(self, raster: Raster, cell_size: float, advice: str = ADVICE) -> NDArray[np.float64]:
+        """Heights (m), NaN where there is none; ``cell_size`` (m) counts where the raster has no cells.
+
+        Raises UnreadableError for an image without heights, and for undeclared codes of missing cells with an
+        ``advice`` in which {codes} are these.
+        """
         values = raster.values.astype(np.float64)
         if raster.full_scale is not None:
             if self.lowest is None or self.highest is None:
                 raise UnreadableError("is an image: state lowest and highest, the heights of black and white")
             return self.lowest + (self.highest - self.lowest) * values / raster.full_scale
         if self.missing is None:
-            _refuse_suspects(doubtful(raster, cell_size))
+            _refuse_suspects(doubtful(raster, cell_size), advice)
         values[self.holes(values)] = np.nan
         return values * raster.scale + raster.offset
 
@@ -194,14 +200,14 @@ def _stamps(*paths: Path) -> tuple[tuple[str, int, int], ...]:
     return tuple((name, stat.st_mtime_ns, stat.st_size) for name, stat in found)
 
 
-def _refuse_suspects(found: list[tuple[float, int]]) -> None:
+def _refuse_suspects(found: list[tuple[float, int]], advice: str) -> None:
     if not found:
         return
     said = " and ".join(f"{'a cell' if n == 1 else f'{n} cells'} of {_exact(v)}" for v, n in found)
     codes = ", ".join(_exact(value) for value, _ in found)
     raise UnreadableError(
         f"has {said}, which looks like a code for cells without a value that the file does not declare; "
-        f"state missing [{codes}] if it is one (and fill 'interpolate'), missing [] if all are heights"
+        + advice.format(codes=codes)
     )
 
 

@@ -19,6 +19,8 @@ class Dune:
     columns: NDArray[np.int64]
     depth: Field
     """Depth of the sand (m) over each cell, smoothed, above the level that parts the dunes."""
+    level: float = 0.0
+    """Depth of the sand (m) at that level."""
 
     @property
     def height(self) -> float:
@@ -41,20 +43,37 @@ def find_dunes(
     """Every body of sand deeper than ``level`` (m) that rises above it by ``least`` (m) or more.
 
     The depth of the sand (m) is smoothed over ``width`` cells; the level is its mean where none is given.
-    Left out are ridges that run on without an end over joined edges, and dunes that an open edge cuts.
+    Cells of NaN belong to no dune. Left out are ridges that run on without an end over joined edges, and
+    dunes that an open edge cuts.
     """
     deep = smoothed(depth, width, periodic)
-    above = deep - (float(deep.mean()) if level is None else level)
+    known = np.isfinite(deep)
+    if not known.any():
+        return []
+    parting = float(deep.mean(where=known)) if level is None else level
+    above = deep - parting
     bodies = bodies_of(above > 0.0, periodic)
     found = []
-    for number in range(1, int(bodies.max()) + 1):
-        rows, columns = np.nonzero(bodies == number)
-        places = [
+    for rows, columns in _cells_of(bodies):
+        high = above[rows, columns]
+        if not high.max() >= least:
+            continue
+        north, east = (
             _unrolled(at, n, p) for at, n, p in zip((rows, columns), depth.shape, periodic, strict=True)
-        ]
-        if places[0] is not None and places[1] is not None and above[rows, columns].max() >= least:
-            found.append(Dune(places[0], places[1], above[rows, columns]))
+        )
+        if north is not None and east is not None:
+            found.append(Dune(north, east, high, parting))
     return found
+
+
+def _cells_of(bodies: NDArray[np.int64]) -> list[tuple[NDArray[np.intp], NDArray[np.intp]]]:
+    """Rows and columns of the cells of each body, in one pass over the field."""
+    flat = bodies.ravel()
+    cells = np.flatnonzero(flat)
+    cells = cells[np.argsort(flat[cells], kind="stable")]
+    starts = np.flatnonzero(np.diff(flat[cells])) + 1
+    parts = np.split(cells, starts) if cells.size else []
+    return [(part // bodies.shape[1], part % bodies.shape[1]) for part in parts]
 
 
 def bodies_of(raised: NDArray[np.bool_], periodic: Periodic) -> NDArray[np.int64]:

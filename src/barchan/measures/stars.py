@@ -12,6 +12,9 @@ from barchan.measures.filters import Field, Periodic, gradient, smoothed
 REACH = 5.0
 """How far from a summit its arms are looked for, over its height above the mean surface; ours."""
 
+NEAREST = 2.0
+"""Cells within which no arm can be seen."""
+
 DIRECTIONS = 72
 """Directions about a summit that are looked at."""
 
@@ -42,20 +45,27 @@ def summits(
 
     A summit is the highest within five times its height above the mean surface; it stands above the mean by
     the surface's standard deviation or more. Arms are maxima of the mean elevation along rays from a half to
-    the whole of that distance. Summits whose surroundings go beyond an open edge are left out.
+    the whole of that distance. Summits whose surroundings go beyond an open edge or hold
+    a cell of NaN, or are nearer than two cells, are left out.
     """
     surface = smoothed(elevation, width, periodic)
-    surface -= surface.mean()
+    known = np.isfinite(surface)
+    if not known.any():
+        return []
+    surface -= surface.mean(where=known)
     east, north = gradient(smoothed(elevation, 1.0, periodic), cell_size, periodic)
     slope = np.hypot(east, north)
-    least = float(surface.std())
+    least = float(surface.std(where=known))
+    surface = np.where(known, surface, -np.inf)
     found: list[Summit] = []
     peaks = (surface >= ndimage.maximum_filter(surface, 3, mode="wrap")) & (surface > max(least, 1e-9))
     for row, column in sorted(np.argwhere(peaks).tolist(), key=lambda at: -surface[at[0], at[1]]):
         height = float(surface[row, column])
         reach = REACH * height / cell_size
+        if reach < NEAREST:
+            continue
         disc = _disc(surface.shape, row, column, reach, periodic)
-        if disc is not None and height >= surface[disc].max():
+        if disc is not None and np.isfinite(slope[disc]).all() and height >= surface[disc].max():
             arms = _arms(surface, row, column, reach, height)
             found.append(Summit(row, column, height, arms, *_slopes(surface[disc], slope[disc])))
     return found
