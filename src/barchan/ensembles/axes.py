@@ -61,16 +61,16 @@ def parse_axes(texts: Sequence[str]) -> tuple[Axis, ...]:
         try:
             axis = _axis(text)
             if axis.key in (known.key for known in axes):
-                raise _Wrong(axis.key, "is varied twice")
+                raise _AxisError(axis.key, "is varied twice")
             axes.append(axis)
-        except _Wrong as wrong:
+        except _AxisError as wrong:
             problems.append(Problem(wrong.key, wrong.message, "--vary"))
     if problems:
         raise ScenarioError(problems, "command line")
     return tuple(axes)
 
 
-class _Wrong(Exception):
+class _AxisError(Exception):
     def __init__(self, key: str, message: str) -> None:
         super().__init__(message)
         self.key, self.message = key, message
@@ -79,21 +79,21 @@ class _Wrong(Exception):
 def _axis(text: str) -> Axis:
     name, equals, given = text.partition("=")
     if not equals or not name.strip() or not given.strip():
-        raise _Wrong(text, f"is no axis; allowed: {FORM}")
+        raise _AxisError(text, f"is no axis; allowed: {FORM}")
     path = full_path(name.strip())
     if path is None:
-        raise _Wrong(name, f"is no key of a scenario{hint_for(name.strip(), COMMAND_LINE)}")
+        raise _AxisError(name, f"is no key of a scenario{hint_for(name.strip(), COMMAND_LINE)}")
     key = dotted(("model", "name") if path == ("model",) and not given.startswith("{") else path)
     if key in APART:
-        raise _Wrong(key, f"cannot be varied; {APART[key]}")
+        raise _AxisError(key, f"cannot be varied; {APART[key]}")
     spaced = _SPACED.fullmatch(given.strip())
     if spaced:
         return Axis(key, _spaced(key, spaced[1], spaced[2]), spaced[1])
     values = tuple(value_of(part.strip()) for part in _parts(given))
     if "" in values:
-        raise _Wrong(key, f"has an empty value in '{given}'")
+        raise _AxisError(key, f"has an empty value in '{given}'")
     if len({json.dumps(value) for value in values}) < len(values):
-        raise _Wrong(key, f"has the same value twice in '{given}'")
+        raise _AxisError(key, f"has the same value twice in '{given}'")
     return Axis(key, values)
 
 
@@ -115,14 +115,17 @@ def _spaced(key: str, spacing: str, inside: str) -> tuple[Any, ...]:
     numbers = [value_of(part.strip()) for part in inside.split(",")]
     sound = all(isinstance(n, int | float) and not isinstance(n, bool) and math.isfinite(n) for n in numbers)
     if len(numbers) not in (2, 3) or not sound:
-        raise _Wrong(key, f"is {spacing}({inside}); allowed: {spacing}(FROM,TO,NUMBER), NUMBER left out for "
-                     "the designs latin and sobol")
+        raise _AxisError(
+            key,
+            f"is {spacing}({inside}); allowed: {spacing}(FROM,TO,NUMBER), NUMBER left out for "
+            "the designs latin and sobol",
+        )
     low, high, count = numbers[0], numbers[1], numbers[2] if len(numbers) == 3 else 2
     if not isinstance(count, int) or not 2 <= count <= MOST_VALUES:
-        raise _Wrong(key, f"has {count} values; allowed: a whole number from 2 to {MOST_VALUES}")
+        raise _AxisError(key, f"has {count} values; allowed: a whole number from 2 to {MOST_VALUES}")
     if low == high or (spacing == "log" and min(low, high) <= 0):
         more = "above 0 and " if spacing == "log" else ""
-        raise _Wrong(key, f"is {spacing}({inside}); allowed: ends {more}unlike each other")
+        raise _AxisError(key, f"is {spacing}({inside}); allowed: ends {more}unlike each other")
     axis = Axis(key, (low, high), spacing)
     values = [axis.at(k / (count - 1)) for k in range(count)]
     values[-1] = float(high)

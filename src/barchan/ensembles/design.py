@@ -53,9 +53,10 @@ def _drawn(
     from scipy.stats import qmc
 
     if not axes or any(not axis.spacing for axis in axes):
-        wrong = ", ".join(axis.key for axis in axes if not axis.spacing) or "none"
+        wrong = ", ".join(axis.key for axis in axes if not axis.spacing) or "no axis"
         raise BarchanError(
-            f"the design {design} draws from intervals; allowed: KEY=lin(FROM,TO) or log(FROM,TO) (wrong: {wrong})"
+            f"the design {design} draws from intervals; allowed: KEY=lin(FROM,TO) or KEY=log(FROM,TO), "
+            f"not {wrong}"
         )
     if count is None or not 1 <= count <= MOST_POINTS:
         raise BarchanError(f"the design {design} needs --points NUMBER, from 1 to {MOST_POINTS:,}")

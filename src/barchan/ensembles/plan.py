@@ -85,7 +85,7 @@ class Plan:
     @property
     def points(self) -> list[Point]:
         """The values of the axes at each point, in order."""
-        return list(dict((member.point, member.values) for member in self.members).values())
+        return list({member.point: member.values for member in self.members}.values())
 
     def save(self, folder: Path) -> None:
         """Write the plan into the folder of the ensemble; raises ArchiveError where that fails.
@@ -155,8 +155,7 @@ def make_plan(
         except ScenarioError as error:
             problems += error.problems
             continue
-        for realization in range(seeds):
-            members.append(_member(scenario, number, point, realization, chosen.of(number, realization)))
+        members += [_member(scenario, number, point, k, chosen.of(number, k)) for k in range(seeds)]
     if problems:
         raise ScenarioError(list(dict.fromkeys(problems)), f"{len(points)} points of the ensemble")
     return Plan(base.title, tuple(axes), design, chosen, tuple(members))

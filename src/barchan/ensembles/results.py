@@ -88,13 +88,19 @@ class _Layout:
         if self.grid:
             self.names = (*names, "realization")
             self.shape = (*map(len, self.values), count)
-            keyed = {n: (n, _column(v), {"key": a.key}) for n, v, a in zip(names, self.values, plan.axes, strict=True)}
+            keyed = {
+                n: (n, _column(v), {"key": a.key})
+                for n, v, a in zip(names, self.values, plan.axes, strict=True)
+            }
         else:
             points = plan.points
             self.names = (POINT, "realization")
             self.shape = (len(points), count)
             columns = zip(*points, strict=True)
-            keyed = {n: (POINT, _column(c), {"key": a.key}) for n, c, a in zip(names, columns, plan.axes, strict=True)}
+            keyed = {
+                n: (POINT, _column(c), {"key": a.key})
+                for n, c, a in zip(names, columns, plan.axes, strict=True)
+            }
             keyed[POINT] = (POINT, np.arange(len(points)), {})
         self.coordinates: dict[str, Any] = {**keyed, "realization": ("realization", realizations, about)}
 
@@ -104,7 +110,9 @@ class _Layout:
         within = (values.index(value) for values, value in zip(self.values, member.values, strict=True))
         return (*within, member.realization)
 
-    def filled(self, placed: Sequence[tuple[tuple[int, ...], str]], of: Any, dtype: str, missing: Any) -> NDArray:
+    def filled(
+        self, placed: Sequence[tuple[tuple[int, ...], str]], of: Any, dtype: str, missing: Any
+    ) -> NDArray:
         values = np.full(self.shape, missing, dtype)
         for at, name in placed:
             values[at] = of(name)
@@ -122,8 +130,8 @@ def _check_sizes(folder: Path, runs: "dict[str, xr.Dataset]") -> None:
     if len(sizes) > 1:
         told = ", ".join(f"{rows} × {columns}" for rows, columns in sorted(sizes))
         raise ArchiveError(
-            f"{folder}: fields of {told} cells do not fit one dataset; open members one by one, or use the table "
-            "of measures"
+            f"{folder}: fields of {told} cells do not fit one dataset; open members one by one, or use the "
+            "table of measures"
         )
 
 

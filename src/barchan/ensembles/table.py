@@ -5,6 +5,7 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from barchan.analysis.declared_measures import MEASURES, PER_YEAR
 from barchan.ensembles.plan import Plan, load_plan
 from barchan.ensembles.reports import State, read_failure, read_report, state_of
 from barchan.errors import ArchiveError
@@ -16,11 +17,18 @@ if TYPE_CHECKING:
 TABLE, UNITS = "measures", "measures-units.csv"
 
 
+TAKEN = frozenset(
+    "member realization seed state error steps reason seconds version host bed doubtful status "
+    "step x y time point name kind ground sand elevation".split()
+) | {measure.name for measure in (*MEASURES, *PER_YEAR)}
+"""Names in tables and datasets that no axis can have."""
+
+
 def short_names(plan: Plan) -> list[str]:
-    """A name for each axis: the last part of its key where no other axis ends like it, else the key."""
+    """A name for each axis: the last part of its key where nothing else is named like it, else the key."""
     lasts = [axis.key.rpartition(".")[2] for axis in plan.axes]
     return [
-        axis.key if lasts.count(last) > 1 or last in ("name", "kind") else last
+        axis.key if lasts.count(last) > 1 or last in TAKEN else last
         for axis, last in zip(plan.axes, lasts, strict=True)
     ]
 

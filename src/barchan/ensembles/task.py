@@ -3,6 +3,7 @@
 import time
 from dataclasses import dataclass
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from barchan.ensembles.plan import PLAN
 from barchan.ensembles.reports import (
@@ -17,6 +18,9 @@ from barchan.ensembles.reports import (
     write_report,
 )
 from barchan.errors import ArchiveError, BarchanError, ScenarioError
+
+if TYPE_CHECKING:
+    from barchan.scenario import Scenario
 
 
 @dataclass(frozen=True)
@@ -45,12 +49,12 @@ def bring_to_end(folder: str, member: str, text: str) -> Ended:
     try:
         if not (home / PLAN).is_file():
             raise BarchanError(
-                f"{folder}: a worker on another machine does not find {PLAN} there; allowed: a folder that all "
-                "workers share"
+                f"{folder}: a worker on another machine does not find {PLAN} there; allowed: a folder that "
+                "all workers share"
             )
         with asked_for(1):
             return _bring_to_end(home, member, text)
-    except Exception as error:  # noqa: BLE001 - whatever a member fails by, the others go on
+    except Exception as error:
         again = can_help(error)
         message = str(error) or repr(error)
         _note(home, Failure(member, type(error).__name__, message))
@@ -94,7 +98,7 @@ def _bring_to_end(home: Path, member: str, text: str) -> Ended:
     return Ended(member, State.DONE, ran, seconds)
 
 
-def _advance(home: Path, run: Path, scenario: Scenario) -> bool:
+def _advance(home: Path, run: Path, scenario: "Scenario") -> bool:
     """Go on from the newest checkpoint, or begin; whether the run came to its end."""
     from barchan.archive import reopen
     from barchan.archive import run as run_into

@@ -36,7 +36,7 @@ class Workers:
 
 
 def given(executor: Executor, count: int | None = None) -> Workers:
-    """An executor that the caller keeps, taking ``count`` members at once, as many as it has workers without."""
+    """An executor that the caller keeps; it takes ``count`` members at once, or one for each worker."""
     number = count or getattr(executor, "_max_workers", None) or os.cpu_count() or 1
     return Workers(lambda: executor, int(number), type(executor).__name__, replaceable=False)
 
