@@ -66,7 +66,7 @@ def open_ensemble(folder: str | Path) -> "xr.Dataset":
     for measure in known.units:
         values = frame.filled(
             [(at, name) for at, name in placed if reports.get(name) is not None],
-            lambda name, measure=measure: reports[name].last(measure),  # type: ignore[misc, union-attr]
+            lambda name, measure=measure: reports[name].last(measure),  # type: ignore[union-attr]
             "f8",
             np.nan,
         )

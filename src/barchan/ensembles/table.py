@@ -17,10 +17,12 @@ if TYPE_CHECKING:
 TABLE, UNITS = "measures", "measures-units.csv"
 
 
-TAKEN = frozenset(
-    "member realization seed state error steps reason seconds version host bed doubtful status "
-    "step x y time point name kind ground sand elevation".split()
-) | {measure.name for measure in (*MEASURES, *PER_YEAR)}
+TAKEN = {
+    *("member", "realization", "seed", "state", "error", "steps", "reason", "seconds", "version", "host"),
+    *("bed", "doubtful", "status", "step", "x", "y", "time", "point", "name", "kind"),
+    *("ground", "sand", "elevation"),
+    *(measure.name for measure in (*MEASURES, *PER_YEAR)),
+}
 """Names in tables and datasets that no axis can have."""
 
 

@@ -7,6 +7,8 @@ import os
 from collections.abc import Callable
 from concurrent.futures import Executor
 from dataclasses import dataclass
+from importlib import import_module
+from typing import Any
 
 from barchan.errors import BarchanError
 
@@ -76,7 +78,7 @@ def dask_cluster(address: str) -> Workers:
     Raises BarchanError where distributed is not installed, or nobody answers.
     """
     try:
-        import distributed
+        distributed: Any = import_module("distributed")
     except ImportError:
         raise BarchanError(MISSING_DASK) from None
     try:

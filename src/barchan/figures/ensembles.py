@@ -137,10 +137,11 @@ def _cells(axes: "Axes", means: "pd.DataFrame", over: Sequence[str], label: str)
     axes.figure.colorbar(image, ax=axes, label=label)
     if table.size > MOST_WRITTEN:
         return
-    for (row, column), value in np.ndenumerate(table.values):
+    middle = (np.nanmin(table.values) + np.nanmax(table.values)) / 2
+    for (row, column), value in np.ndenumerate(table.values.astype(float)):
         if math.isfinite(value):
             more = f"\n± {spread.values[row, column]:.2g}" if spread.values[row, column] > 0 else ""
-            light = image.norm(value) < 0.5
+            light = value < middle
             axes.text(
                 column,
                 row,
