@@ -2,7 +2,9 @@
 
 import time
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Annotated
+
+from cyclopts import Parameter
 
 from barchan.cli import FAILED, INTERRUPTED
 from barchan.cli.terminal import LOG_EVERY, console, print_warning
@@ -11,6 +13,15 @@ if TYPE_CHECKING:
     from barchan.ensembles.running import EnsembleOutcome
     from barchan.ensembles.task import Ended
     from barchan.ensembles.workers import Workers
+
+Varied = Annotated[
+    list[str],
+    Parameter(
+        negative=(),
+        help="A key and its values: KEY=1,3,5, "
+        "KEY=lin(FROM,TO,NUMBER) or KEY=log(FROM,TO,NUMBER); once for each key.",
+    ),
+]
 
 
 def workers_of(count: int | None, scheduler: str | None) -> "Workers":

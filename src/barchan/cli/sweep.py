@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 from cyclopts import Parameter
 
+from barchan.cli.ensembles import Varied
 from barchan.cli.overrides import Tokens, pairs
 from barchan.errors import BarchanError
 
@@ -13,15 +14,6 @@ if TYPE_CHECKING:
     from barchan.ensembles.plan import Plan
 
 Only = Literal["failed", "waiting", "stopped"]
-
-Varied = Annotated[
-    list[str],
-    Parameter(
-        negative=(),
-        help="A key and its values: KEY=1,3,5, "
-        "KEY=lin(FROM,TO,NUMBER) or KEY=log(FROM,TO,NUMBER); once for each key.",
-    ),
-]
 
 
 def sweep(
@@ -75,8 +67,10 @@ def sweep(
     quiet
         Print nothing but errors.
     """
+    from barchan.archive import source_at
     from barchan.cli.ensembles import MemberReporter, exit_code, workers_of
     from barchan.cli.terminal import Interrupts, console
+    from barchan.ensembles.axes import parse_axes
     from barchan.ensembles.plan import PLAN, load_plan, make_plan
     from barchan.ensembles.reports import State
     from barchan.ensembles.running import run_ensemble
@@ -90,8 +84,8 @@ def sweep(
     else:
         folder = out or Path(f"{Path(scenario).stem}-sweep")
         plan = make_plan(
-            _source(scenario),
-            _axes(vary),
+            source_at(scenario),
+            parse_axes(vary or []),
             design=design,
             count=points,
             seeds=seeds,
@@ -116,18 +110,6 @@ def sweep(
         if not quiet:
             console.print(str(path))
     return exit_code(outcome, f"barchan sweep {shlex.quote(str(folder))}", folder)
-
-
-def _source(scenario: str) -> str | Path:
-    from barchan.archive import source_at
-
-    return source_at(scenario)
-
-
-def _axes(vary: list[str] | None) -> "tuple":
-    from barchan.ensembles.axes import parse_axes
-
-    return parse_axes(vary or [])
 
 
 def _check_measures(plan: "Plan", measures: list[str]) -> None:

@@ -37,10 +37,18 @@ class Variant:
         return f"{self.number + 1}-{re.sub(r'[^0-9A-Za-z.]+', '-', self.label).strip('-')}"
 
     @property
+    def first_member(self) -> Member:
+        """Its first finished run, which pictures show."""
+        return next(member for member in self.members if member.seed in self.reports)
+
+    def run_folder(self, member: Member) -> Path:
+        """The folder of one of its runs."""
+        return member_folder(self.folder, member.id)
+
+    @property
     def scenario(self) -> Scenario:
         """The scenario of its first finished run, under its label."""
-        member = next(member for member in self.members if member.seed in self.reports)
-        return load_scenario(member.scenario).model_copy(update={"title": self.label})
+        return load_scenario(self.first_member.scenario).model_copy(update={"title": self.label})
 
     @property
     def title_of_model(self) -> str:
@@ -49,9 +57,8 @@ class Variant:
 
     def run(self, seed: int | None = None) -> "xr.Dataset":
         """The frames of its run with a seed, or of its first one."""
-        chosen = next(iter(self.reports)) if seed is None else seed
-        member = next(member for member in self.members if member.seed == chosen)
-        return open_run(member_folder(self.folder, member.id))
+        chosen = [member for member in self.members if member.seed == seed] or [self.first_member]
+        return open_run(self.run_folder(chosen[0]))
 
     def finals(self, measure: str) -> dict[int, float]:
         """A measure of the last frame by seed, where it may be quoted."""

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -84,7 +84,7 @@ def _course_panel(axes: "Axes", name: str, courses: Sequence[Course], title: str
         within(axes, *POSSIBLE[name])
 
 
-def style_of(number: int) -> dict[str, str]:
+def style_of(number: int) -> dict[str, Any]:
     """Colour and dashes of the variant of that number."""
     return {
         "color": COLOURS[number % len(COLOURS)],
