@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from barchan.comparison.drawing import SLOPES, chosen_steps, draw_together, draw_variants, slopes_of
-from barchan.comparison.report import REPORT, SCENARIOS, Contents, report_of
+from barchan.comparison.report import REPORT, SCENARIOS, Contents, listed, report_of
 from barchan.comparison.statistics import Difference, differences
 from barchan.comparison.variants import Variant, variants_of
 from barchan.ensembles.axes import Axis
@@ -56,8 +56,8 @@ def compare(
 ) -> Comparison:
     """Run what is missing of a plan in a folder, and write ``report.html`` and the data beside it.
 
-    Pictures show the saved ``steps``, or the middle and the last. Raises ArchiveError where the folder cannot be
-    written, BarchanError where no run came to its end or a step was not saved.
+    Pictures show the saved ``steps``, or the middle and the last. Raises ArchiveError where the folder
+    cannot be written, BarchanError where no run came to its end or a step was not saved.
     """
     began = time.monotonic()
     outcome = run_ensemble(plan, folder, workers, told=told, stop=stop)
@@ -74,6 +74,7 @@ def compare(
             together = pictures.result()
         contents = Contents(
             _title(plan, found),
+            plan.title.partition(", changed: ")[2],
             command,
             time.monotonic() - began,
             found,
@@ -90,8 +91,8 @@ def compare(
 
 
 def _title(plan: Plan, variants: Sequence[Variant]) -> str:
-    name = plan.title or "Comparison"
-    return f"{name}: {', '.join(variant.label for variant in variants)}"
+    name = plan.title.partition(", changed: ")[0] or "Comparison"
+    return f"{name}: {listed([variant.label for variant in variants])}"
 
 
 def _write_data(folder: Path, variants: Sequence[Variant], tests: Sequence[Difference]) -> None:

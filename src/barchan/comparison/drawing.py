@@ -64,8 +64,7 @@ def common_limits(variants: Sequence[Variant], steps: Sequence[int]) -> tuple[fl
     ranges = []
     for variant in variants:
         with variant.run() as run:
-            for step in steps:
-                ranges.append(surface_range(_frame(run, step), variant.scenario))
+            ranges += [surface_range(_frame(run, step), variant.scenario) for step in steps]
     return min(low for low, _ in ranges), max(high for _, high in ranges)
 
 
@@ -203,7 +202,7 @@ def _overview(variants: Sequence[Variant], path: Path) -> Path:
     from barchan.figures.ensembles import Panel, small_multiples
 
     panels = []
-    across = min(min(len(variant.reports) for variant in variants), MOST_SEEDS)
+    across = min(*(len(variant.reports) for variant in variants), MOST_SEEDS)
     for variant in variants:
         for seed in list(variant.reports)[:across]:
             with variant.run(seed) as run:

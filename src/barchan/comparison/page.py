@@ -1,42 +1,10 @@
-"""Parts of a page in HTML that needs no other file: tables, pictures within the text, style for screen and print."""
+"""Parts of a page in HTML that needs no other file: tables, pictures within the text, its style."""
 
 import base64
 from collections.abc import Iterable, Sequence
 from html import escape
+from importlib.resources import files
 from pathlib import Path
-
-STYLE = """
-:root { --ink: #22201c; --pale: #6b645a; --line: #d8d0c2; --paper: #fffdf9; --sand: #f4ecdc; }
-* { box-sizing: border-box; }
-body { font: 15px/1.5 "Source Serif 4", Georgia, "Times New Roman", serif; color: var(--ink);
-  background: var(--paper); margin: 0 auto; padding: 2.5rem 1.5rem 4rem; max-width: 66rem; }
-h1, h2, h3, th, figcaption, .facts, nav { font-family: "Source Sans 3", "Helvetica Neue", Arial, sans-serif; }
-h1 { font-size: 1.9rem; line-height: 1.2; margin: 0 0 .4rem; }
-h2 { font-size: 1.3rem; margin: 2.6rem 0 .6rem; padding-top: .5rem; border-top: 2px solid var(--ink); }
-h3 { font-size: 1.05rem; margin: 1.6rem 0 .4rem; }
-p, li { max-width: 46rem; }
-.lead { font-size: 1.08rem; color: var(--pale); margin-top: 0; }
-nav { font-size: .9rem; margin: 1rem 0; } nav a { margin-right: 1.1em; } a { color: #35507a; }
-table { border-collapse: collapse; font-size: .86rem; margin: .6rem 0 1rem; font-variant-numeric: tabular-nums; }
-th, td { padding: .28rem .7rem; text-align: right; border-bottom: 1px solid var(--line); vertical-align: top; }
-th { background: var(--sand); font-weight: 600; } th:first-child, td:first-child { text-align: left; padding-left: .3rem; }
-td.text { text-align: left; } td.yes { font-weight: 700; } .scroll { overflow-x: auto; }
-.unit, .quiet { color: var(--pale); font-size: .92em; }
-figure { margin: .6rem 0; } figcaption { font-size: .82rem; color: var(--pale); }
-img { max-width: 100%; height: auto; display: block; }
-.row { display: grid; grid-template-columns: repeat(auto-fit, minmax(19rem, 1fr)); gap: .8rem 1.2rem; align-items: end; }
-code { font: .86em/1.4 "Source Code Pro", Menlo, Consolas, monospace; background: var(--sand); padding: .1em .3em; }
-pre { background: var(--sand); padding: .7rem .9rem; overflow-x: auto; white-space: pre-wrap; } pre code { padding: 0; }
-@page { size: A4; margin: 16mm 14mm; }
-@media print {
-  body { max-width: none; padding: 0; font-size: 10.5pt; background: white; }
-  nav { display: none; } h2, h3 { break-after: avoid; } figure, tr { break-inside: avoid; }
-  table { font-size: 8.5pt; } .scroll { overflow: visible; } th, td { padding: .2rem .4rem; }
-  thead { display: table-header-group; } .variant { break-before: page; }
-  .row { grid-template-columns: 1fr 1fr; } a { color: inherit; text-decoration: none; }
-  * { print-color-adjust: exact; -webkit-print-color-adjust: exact; }
-}
-"""
 
 
 class Markup(str):
@@ -90,9 +58,10 @@ def section(name: str, heading: str, *parts: str) -> str:
 
 
 def page(title: str, *parts: str) -> str:
-    """The whole page."""
+    """The whole page, with its style for screen and print."""
+    style = files("barchan.comparison").joinpath("report.css").read_text("utf-8")
     return (
         f'<!doctype html>\n<html lang="en"><head><meta charset="utf-8"><title>{escape(title)}</title>'
         '<meta name="viewport" content="width=device-width, initial-scale=1">'
-        f"<style>{STYLE}</style></head>\n<body>{''.join(parts)}</body></html>\n"
+        f"<style>{style}</style></head>\n<body>{''.join(parts)}</body></html>\n"
     )

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from datetime import UTC, datetime
 from pathlib import Path
 
-from barchan.analysis.suited_units import number
+from barchan.analysis import suited_units
 from barchan.comparison.drawing import Picture
 from barchan.comparison.page import Markup, Strong, figure, page, paragraph, section, table, text
 from barchan.comparison.statistics import TURNS, Difference, Spread, spread
@@ -17,12 +17,33 @@ from barchan.version import __version__
 
 REPORT, SCENARIOS = "report.html", "scenarios"
 
+METHOD = """
+Every variant starts from the same bed for the same seed, under the same wind, and its polls draw from the
+same random numbers: what differs between variants of one seed comes of their rules and values alone.
+
+Differences are those from {reference}, taken seed by seed. Intervals and probabilities are those of the
+two-sided paired t-test (Student), which supposes that differences scatter normally. Holm's correction (1979)
+holds the chance of any false difference among all tests of the table at 5 %. With few seeds only large
+differences stand; none found is no proof of none.
+
+Values that Barchan itself doubts, for instance the spacing of bedforms of which there are too few on the
+field, are left out, with the seeds they belong to.
+
+The last bed is named by the beginning of the SHA-256 digest of its layers: the same scenario gives the same
+digest on any machine.
+
+Measures, with their definitions and limits, are described in Barchan's documentation, page Measures.
+"""
+"""How to read a report, in paragraphs."""
+
 
 @dataclass(frozen=True)
 class Contents:
     """All that a report tells."""
 
     title: str
+    changed: str
+    """Values of the scenario that all variants have otherwise than its source."""
     command: str
     """The command that makes it again."""
     seconds: float
@@ -45,10 +66,12 @@ def report_of(contents: Contents) -> str:
         f"{len(contents.variants)} variants, {len(seeds)} seed{'s' * (len(seeds) > 1)} each, on the same "
         f"{field_size(scenario)}, {scenario.run.steps} steps, with the same ground, wind and random numbers."
     )
+    changed = contents.changed and f"Changed from the scenario: {contents.changed}."
     links = ("overview", "measures", "differences", "time", "slopes", "maps", "variants", "runs", "method")
     parts = [
         f"<h1>{text(contents.title)}</h1>",
         paragraph(lead, "lead"),
+        *([paragraph(changed, "quiet")] if changed else []),
         paragraph(_finding(contents)),
         "<nav>" + "".join(f'<a href="#{name}">{name}</a>' for name in links) + "</nav>",
         section("overview", "Last frames", *_shown(contents, "overview")),
@@ -75,7 +98,7 @@ def _finding(contents: Contents) -> str:
         )
         tested = any(math.isfinite(d.p) for d in contents.differences if d.variant == other.label)
         if names:
-            told.append(f"{other.label} differs from {reference.label} in {_listed(list(names))}")
+            told.append(f"{other.label} differs from {reference.label} in {listed(list(names))}")
         elif tested:
             told.append(f"{other.label} differs from {reference.label} in no measure beyond chance")
     if not told:
@@ -83,12 +106,18 @@ def _finding(contents: Contents) -> str:
     return f"After correction for many tests, {'; '.join(told)}."
 
 
-def _listed(names: list[str]) -> str:
+def listed(names: Sequence[str]) -> str:
+    """Names with commas and a last *and*."""
     return names[0] if len(names) == 1 else f"{', '.join(names[:-1])} and {names[-1]}"
 
 
 def _shown(contents: Contents, view: str) -> list[str]:
     return [figure(p.path, p.caption) for p in contents.together if p.view == view]
+
+
+def number(value: float) -> str:
+    """A value with four digits and a true minus; a dash where there is none."""
+    return suited_units.number(value).replace("-", "−")
 
 
 def spread_text(found: Spread, of: int) -> str:
@@ -110,8 +139,8 @@ def _measures(contents: Contents) -> str:
             row.append(Strong(f"{cell} *") if (name, variant.label) in significant else cell)
         rows.append(row)
     note = (
-        "Mean ± standard deviation over seeds; a dash where no value may be quoted, (1/3) where only one seed of "
-        f"three has one. * differs from {contents.variants[0].label} (Holm, p < 0.05)."
+        "Mean ± standard deviation over seeds; a dash where no value may be quoted, (1/3) where only one "
+        f"seed of three has one. * differs from {contents.variants[0].label} (Holm, p < 0.05)."
     )
     return table(["measure", *(v.label for v in contents.variants)], rows) + paragraph(note, "quiet")
 
@@ -162,8 +191,8 @@ def _difference_maps(contents: Contents, others: Sequence[Variant]) -> str:
         reason = "Fields of unlike size have no difference." if others else "There is one variant only."
         return paragraph(reason)
     note = (
-        "Red where the surface is higher, blue where it is lower, with the same seed. Bedforms that only stand "
-        "elsewhere show as pairs of red and blue: surfaces drift apart although their measures agree."
+        "Red where the surface is higher, blue where it is lower, with the same seed. Bedforms that only "
+        "stand elsewhere show as pairs of red and blue: surfaces drift apart although their measures agree."
     )
     return f'<div class="row">{"".join(shown)}</div>' + paragraph(note, "quiet")
 
@@ -243,17 +272,5 @@ def _command(contents: Contents) -> str:
 
 
 def _method(reference: str) -> str:
-    points = (
-        "Every variant starts from the same bed for the same seed, under the same wind, and its polls draw from "
-        "the same random numbers: what differs between variants of one seed comes of their rules and values alone.",
-        f"Differences are those from {reference}, taken seed by seed. Intervals and probabilities are those of the "
-        "paired t-test (Student), two-sided, which supposes that differences scatter normally. Holm's correction "
-        "(1979) holds the chance of any false difference among all tests of the table at 5 %. With few seeds only "
-        "large differences stand; none found is no proof of none.",
-        "Values that Barchan itself doubts, for instance the spacing of bedforms of which there are too few on the "
-        "field, are left out, with the seeds they belong to.",
-        "The last bed is named by the beginning of the SHA-256 digest of its layers: the same scenario gives the "
-        "same digest on any machine.",
-        "Measures, with their definitions and limits, are described in Barchan's documentation, page Measures.",
-    )
+    points = METHOD.format(reference=reference).strip().split("\n\n")
     return "<ul>" + "".join(f"<li>{text(point)}</li>" for point in points) + "</ul>"

@@ -7,10 +7,14 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from barchan.analysis.declared_measures import MEASURES, PER_YEAR
 from barchan.comparison.variants import Variant, shared_measures
 
 TURNS = {"crest_azimuth": 180.0, "migration_direction": 360.0, "resultant_wind": 360.0}
 """Degrees after which a measured direction repeats itself."""
+
+SAME = frozenset(measure.name for measure in (*MEASURES, *PER_YEAR) if measure.row)
+"""Measures that are others in another unit; tested once they count once."""
 
 CONFIDENCE = 0.95
 
@@ -111,6 +115,7 @@ def differences(variants: Sequence[Variant]) -> list[Difference]:
     found = [
         paired_difference(name, other.label, reference.label, other.finals(name), reference.finals(name))
         for name in shared_measures(variants)
+        if name not in SAME
         for other in others
     ]
     adjusted = holm([one.p for one in found])

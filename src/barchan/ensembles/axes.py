@@ -8,12 +8,14 @@ from dataclasses import dataclass
 from typing import Any
 
 from barchan.errors import Problem, ScenarioError
-from barchan.scenario.overrides import COMMAND_LINE, full_path, hint_for, value_of
+from barchan.scenario.overrides import Origin, full_path, hint_for, value_of
 from barchan.scenario.source_map import dotted
 
 _SPACED = re.compile(r"(lin|log)\((.*)\)", re.DOTALL)
 
 FORM = "--vary KEY=1,3,5, KEY=lin(FROM,TO,NUMBER) or KEY=log(FROM,TO,NUMBER)"
+
+VARY = Origin("--vary", "", ".")
 
 MOST_VALUES = 10_000
 
@@ -64,7 +66,7 @@ def parse_axes(texts: Sequence[str]) -> tuple[Axis, ...]:
                 raise _AxisError(axis.key, "is varied twice")
             axes.append(axis)
         except _AxisError as wrong:
-            problems.append(Problem(wrong.key, wrong.message, "--vary"))
+            problems.append(Problem(wrong.key, wrong.message, VARY.word))
     if problems:
         raise ScenarioError(problems, "command line")
     return tuple(axes)
@@ -82,7 +84,7 @@ def _axis(text: str) -> Axis:
         raise _AxisError(text, f"is no axis; allowed: {FORM}")
     path = full_path(name.strip())
     if path is None:
-        raise _AxisError(name, f"is no key of a scenario{hint_for(name.strip(), COMMAND_LINE)}")
+        raise _AxisError(name, f"is no key of a scenario{hint_for(name.strip(), VARY)}")
     key = dotted(("model", "name") if path == ("model",) and not given.startswith("{") else path)
     if key in APART:
         raise _AxisError(key, f"cannot be varied; {APART[key]}")

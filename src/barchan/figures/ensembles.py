@@ -67,7 +67,8 @@ def small_multiples(panels: Sequence[Panel], across: int, text: str) -> "Figure"
         axes.set_title(panel.title, fontsize=8, loc="left")
         axes.set_xticks([])
         axes.set_yticks([])
-    heading(figure, text)
+    if text:
+        heading(figure, text)
     scale = ScalarMappable(norm, colour_map("natural", material_of(panels[0].scenario)))
     shown = [axes for axes in grid.flat if axes.figure is not None]
     figure.colorbar(scale, ax=shown, label="elevation of the sand (m)", shrink=min(1.0, 2.5 / down))
