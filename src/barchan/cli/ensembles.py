@@ -1,5 +1,6 @@
 """What sweeps and comparisons share on the command line: workers, progress, the list of failures."""
 
+import shlex
 import time
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -64,9 +65,10 @@ def exit_code(outcome: "EnsembleOutcome", command: str, folder: Path) -> int:
     for ended in outcome.failed:
         console.print(f"failed: {ended.id}: {ended.message}")
     if outcome.waiting:
-        console.print(f"{len(outcome.waiting)} runs are not at their end; go on with: {command}")
+        console.print(f"not at their end: {len(outcome.waiting)}; go on with: {command}")
     if outcome.failed:
-        console.print(f"{len(outcome.failed)} runs failed; try them again with: {command} --only failed")
+        again = f"barchan sweep {shlex.quote(str(folder))} --only failed"
+        console.print(f"failed: {len(outcome.failed)}; try again with: {again}")
         console.print(f"errors in full: {folder / 'errors'}")
         return FAILED
     return INTERRUPTED if outcome.waiting else 0
