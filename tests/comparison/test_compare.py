@@ -9,10 +9,13 @@ import pytest
 
 from barchan.comparison import comparing, page
 from barchan.comparison.comparing import axis_of_models, compare
+from barchan.comparison.variants import Variant, unlike_defaults
 from barchan.ensembles.axes import parse_axes
+from barchan.ensembles.pictures import label_of
 from barchan.ensembles.plan import make_plan
 from barchan.ensembles.workers import Workers, given
 from barchan.errors import BarchanError
+from barchan.models import models
 from barchan.scenario import load_scenario
 from tests.tiny import DATA
 
@@ -94,6 +97,21 @@ def test_slopes_and_differences_are_written_as_tables(compared):
     differences = pd.read_csv(compared / "differences.csv")
     assert set(differences["variant"]) == {"momiji"}
     assert "highest_stack" not in set(differences["measure"])
+
+
+def test_models_given_as_groups_have_their_own_defaults_and_are_named_in_words():
+    data = {**DATA, "model": {"name": "werner", "lee_erosion": True}}
+    groups = parse_axes(['model={"name": "werner"},{"name": "momiji", "hop_length": 3}'])
+    plan = make_plan(data, groups)
+    assert [label_of(plan, member) for member in plan.members] == ["werner", "momiji hop_length 3"]
+    own = models()["momiji"].Parameters()
+    assert plan.members[1].scenario["model"]["lee_erosion"] == own.lee_erosion
+
+
+def test_the_report_names_values_that_are_not_the_defaults_of_a_model():
+    plan = make_plan({**DATA, "model": {"name": "werner", "hop_length": 3}})
+    variant = Variant("werner", 0, None, list(plan.members), {7: None})
+    assert unlike_defaults(variant) == {"hop_length": (3, 5)}
 
 
 def test_models_that_do_not_exist_are_named_before_anything_runs():

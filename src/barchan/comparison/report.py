@@ -11,7 +11,7 @@ from barchan.analysis import suited_units
 from barchan.comparison.drawing import Picture
 from barchan.comparison.page import Markup, Strong, figure, page, paragraph, section, table, text
 from barchan.comparison.statistics import TURNS, Difference, Spread, spread
-from barchan.comparison.variants import Variant, differing_keys, shared_measures
+from barchan.comparison.variants import Variant, differing_keys, shared_measures, unlike_defaults
 from barchan.scenario.summary import field_size
 from barchan.version import __version__
 
@@ -216,8 +216,19 @@ def _scenarios(contents: Contents) -> str:
     files = [f"{SCENARIOS}/{variant.name}.json" for variant in contents.variants]
     links = [Markup(f'<a href="{text(file)}">{text(Path(file).name)}</a>') for file in files]
     heads = ["key", *(variant.label for variant in contents.variants)]
-    told = "Everything else in the scenarios is the same."
+    told = "Everything else in the scenarios is the same." + _strange_values(contents.variants)
     return table(heads, [*rows, ["complete scenario", *links]], wordy=True) + paragraph(told, "quiet")
+
+
+def _strange_values(variants: Sequence[Variant]) -> str:
+    """In words, which parameters the scenario gives a model that has other ones by itself."""
+    parts = []
+    for variant in variants:
+        found = unlike_defaults(variant)
+        if found:
+            told = ", ".join(f"{key} {_value(v)} (default {_value(own)})" for key, (v, own) in found.items())
+            parts.append(f"{variant.label}: {told}")
+    return f" Values that are not the model's own defaults: {'; '.join(parts)}." if parts else ""
 
 
 def _value(value: object) -> str:

@@ -103,6 +103,14 @@ def differing_keys(variants: Sequence[Variant]) -> dict[str, list[Any]]:
     return {key: row for key, row in rows.items() if any(value != row[0] for value in row)}
 
 
+def unlike_defaults(variant: Variant) -> dict[str, tuple[Any, Any]]:
+    """Parameters of a variant's model that are not the model's own defaults: value and default."""
+    chosen = variant.scenario.model
+    own = _flat(type(chosen)().model_dump(mode="json"))
+    now = _flat(chosen.model_dump(mode="json"))
+    return {key: (value, own.get(key)) for key, value in now.items() if value != own.get(key)}
+
+
 def _flat(data: Any, prefix: str = "") -> dict[str, Any]:
     if not isinstance(data, dict):
         return {prefix: data}

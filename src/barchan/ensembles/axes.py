@@ -52,6 +52,17 @@ class Axis:
         return self.low + (self.high - self.low) * share
 
 
+def value_label(value: Any) -> str:
+    """A value of an axis in a word or two: a whole group by its name or kind and its other values."""
+    if isinstance(value, list):
+        return json.dumps(value)
+    if not isinstance(value, dict):
+        return str(value)
+    named = [str(value[tag]) for tag in ("name", "kind") if tag in value]
+    others = [f"{key} {value_label(v)}" for key, v in value.items() if key not in ("name", "kind")]
+    return " ".join([*named, *others])
+
+
 def parse_axes(texts: Sequence[str]) -> tuple[Axis, ...]:
     """Axes from texts as ``model.hop_length=1,3,5``; see ``FORM``.
 

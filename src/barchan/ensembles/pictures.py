@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from barchan.archive import open_run
+from barchan.ensembles.axes import value_label
 from barchan.ensembles.plan import Member, Plan
 from barchan.ensembles.reports import State, member_folder, state_of
 from barchan.ensembles.table import measure_table, short_names
@@ -45,7 +46,9 @@ def _panel(folder: Path, plan: Plan, member: Member) -> Panel:
 def label_of(plan: Plan, member: Member) -> str:
     """The values of a member, for people to read: ``momiji, hop_length 3``."""
     return ", ".join(
-        str(value) if axis.key.endswith((".name", ".kind")) else f"{name.rpartition('.')[2]} {value}"
+        value_label(value)
+        if axis.key.endswith((".name", ".kind")) or isinstance(value, dict)
+        else f"{name.rpartition('.')[2]} {value_label(value)}"
         for axis, name, value in zip(plan.axes, short_names(plan), member.values, strict=True)
     )
 

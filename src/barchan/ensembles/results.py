@@ -10,6 +10,7 @@ from xarray.backends import BackendArray
 from xarray.core import indexing
 
 from barchan.archive import open_run
+from barchan.ensembles.axes import value_label
 from barchan.ensembles.plan import Member, Plan, load_plan
 from barchan.ensembles.reports import State, member_folder, read_report, state_of
 from barchan.ensembles.table import short_names
@@ -122,7 +123,7 @@ class _Layout:
 def _column(values: Sequence[Any]) -> NDArray:
     """Values of an axis as numbers where they are, else as text."""
     numbers = all(isinstance(value, int | float) and not isinstance(value, bool) for value in values)
-    return np.array(values if numbers else [str(value) for value in values])
+    return np.array(values if numbers else [value_label(value) for value in values])
 
 
 def _check_sizes(folder: Path, runs: "dict[str, xr.Dataset]") -> None:

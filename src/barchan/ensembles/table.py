@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from barchan.analysis.declared_measures import MEASURES, PER_YEAR
+from barchan.ensembles.axes import value_label
 from barchan.ensembles.plan import Plan, load_plan
 from barchan.ensembles.reports import State, read_failure, read_report, state_of
 from barchan.errors import ArchiveError
@@ -52,7 +53,7 @@ def measure_table(folder: str | Path) -> "pd.DataFrame":
         report, failure = read_report(folder, member.id), read_failure(folder, member.id)
         row = {
             "member": member.id,
-            **dict(zip(names, member.values, strict=True)),
+            **_named(names, member.values),
             "realization": member.realization,
             "seed": member.seed,
             "state": str(state_of(folder, member.id)),
@@ -71,6 +72,14 @@ def measure_table(folder: str | Path) -> "pd.DataFrame":
     return table
 
 
+def _named(names: Sequence[str], values: Sequence[Any]) -> dict[str, Any]:
+    """The values of the axes by name, whole groups in words."""
+    return {
+        name: value_label(value) if isinstance(value, dict | list) else value
+        for name, value in zip(names, values, strict=True)
+    }
+
+
 def series_table(folder: str | Path) -> "pd.DataFrame":
     """A row for each frame of each finished member: its values, realization, seed, step and measures."""
     import pandas as pd
@@ -82,7 +91,7 @@ def series_table(folder: str | Path) -> "pd.DataFrame":
     for member in plan.members:
         report = read_report(folder, member.id)
         if report is not None:
-            about = {**dict(zip(names, member.values, strict=True)), "realization": member.realization}
+            about = {**_named(names, member.values), "realization": member.realization}
             parts.append(pd.DataFrame({"member": member.id, **about, "seed": member.seed, **report.series}))
     if not parts:
         raise ArchiveError(f"{folder}: no member is at its end yet")
