@@ -227,7 +227,7 @@ def test_folders_that_are_no_ensembles_are_refused(tmp_path):
         load_plan(tmp_path)
 
 
-LONG = {**DATA, "run": {"steps": 200, "save_every": 5, "seed": 7}}
+LONG = {**DATA, "run": {"steps": 40_000, "save_every": 4_000, "seed": 7}}
 
 
 def writer_in(folder, timeout=60.0):
@@ -235,7 +235,7 @@ def writer_in(folder, timeout=60.0):
     until = time.monotonic() + timeout
     while time.monotonic() < until:
         for run in (folder / "members").glob("*"):
-            if (run / SCENARIO).is_file() and len(log_of(run)) > 3:
+            if (run / SCENARIO).is_file() and len(log_of(run)) > 2:
                 lock = run / "writer.lock"
                 number = lock.read_text() if lock.is_file() else ""
                 if number.isdigit() and state_of(folder, run.name) == State.RUNNING:
