@@ -282,6 +282,24 @@ def test_a_sweep_that_is_killed_goes_on_with_what_is_missing(tmp_path):
     assert {m.id for m in load_plan(out).members} == {m.id for m in plan.members}
 
 
+def test_ctrl_c_saves_the_members_and_tells_how_to_go_on(tmp_path):
+    (tmp_path / "long.json").write_text(json.dumps({**LONG, "run": {**LONG["run"], "steps": 4_000_000}}))
+    out = tmp_path / "out"
+    command = [sys.executable, "-c", "from barchan.cli import main; main()", "sweep", "long.json"]
+    words = ["--vary", "model.hop_length=1,4", "--workers", "1", "--out", str(out)]
+    sweep = subprocess.Popen(
+        [*command, *words], cwd=tmp_path, start_new_session=True, stdout=subprocess.PIPE, text=True
+    )
+    writer_in(out)
+    os.killpg(sweep.pid, signal.SIGINT)
+    told, _ = sweep.communicate(timeout=60)
+    assert sweep.returncode == 130
+    assert f"not at their end: 2; go on with: barchan sweep {out}" in told
+    states = [state_of(out, member.id) for member in load_plan(out).members]
+    assert states == [State.STOPPED, State.WAITING]
+    assert not (out / "stop").exists()
+
+
 def test_a_dask_cluster_that_loses_a_worker_brings_each_member_to_its_end_once(tmp_path):
     distributed = pytest.importorskip("distributed")
     from barchan.ensembles.workers import dask_cluster

@@ -82,7 +82,7 @@ def compare(
             steps=step or (),
             command=command,
             told=MemberReporter(quiet),
-            stop=lambda: stop.wanted,
+            stop=stop,
         )
     if done.report and not quiet:
         console.print(f"report: {done.report}")

@@ -104,7 +104,7 @@ def sweep(
             hands,
             only=tuple(State) if only is None else (State(only),),
             told=MemberReporter(quiet),
-            stop=lambda: stop.wanted,
+            stop=stop,
         )
     for path in _results(folder, plan, measure or []):
         if not quiet:

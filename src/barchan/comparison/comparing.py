@@ -60,6 +60,7 @@ def compare(
     cannot be written, BarchanError where no run came to its end or a step was not saved.
     """
     began = time.monotonic()
+    _check_steps(plan, steps)
     outcome = run_ensemble(plan, folder, workers, told=told, stop=stop)
     if stop():
         return Comparison(outcome, None)
@@ -88,6 +89,18 @@ def compare(
     except OSError as error:
         raise ArchiveError(f"cannot write to {folder}: {error.strerror or error}") from error
     return Comparison(outcome, folder / REPORT)
+
+
+def _check_steps(plan: Plan, steps: Sequence[int]) -> None:
+    """Raise BarchanError for steps that no member will save."""
+    runs = [member.scenario["run"] for member in plan.members]
+    for step in steps:
+        saved = (step == r["steps"] or (0 <= step < r["steps"] and step % r["save_every"] == 0) for r in runs)
+        if not any(saved):
+            every = runs[0]["save_every"]
+            raise BarchanError(
+                f"--step {step}: is not saved; allowed: multiples of {every}, and the last step"
+            )
 
 
 def _title(plan: Plan, variants: Sequence[Variant]) -> str:

@@ -182,8 +182,10 @@ class _Run:
         self.told(ended, count, self.total)
 
     def _shut_down(self) -> None:
+        if self.at_work:  # broken off: members save where they are
+            (self.folder / STOP).touch()
         if self.executor is not None and self.workers.replaceable:
-            self.executor.shutdown(wait=not self.at_work, cancel_futures=True)
+            self.executor.shutdown(cancel_futures=True)
         self.workers.close()
 
 
