@@ -13,6 +13,7 @@ from barchan.version import __version__
 
 if TYPE_CHECKING:
     from barchan.archive import branch, open_run, resume, run
+    from barchan.ensembles.results import open_ensemble
     from barchan.entry import load, simulate
     from barchan.errors import ArchiveError, BarchanError, ScenarioError
     from barchan.models import model_names
@@ -46,6 +47,7 @@ _HOMES = {
     "load": "entry",
     "measure": "survey",
     "model_names": "models",
+    "open_ensemble": "ensembles.results",
     "open_run": "archive",
     "preset_names": "scenario",
     "resume": "archive",
@@ -74,6 +76,7 @@ __all__ = [
     "load",
     "measure",
     "model_names",
+    "open_ensemble",
     "open_run",
     "preset_names",
     "resume",

@@ -45,14 +45,14 @@ def open_run(path: str | Path) -> "xr.Dataset":
         raise ArchiveError(f"{path}: no frames were saved")
     lazy = LazyElevation(dataset, scenario.layers, scenario.lattice.thickness)
     dataset.attrs["events"] = json.dumps(events_of(path))
-    dataset.attrs["stopped"] = _stopped(path) or "not finished"
+    dataset.attrs["stopped"] = stopped(path) or "not finished"
     located = {"grid_mapping": GRID_MAPPING} if GRID_MAPPING in dataset.variables else {}
     attributes = {**ELEVATION, **located}
     dataset["elevation"] = (("step", "y", "x"), LazilyIndexedArray(lazy), attributes)
     return with_time(dataset, scenario)
 
 
-def _stopped(path: Path) -> str | None:
+def stopped(path: Path) -> str | None:
     """Why a run ended; None while it can go on."""
     ends = [entry for entry in log_of(path) if entry["event"] in ("stop", "resume", "interrupted")]
     return ends[-1].get("reason") if ends and ends[-1]["event"] == "stop" else None
@@ -106,7 +106,7 @@ def run_info(path: str | Path) -> RunInfo:
         len(steps),
         last,
         checkpoint,
-        _stopped(path),
+        stopped(path),
         size,
         parent_of(path),
         tuple(map(Record.from_data, events_of(path))),

@@ -15,6 +15,8 @@ COMMANDS = {
     "film": "Write an animated picture of a run.",
     "export": "Write frames of a run for another program: GIS, ParaView, Blender, engines, printers, tables.",
     "measure": "Measure any surface: heights, crests, dunes; or the change between two dates of a place.",
+    "sweep": "Run a scenario many times with values varied, on all cores or a cluster.",
+    "compare": "Run models side by side on the same ground, wind and random numbers, and report on them.",
     "presets": "List the scenarios that ship with Barchan.",
     "parameters": "List every key of a scenario, with unit, default, bounds, meaning and source.",
     "wind": "Print and draw the effect of a wind on sand: roses, drift, the crests and dunes to expect.",

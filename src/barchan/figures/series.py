@@ -83,7 +83,7 @@ def _draw(axes: "Axes", times: NDArray[np.float64], values: "xr.DataArray") -> N
         axes.set_yticks([])
         axes.text(0.5, 0.5, "no value", transform=axes.transAxes, ha="center", va="center", fontsize=9)
     elif str(values.name) in POSSIBLE:
-        _within(axes, *POSSIBLE[str(values.name)])
+        within(axes, *POSSIBLE[str(values.name)])
     if len(times) == 1:
         axes.set_xticks(times, [f"{times[0]:g}"])
 
@@ -94,7 +94,7 @@ def alone(values: NDArray[np.float64]) -> NDArray[np.bool_]:
     return known[1:-1] & ~known[:-2] & ~known[2:]
 
 
-def _within(axes: "Axes", least: float, greatest: float) -> None:
+def within(axes: "Axes", least: float, greatest: float) -> None:
     """Keep the margins of a scale within what is possible."""
     low, high = axes.get_ylim()
     low, high = max(low, least), min(high, greatest)

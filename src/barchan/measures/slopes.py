@@ -41,6 +41,28 @@ def streamwise_slopes(
     return Slopes(_weighted(rise[rise > 0]), _weighted(-rise[rise < 0]))
 
 
+def slope_shares(
+    elevation: NDArray,
+    cell_size: float,
+    direction: float,
+    edges: NDArray,
+    periodic: Periodic = (True, True),
+    width: float = 1.0,
+) -> Field:
+    """Shares of the field whose surface rises downwind by angles (degrees) between neighbouring ``edges``.
+
+    Slopes that fall downwind, those of lee sides, are negative. The surface is smoothed over ``width`` cells;
+    a trend is not removed. Cells that are NaN are left out; the sum is below 1 where slopes lie beyond the
+    edges.
+    """
+    east, north = gradient(smoothed(elevation, width, periodic), cell_size, periodic)
+    x, y = downwind(direction)
+    rise = np.degrees(np.arctan(east * x + north * y))
+    known = rise[np.isfinite(rise)]
+    counts, _ = np.histogram(known, edges)
+    return counts / max(known.size, 1)
+
+
 SHARE = 0.95
 """Share of the fall of lee sides that slip faces are as steep as, or steeper than all of."""
 

@@ -1,0 +1,1 @@
+"""Models and parameters side by side: one ensemble, its statistics over seeds, and a report in one file."""

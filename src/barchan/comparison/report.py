@@ -1,0 +1,287 @@
+"""The report of a comparison: one page in HTML, pictures within, that prints as it is."""
+
+import json
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from datetime import UTC, datetime
+from pathlib import Path
+
+from barchan.analysis import suited_units
+from barchan.comparison.drawing import Picture
+from barchan.comparison.page import Markup, Strong, figure, page, paragraph, section, table, text
+from barchan.comparison.statistics import TURNS, Difference, Spread, spread
+from barchan.comparison.variants import Variant, differing_keys, shared_measures, unlike_defaults
+from barchan.scenario.summary import field_size
+from barchan.version import __version__
+
+REPORT, SCENARIOS = "report.html", "scenarios"
+
+METHOD = """
+Every variant starts from the same bed for the same seed, under the same wind, and its polls draw from the
+same random numbers: what differs between variants of one seed comes of their rules and values alone.
+
+Differences are those from {reference}, taken seed by seed. Intervals and probabilities are those of the
+two-sided paired t-test (Student), which supposes that differences scatter normally. Holm's correction (1979)
+holds the chance of any false difference among all tests of the table at 5 %. With few seeds only large
+differences stand; none found is no proof of none.
+
+Values that Barchan itself doubts, for instance the spacing of bedforms of which there are too few on the
+field, are left out, with the seeds they belong to.
+
+The last bed is named by the beginning of the SHA-256 digest of its layers: the same scenario gives the same
+digest on any machine.
+
+Measures, with their definitions and limits, are described in Barchan's documentation, page Measures.
+"""
+"""How to read a report, in paragraphs."""
+
+
+@dataclass(frozen=True)
+class Contents:
+    """All that a report tells."""
+
+    title: str
+    changed: str
+    """Values of the scenario that all variants have otherwise than its source."""
+    command: str
+    """The command that makes it again."""
+    seconds: float
+    """How long the comparison took, drawing included."""
+    variants: Sequence[Variant]
+    differences: Sequence[Difference]
+    together: Sequence[Picture]
+    pictures: Mapping[str, Sequence[Picture]]
+    """Pictures of each variant by its label."""
+    unfinished: Mapping[str, str]
+    """Runs that did not come to their end, and why."""
+
+
+def report_of(contents: Contents) -> str:
+    """The report as HTML."""
+    reference, *others = contents.variants
+    scenario = reference.scenario
+    seeds = list(reference.reports)
+    lead = (
+        f"{len(contents.variants)} variants, {len(seeds)} seed{'s' * (len(seeds) > 1)} each, on the same "
+        f"{field_size(scenario)}, {scenario.run.steps} steps, with the same ground, wind and random numbers."
+    )
+    changed = contents.changed and f"Changed from the scenario: {contents.changed}."
+    links = ("overview", "measures", "differences", "time", "slopes", "maps", "variants", "runs", "method")
+    parts = [
+        f"<h1>{text(contents.title)}</h1>",
+        paragraph(lead, "lead"),
+        *([paragraph(changed, "quiet")] if changed else []),
+        paragraph(_finding(contents)),
+        "<nav>" + "".join(f'<a href="#{name}">{name}</a>' for name in links) + "</nav>",
+        section("overview", "Last frames", *_shown(contents, "overview")),
+        section("measures", "Measures of the last frame", _measures(contents)),
+        section("differences", f"Differences from {reference.label}", _differences(contents)),
+        section("time", "Measures over time", *_shown(contents, "series"), _time_note(seeds)),
+        section("slopes", "Slopes", *_shown(contents, "slopes")),
+        section("maps", f"Surfaces less that of {reference.label}", _difference_maps(contents, others)),
+        section("variants", "Variants one by one", *(_variant(contents, v) for v in contents.variants)),
+        section("runs", "Runs", _scenarios(contents), _runs(contents), _command(contents)),
+        section("method", "How to read this", _method(reference.label)),
+    ]
+    return page(contents.title, *parts)
+
+
+def _finding(contents: Contents) -> str:
+    """In a sentence, what differs."""
+    reference, *others = contents.variants
+    titles = {name: title for name, (title, _) in shared_measures(contents.variants).items()}
+    told = []
+    for other in others:
+        names = dict.fromkeys(
+            titles[d.measure] for d in contents.differences if d.variant == other.label and d.significant
+        )
+        tested = any(math.isfinite(d.p) for d in contents.differences if d.variant == other.label)
+        if names:
+            told.append(f"{other.label} differs from {reference.label} in {listed(list(names))}")
+        elif tested:
+            told.append(f"{other.label} differs from {reference.label} in no measure beyond chance")
+    if not told:
+        return "No tests of difference: these need at least two seeds and a second variant (--seeds)."
+    return f"After correction for many tests, {'; '.join(told)}."
+
+
+def listed(names: Sequence[str]) -> str:
+    """Names with commas and a last *and*."""
+    return names[0] if len(names) == 1 else f"{', '.join(names[:-1])} and {names[-1]}"
+
+
+def _shown(contents: Contents, view: str) -> list[str]:
+    return [figure(p.path, p.caption) for p in contents.together if p.view == view]
+
+
+def number(value: float) -> str:
+    """A value with four digits and a true minus; a dash where there is none."""
+    return suited_units.number(value).replace("-", "−")
+
+
+def spread_text(found: Spread, of: int) -> str:
+    """Mean ± deviation, and of how many seeds where some have no value; a dash where none has."""
+    if not found.count:
+        return "–"
+    more = f" ± {found.deviation:.2g}" if math.isfinite(found.deviation) else ""
+    return f"{number(found.mean)}{more}" + (f" ({found.count}/{of})" if found.count < of else "")
+
+
+def _measures(contents: Contents) -> str:
+    significant = {(d.measure, d.variant) for d in contents.differences if d.significant}
+    rows = []
+    for name, (title, unit) in shared_measures(contents.variants).items():
+        row: list[object] = [_named(title, unit)]
+        for variant in contents.variants:
+            found = spread(list(variant.finals(name).values()), TURNS.get(name))
+            cell = spread_text(found, len(variant.reports))
+            row.append(Strong(f"{cell} *") if (name, variant.label) in significant else cell)
+        rows.append(row)
+    note = (
+        "Mean ± standard deviation over seeds; a dash where no value may be quoted, (1/3) where only one "
+        f"seed of three has one. * differs from {contents.variants[0].label} (Holm, p < 0.05)."
+    )
+    return table(["measure", *(v.label for v in contents.variants)], rows) + paragraph(note, "quiet")
+
+
+def _named(title: str, unit: str) -> Markup:
+    return Markup(text(title) + ("" if unit == "-" else f' <span class="unit">{text(unit)}</span>'))
+
+
+def _differences(contents: Contents) -> str:
+    shared = shared_measures(contents.variants)
+    rows = []
+    for one in contents.differences:
+        if not one.count or not math.isfinite(one.p):
+            continue
+        difference = f"{number(one.mean)}"
+        interval = f"{number(one.low)} to {number(one.high)}"
+        rows.append(
+            [
+                _named(*shared[one.measure]),
+                one.variant,
+                Strong(difference) if one.significant else difference,
+                interval,
+                one.count,
+                _probability(one.p),
+                Strong(_probability(one.adjusted)) if one.significant else _probability(one.adjusted),
+            ]
+        )
+    if not rows:
+        return paragraph("No measure has values of two seeds that may be quoted in both variants.")
+    heads = ("measure", "variant", "difference", "95 % interval", "pairs", "p", "p (Holm)")
+    return table(heads, rows)
+
+
+def _probability(p: float) -> str:
+    return "–" if math.isnan(p) else "< 0.0001" if p < 1e-4 else f"{p:.2g}"
+
+
+def _time_note(seeds: Sequence[int]) -> str:
+    told = "Lines are means over seeds, pale bands reach from the least to the greatest seed. "
+    return paragraph(
+        (told if len(seeds) > 1 else "") + "Values that may not be quoted are left out.", "quiet"
+    )
+
+
+def _difference_maps(contents: Contents, others: Sequence[Variant]) -> str:
+    shown = _shown(contents, "difference")
+    if not shown:
+        reason = "Fields of unlike size have no difference." if others else "There is one variant only."
+        return paragraph(reason)
+    note = (
+        "Red where the surface is higher, blue where it is lower, with the same seed. Bedforms that only "
+        "stand elsewhere show as pairs of red and blue: surfaces drift apart although their measures agree."
+    )
+    return f'<div class="row">{"".join(shown)}</div>' + paragraph(note, "quiet")
+
+
+def _variant(contents: Contents, variant: Variant) -> str:
+    pictures = contents.pictures[variant.label]
+    model = variant.scenario.new_model()
+    parts = [f"<h3>{text(variant.label)}</h3>", paragraph(f"{model.title}. {model.citation}", "quiet")]
+    for step in dict.fromkeys(p.step for p in pictures if p.step is not None):
+        shown = [p for p in pictures if p.step == step]
+        maps = [figure(p.path, p.caption) for p in shown if p.view != "section"]
+        parts.append(f'<div class="row">{"".join(maps)}</div>')
+        parts += [figure(p.path, p.caption) for p in shown if p.view == "section"]
+    parts += [figure(p.path, p.caption) for p in pictures if p.step is None]
+    return f'<div class="variant">{"".join(parts)}</div>'
+
+
+def _scenarios(contents: Contents) -> str:
+    differing = differing_keys(contents.variants)
+    rows = [[key, *("–" if v is None else _value(v) for v in row)] for key, row in differing.items()]
+    files = [f"{SCENARIOS}/{variant.name}.json" for variant in contents.variants]
+    links = [Markup(f'<a href="{text(file)}">{text(Path(file).name)}</a>') for file in files]
+    heads = ["key", *(variant.label for variant in contents.variants)]
+    told = "Everything else in the scenarios is the same." + _strange_values(contents.variants)
+    return table(heads, [*rows, ["complete scenario", *links]], wordy=True) + paragraph(told, "quiet")
+
+
+def _strange_values(variants: Sequence[Variant]) -> str:
+    """In words, which parameters the scenario gives a model that has other ones by itself."""
+    parts = []
+    for variant in variants:
+        found = unlike_defaults(variant)
+        if found:
+            told = ", ".join(f"{key} {_value(v)} (default {_value(own)})" for key, (v, own) in found.items())
+            parts.append(f"{variant.label}: {told}")
+    return f" Values that are not the model's own defaults: {'; '.join(parts)}." if parts else ""
+
+
+def _value(value: object) -> str:
+    return value if isinstance(value, str) else json.dumps(value)
+
+
+def _runs(contents: Contents) -> str:
+    rows = [
+        [
+            v.label,
+            seed,
+            r.steps,
+            r.reason,
+            f"{r.seconds:.1f}",
+            f"{r.processor_seconds:.1f}",
+            r.version,
+            r.host,
+            Markup(f"<code>{r.bed[:12]}</code>"),
+        ]
+        for v in contents.variants
+        for seed, r in v.reports.items()
+    ]
+    heads = (
+        "variant",
+        "seed",
+        "steps",
+        "ended",
+        "time (s)",
+        "processor (s)",
+        "Barchan",
+        "machine",
+        "last bed",
+    )
+    parts = [table(heads, rows)]
+    changed = [
+        f"{v.label}, seed {s}" for v in contents.variants for s, r in v.reports.items() if r.differs_from
+    ]
+    if changed:
+        parts.append(
+            paragraph(f"An earlier run of the same scenario had another result: {', '.join(changed)}.")
+        )
+    if contents.unfinished:
+        parts.append(paragraph("Runs that did not come to their end:"))
+        parts.append(table(("run", "reason"), list(contents.unfinished.items()), wordy=True))
+    return "".join(parts)
+
+
+def _command(contents: Contents) -> str:
+    when = datetime.now(UTC).strftime("%Y-%m-%d %H:%M UTC")
+    told = f"Made with Barchan {__version__} on {when} in {contents.seconds:.0f} s, pictures included, by:"
+    return paragraph(told) + f"<pre><code>{text(contents.command)}</code></pre>"
+
+
+def _method(reference: str) -> str:
+    points = METHOD.format(reference=reference).strip().split("\n\n")
+    return "<ul>" + "".join(f"<li>{text(point)}</li>" for point in points) + "</ul>"
