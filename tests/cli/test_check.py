@@ -47,8 +47,8 @@ def test_every_mistake_is_told_with_its_line(here, barchan):
         "  lattice.rows: is 0; allowed: whole number ≥ 1 and ≤ 65536 (bad.json:3)",
         "  model.p_s: is 2; allowed: number ≥ 0 and ≤ 1 (command line)",
         (
-            "  run.step: unknown key; did you mean 'steps'?; known here: steps, seed, save_every, until "
-            "(bad.json:4)"
+            "  run.step: unknown key; did you mean 'steps'?; known here: steps, seed, save_every, threads, "
+            "until (bad.json:4)"
         ),
     ]
 

@@ -151,7 +151,7 @@ def test_bonded_slopes_stand_and_loose_snow_slides_off_them():
 
 def test_sections_show_what_has_bonded_below_what_has_not():
     simulation = run(24)
-    layers = simulation.model.strata.compute(simulation.model, simulation.bed)
+    layers = simulation.model.strata[0].compute(simulation.model, simulation.bed)
     assert [float(value.max()) for _, value in layers] == [1.0, 0.875, 0.625, 0.375, 0.125]
     depth = sum(thickness for thickness, _ in layers)
     np.testing.assert_allclose(depth, simulation.bed.depth)

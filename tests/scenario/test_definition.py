@@ -88,7 +88,7 @@ def test_the_text_of_a_scenario_leaves_nothing_to_defaults():
     model = type(tiny().model)
     assert set(text) == set(Scenario.model_fields) - {NOTE}
     assert set(text["model"]) == set(model.model_fields) - {NOTE}
-    assert set(text["run"]) == {"steps", "seed", "save_every", "until"}
+    assert set(text["run"]) == {"steps", "seed", "save_every", "threads", "until"}
 
 
 REASONS = ("so thicker slabs", "no grain can be lifted", "model.time_step: is", "model.footprint: is")

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from barchan.bed import Bed
 from barchan.fields import SAND, LayerInfo
 from barchan.grains.sintering import Sintering
-from barchan.kernels.bed.loose import AGES
+from barchan.kernels.bed.state import AGES
 from barchan.kernels.grains.state import Bonds
 from barchan.model import Derived, Strata
 

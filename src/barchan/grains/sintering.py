@@ -6,7 +6,7 @@ from pydantic_core import InitErrorDetails
 
 from barchan.aeolian.snow.bonding import REFERENCE_TEMPERATURE, bonding_rate
 from barchan.grains.closure import Closure
-from barchan.kernels.bed.loose import AGES
+from barchan.kernels.bed.state import AGES
 from barchan.parameters import mistake, parameter
 
 if TYPE_CHECKING:

@@ -3,7 +3,8 @@
 import numpy as np
 import pytest
 
-from barchan.kernels.bed.loose import AGES, change_loose, follow, join, part_loose, slide_loose
+from barchan.kernels.bed.loose import change_loose, follow, join, part_loose, slide_loose
+from barchan.kernels.bed.state import AGES
 
 
 class Pile:

@@ -5,7 +5,7 @@ import pytest
 
 import barchan
 from barchan.bed import Bed
-from barchan.kernels.bed.loose import AGES
+from barchan.kernels.bed.state import AGES
 from barchan.kernels.grains.bonds import restitution_at
 from barchan.kernels.grains.exchange import lay_down, take_up
 from barchan.simulation import Simulation

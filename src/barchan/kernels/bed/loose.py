@@ -7,8 +7,7 @@ the next one, and bonded last. None in place of the loose parcels is sand, which
 import numpy as np
 from numba import njit
 
-AGES = 4
-"""Ages that loose parcels are told apart by."""
+from barchan.kernels.bed.state import AGES
 
 
 @njit(cache=True, nogil=True, error_model="numpy")

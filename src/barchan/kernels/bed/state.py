@@ -54,6 +54,10 @@ class Stacks(NamedTuple):
     """Loose parcels by cell and age, of which alone ``sand`` counts those that slide; None: nothing bonds."""
 
 
+AGES = 4
+"""Ages that loose parcels of what bonds are told apart by."""
+
+
 class Unstable(NamedTuple):
     """Work space of avalanches: the cells whose slopes have still to be checked."""
 
