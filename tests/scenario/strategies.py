@@ -185,10 +185,11 @@ def _timeless(data: dict[str, Any]) -> dict[str, Any]:
     wind = data.get("wind")
     if wind is not None and wind.get("kind") in {"record", "storms"}:
         data = {**data, "wind": {"kind": "steady"}}
-    if "wind" in data and not models()[data.get("model", {}).get("name", "werner")].takes_hops:
+    model = models()[data.get("model", {}).get("name", "werner")]
+    if "wind" in data and not model.takes_hops:
         data = {**data, "wind": {"kind": "steady"}}
     data = {**data, "clock": None, "influx": None}
-    return _cold(data) if data.get("model", {}).get("name") == "snow_werner" else data
+    return data if model.temperature_range is None else _cold(data)
 
 
 def _cold(data: dict[str, Any]) -> dict[str, Any]:

@@ -179,9 +179,9 @@ class SnowCreep(Parameters):
         "impacts",
         unit="-",
         live=True,
-        meaning="Law of creep. impacts: every impact of saltating grains pushes grains down the slope, so that "
-        "the flux of creep is the flux of saltation times slope times gain; threshold: grains that land roll "
-        "to the lowest neighbour the more often the nearer the wind is to its threshold, whatever the slope.",
+        meaning="Law of creep. impacts: every impact of saltating grains pushes grains down the slope, so "
+        "that the flux of creep is the flux of saltation times slope times gain; threshold: grains that land "
+        "roll to the lowest neighbour the more often the nearer the wind is to its threshold, on any slope.",
         source="impacts: flux of reptation in proportion to impacts (Anderson 1987) and reduced by the slope "
         "(Yizhaq et al. 2004); threshold: ours",
     )
