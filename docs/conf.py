@@ -33,7 +33,7 @@ nitpick_ignore_regex = [
     (r"py:.*", r"types\.Annotated|NoneType|barchan\.wind\.(steady|regimes|mixed_axes|recorded|storms)\..*"),
     # Types that the documented ones return or hold, and that nobody makes by hand.
     (r"py:class", r"barchan\.wind\.(forcing|interval|records\.record)\..*"),
-    (r"py:class", r"barchan\.analysis\.declared_measures\..*"),
+    (r"py:class", r"barchan\.analysis\.declared_measures\..*|Value|barchan\.export\.grid\.Grid"),
 ]
 
 html_theme = "furo"
