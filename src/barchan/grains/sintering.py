@@ -4,7 +4,7 @@ from typing import TYPE_CHECKING, ClassVar
 
 from pydantic_core import InitErrorDetails
 
-from barchan.aeolian.snow.bonding import REFERENCE_TEMPERATURE, bonding_rate
+from barchan.aeolian.snow.bonding import REFERENCE_TEMPERATURE, activation_energy_parameter, bonding_rate
 from barchan.grains.closure import Closure
 from barchan.kernels.bed.state import AGES
 from barchan.parameters import mistake, parameter
@@ -47,15 +47,7 @@ class Sintering(Closure):
         meaning="Temperature of the snow where the wind states none.",
         source="ours",
     )
-    activation_energy: float = parameter(
-        41_000.0,
-        unit="J/mol",
-        ge=0,
-        le=200_000,
-        live=True,
-        meaning="Activation energy of bonding: how much faster warm snow bonds.",
-        source="Bahaloo et al. 2022; 38.8 kJ/mol in SNOWPACK, 51 through the vapour",
-    )
+    activation_energy: float = activation_energy_parameter()
     start_bonded: bool = parameter(
         False,
         unit="-",

@@ -2,6 +2,7 @@
 
 from typing import Literal
 
+from barchan.aeolian.snow.bonding import activation_energy_parameter
 from barchan.aeolian.snow.density import FRESH_DENSITIES, GREATEST_DENSITY, LEAST_DENSITY
 from barchan.parameters import NOT_GIVEN, Parameters, parameter
 
@@ -25,15 +26,7 @@ class Bonding(Parameters):
         source="between 0.18 (strength) and 0.36 (area of bonds) of van Herwijnen & Miller 2013, fixed on "
         "the medians of Li & Pomeroy 1997",
     )
-    activation_energy: float = parameter(
-        41_000.0,
-        unit="J/mol",
-        ge=0,
-        le=200_000,
-        live=True,
-        meaning="Activation energy of bonding: how much faster warm snow bonds.",
-        source="Bahaloo et al. 2022; 38.8 kJ/mol in SNOWPACK, 51 through the vapour",
-    )
+    activation_energy: float = activation_energy_parameter()
     loose_hours: float = parameter(
         3.0,
         unit="h",

@@ -1,7 +1,11 @@
 """Bonds between snow grains: how fast they grow, and how strong a wind they withstand."""
 
+from typing import Any
+
 import numpy as np
 from numpy.typing import NDArray
+
+from barchan.parameters import parameter
 
 GAS_CONSTANT = 8.314462618
 """Molar gas constant (J/mol/K)."""
@@ -25,6 +29,19 @@ LOOSEST_BONDS = 0.1
 """Age (h) below which bonds are not told apart."""
 
 Numbers = float | NDArray[np.float64]
+
+
+def activation_energy_parameter() -> Any:
+    """The parameter of every model whose snow bonds faster when it is warm."""
+    return parameter(
+        41_000.0,
+        unit="J/mol",
+        ge=0,
+        le=200_000,
+        live=True,
+        meaning="Activation energy of bonding: how much faster warm snow bonds.",
+        source="Bahaloo et al. 2022; 38.8 kJ/mol in SNOWPACK, 51 through the vapour",
+    )
 
 
 def bonding_rate(temperature: Numbers, activation_energy: float) -> Numbers:

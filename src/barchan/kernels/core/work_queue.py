@@ -10,14 +10,12 @@ import numpy as np
 from numba import njit
 
 from barchan.kernels.core.atomics import add, give_way, load, pause, store, swap
+from barchan.kernels.core.state import LINE
 
-_LINE = 16
-"""Numbers apart that never share a line of any cache."""
-
-OFFER, DONE = _LINE, 2 * _LINE
+OFFER, DONE = LINE, 2 * LINE
 """Where the board holds what is on publish, and how many pieces of all rounds are done."""
 
-SIZE = 3 * _LINE
+SIZE = 3 * LINE
 
 CLOSED = -1
 """On publish when nothing more will be."""
@@ -40,7 +38,8 @@ def new_board() -> np.ndarray:
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
-def _wait(spins):
+def wait_a_moment(spins):
+    """Wait for another thread, after so many looks; their number with this one."""
     pause()
     if spins > _SPINS:
         give_way()
@@ -81,7 +80,7 @@ def wait_pop_back(board):
             if swap(board, OFFER, word, word - 1):
                 return word >> (2 * _BITS), end - 1
         else:
-            spins = _wait(spins)
+            spins = wait_a_moment(spins)
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
@@ -101,7 +100,7 @@ def await_done(board, pieces):
     """Wait until as many pieces of all rounds are done."""
     spins = 0
     while count_done(board) != pieces:
-        spins = _wait(spins)
+        spins = wait_a_moment(spins)
 
 
 def close(board: np.ndarray) -> None:

@@ -8,11 +8,12 @@ which it waits for. Every order that it allows gives the bed of one thread that 
 from numba import njit
 
 from barchan.kernels.bed.levels import measure_levels
-from barchan.kernels.core.atomics import add, give_way, load, pause, store, swap
+from barchan.kernels.core.atomics import add, give_way, load, store, swap
 from barchan.kernels.core.borrow import borrowed
 from barchan.kernels.core.inlining import never_inline
 from barchan.kernels.core.internal import internal
 from barchan.kernels.core.random import derive
+from barchan.kernels.core.work_queue import wait_a_moment
 from barchan.kernels.slabs.flights import forget_flights
 from barchan.kernels.slabs.late_landing import land_flights
 from barchan.kernels.slabs.plan import BROKEN_OFF, RUNNING
@@ -33,9 +34,6 @@ _NOTHING, _LATER = -1, -2
 
 _AHEAD = 3
 """Rounds whose polls are counted before the slowest band begins them."""
-
-_SPINS = 2000
-"""Looks for work before a waiting thread gives way to others at each: some 50 µs."""
 
 
 @internal()
@@ -233,10 +231,7 @@ def run_rounds(stacks, rules, work, schedule, plan, tally):
                 add(plan.done, band, 1)
             spins = 0
         elif band == _LATER:
-            pause()
-            spins += 1
-            if spins > _SPINS:
-                give_way()
+            spins = wait_a_moment(spins)
         band, number = _next_band(plan, wrap)
     add(plan.signals, RUNNING, -1)
 

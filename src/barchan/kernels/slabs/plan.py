@@ -6,12 +6,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from barchan.kernels.core.state import LINE
 from barchan.kernels.slabs.state import Round, Schedule
 
-_LINE = 16
-"""Numbers apart that never share a line of any cache."""
-
-BROKEN_OFF, RUNNING = 0, _LINE
+BROKEN_OFF, RUNNING = 0, LINE
 """Places in ``Plan.signals``: why the work was broken off (``STRAYED``, ``FULL``), and threads at work."""
 
 
@@ -77,7 +75,7 @@ def plan_rounds(
         np.zeros(bands + 1, np.int64),
         np.zeros(bands + 1, np.int64),
         np.full(bands, peak, np.int64),
-        np.zeros(2 * _LINE, np.int64),
+        np.zeros(2 * LINE, np.int64),
         *bounds,
         len(rounds) + lands,
         lands or measures,
