@@ -9,7 +9,7 @@ const LEVELS: Level[] = ["info", "warning", "error"];
 export class LogView {
   readonly title = "Log";
   readonly element: HTMLElement;
-  private readonly list = h("ol", { className: "log", role: "log", "aria-live": "polite" });
+  private readonly list = h("ol", { className: "log", role: "log", "aria-live": "off", tabIndex: 0, "aria-label": "Log" });
   private least: Level = "info";
 
   constructor(private readonly app: App) {
