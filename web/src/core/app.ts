@@ -28,6 +28,8 @@ export class App {
   files: { heights: string[]; records: string[] } = { heights: [], records: [] };
   /** Whether two runs that are led together run; null where there is one. */
   pairRuns: boolean | null = null;
+  /** The step that the server kept last of all runs, after one was lost; null where there is none. */
+  kept: number | null = null;
   readonly log: Entry[] = [];
   readonly logged = new Signal<Entry>();
   readonly described = new Signal<Run>();
@@ -134,6 +136,7 @@ export class App {
     lost: (message, run) => {
       if (!run) return;
       run.lost = true;
+      this.kept = message.kept as number | null;
       this.note("error", `The simulation's process ended (code ${message.code}). The server lives; restart the run.`);
       this.changed.send();
     },

@@ -91,8 +91,10 @@ export class Hud {
     if (this.notice.dataset.text === text + lost) return;
     this.notice.dataset.text = text + lost;
     this.notice.classList.toggle("calm", !lost && this.connection === "");
+    const { kept } = this.app;
     const again = h("button", { type: "button", onclick: () => this.app.send({ command: "revive" }) }, "restart the run");
-    this.notice.replaceChildren(text, ...(lost && !this.connection ? [again] : []));
+    const onward = h("button", { type: "button", onclick: () => this.app.send({ command: "revive", kept }) }, `go on from step ${short(kept, 9)}`);
+    this.notice.replaceChildren(text, ...(lost && !this.connection ? [...(kept === null ? [] : [onward]), again] : []));
   }
 
   private draw(): void {

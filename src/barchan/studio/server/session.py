@@ -10,9 +10,11 @@ from barchan.errors import BarchanError, ScenarioError
 from barchan.models import models
 from barchan.scenario import Scenario, validate
 from barchan.studio.commands import Handlers, command_of
-from barchan.studio.protocol import PROTOCOL, Request, is_frame, message
+from barchan.studio.protocol import PROTOCOL, Request, is_frame, is_state, message, numbered, read_request
+from barchan.studio.server.kept_states import KeptStates
 from barchan.studio.server.lockstep import Lockstep
 from barchan.studio.server.queries import QUERIES
+from barchan.studio.server.starts import Starts
 from barchan.studio.server.worker_handle import WorkerHandle
 from barchan.studio.server.workspace import Workspace
 
@@ -32,7 +34,10 @@ class Session:
         self.workers: dict[str, WorkerHandle] = {}
         self.scenarios: dict[str, dict[str, Any]] = {}
         """The scenario of each worker, as changes during the run have left it."""
+        self.starts = Starts()
+        self.kept = KeptStates()
         self.lockstep: Lockstep | None = None
+        self._keeping: asyncio.TimerHandle | None = None
         self.outbox: asyncio.Queue[bytes] | None = None
         if archive is not None:
             self.first: Request = {"command": "open_folder", "folder": str(archive)}
@@ -43,10 +48,13 @@ class Session:
 
     def start(self) -> None:
         """Start the first worker."""
-        self._worker(FIRST).forward(self.first)
+        self._start(FIRST, self.first)
+        self._keep()
 
     def close(self) -> None:
         """End all workers."""
+        if self._keeping is not None:
+            self._keeping.cancel()
         for worker in self.workers.values():
             worker.close()
         self.workers.clear()
@@ -61,7 +69,7 @@ class Session:
         for worker in self.workers.values():
             worker.send("attach")
             if not worker.process.is_alive():
-                self._send("lost", run=worker.name, code=worker.process.exitcode)
+                self._report_loss(worker)
         return self.outbox
 
     def detach(self, outbox: asyncio.Queue[bytes]) -> None:
@@ -73,14 +81,19 @@ class Session:
         """Carry out a request of the browser; one that cannot be carried out is answered with the reason."""
         request: Request = {}
         try:
-            data = json.loads(text)
-            if not isinstance(data, dict):
-                raise BarchanError("a message must be an object that names a command")
-            request = data
+            request = read_request(text)
             self._carry_out(request)
         except ScenarioError as error:
             self._refuse(request, str(error), [vars(problem) for problem in error.problems])
-        except (BarchanError, LookupError, TypeError, ValueError) as error:
+        except (
+            BarchanError,
+            OSError,
+            LookupError,
+            TypeError,
+            ValueError,
+            ArithmeticError,
+            MemoryError,
+        ) as error:
             self._refuse(request, str(error) or type(error).__name__, [])
 
     def _send(self, kind: str, **content: Any) -> None:
@@ -125,14 +138,35 @@ class Session:
                 worker.send("attach")
         return worker
 
+    def _start(self, name: str, request: Request) -> None:
+        """Let a worker begin a run."""
+        start = self.starts.add(name, request, request.get("scenario"))
+        assert start.request is not None
+        self._worker(name).forward(start.request)
+
+    def _keep(self) -> None:
+        """Let the workers send their states, to be kept, now and again and again."""
+        if self.lockstep is not None:
+            self.lockstep.keep()
+        else:
+            for worker in self.workers.values():
+                worker.send("keep")
+        self._keeping = asyncio.get_running_loop().call_later(self.kept.pause, self._keep)
+
     def _on_worker_data(self, worker: WorkerHandle, data: bytes) -> None:
         """Pass a worker's message or frame on to the browser, and note what concerns all workers."""
         if self.workers.get(worker.name) is not worker:
+            return
+        if is_state(data):
+            self.kept.take(worker.name, data)
             return
         if not is_frame(data):
             content = json.loads(data)
             if content["type"] == "scenario":
                 self.scenarios[worker.name] = content["scenario"]
+            elif content["type"] == "begun":
+                self._on_begun(worker.name, content)
+                return
             elif content["type"] == "arrived" and self.lockstep is not None:
                 self.lockstep.arrived(worker.name)
         if self.outbox is not None:
@@ -142,9 +176,28 @@ class Session:
         """A worker ended by itself."""
         if self.workers.get(worker.name) is worker:
             worker.process.join()
-            if self.lockstep is not None:
-                self.lockstep.pause()
-            self._send("lost", run=worker.name, code=worker.process.exitcode)
+            self._pair_again()
+            self._report_loss(worker)
+            if (missed := self.starts.lost(worker.name)) is not None:
+                self._start(worker.name, missed)
+
+    def _pair_again(self) -> None:
+        """Pause two runs; neither waits for steps of the other any more, whose process may be lost."""
+        if self.lockstep is not None:
+            self.lockstep = Lockstep(self.workers, self._on_lockstep)
+            self.lockstep.pause()
+
+    def _report_loss(self, worker: WorkerHandle) -> None:
+        kept = self.kept.common_step(list(self.workers))
+        self._send("lost", run=worker.name, code=worker.process.exitcode, kept=kept)
+
+    def _on_begun(self, name: str, content: dict[str, Any]) -> None:
+        """A worker has begun a run, or refused to."""
+        start = self.starts.answered(name, content["number"])
+        if content["ok"]:
+            self.kept.begun(name, content["number"], resumed=start is not None and start.request is None)
+        elif name == SECOND and SECOND not in self.scenarios:
+            self._alone({})
 
     @SESSION.handles("create")
     def _create(self, request: Request) -> None:
@@ -155,15 +208,15 @@ class Session:
         begun = {name: data}
         if self.lockstep is not None:
             other = FIRST if name == SECOND else SECOND
-            begun[other] = {**data, "model": self.scenarios[other]["model"]}
+            newest = self.starts.scenario(other) or self.scenarios[other]
+            begun[other] = {**data, "model": newest["model"]}
         self._begin(begun, bool(request.get("running", True)))
 
     def _begin(self, scenarios: dict[str, dict[str, Any]], running: bool) -> None:
         """Start these scenarios, in lockstep where there are two."""
         alone = len(scenarios) == 1
-        self.scenarios = scenarios
         for name, data in scenarios.items():
-            self._worker(name).send("start", scenario=data, running=running and alone)
+            self._start(name, {"command": "start", "scenario": data, "running": running and alone})
         self.lockstep = None if alone else Lockstep(self.workers, self._on_lockstep)
         if self.lockstep is not None and running:
             self.lockstep.run()
@@ -189,15 +242,26 @@ class Session:
         if worker is not None:
             worker.close()
         self.scenarios.pop(SECOND, None)
+        self.kept.forget(SECOND)
         self._send("runs", runs=list(self.workers))
 
     @SESSION.handles("revive")
-    def _revive(self, _: Request) -> None:
-        """Start lost workers again, from the beginning of their scenarios."""
-        if self.scenarios:
+    def _revive(self, request: Request) -> None:
+        """Start lost workers again: from the states kept after step ``kept``, or from their beginning."""
+        if request.get("kept") is not None:
+            self._resume(int(request["kept"]))
+        elif self.scenarios:
             self._begin(dict(self.scenarios), running=True)
         else:
-            self.start()
+            self._start(FIRST, self.first)
+
+    def _resume(self, step: int) -> None:
+        """Let all runs continue from the states that are kept after a step."""
+        states = {name: self.kept.at(name, step) for name in self.workers}
+        self._pair_again()
+        for name, state in states.items():
+            start = self.starts.add(name, None)
+            self._worker(name).send_bytes(numbered(state, start.number))
 
     @SESSION.handles("save")
     def _save(self, request: Request) -> None:
@@ -213,4 +277,4 @@ class Session:
         if folder.name not in self.workspace.runs():
             raise BarchanError(f"no run '{folder.name}' in {self.workspace.folder}")
         self._alone(request)
-        self._worker(FIRST).send("open_folder", folder=str(folder), id=request.get("id"))
+        self._start(FIRST, {"command": "open_folder", "folder": str(folder), "id": request.get("id")})
