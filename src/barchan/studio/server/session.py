@@ -2,25 +2,23 @@
 
 import asyncio
 import json
-from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 from barchan.errors import BarchanError, ScenarioError
-from barchan.models import models
-from barchan.scenario import Scenario, validate
-from barchan.studio.commands import Handlers, command_of
+from barchan.scenario import Scenario
+from barchan.studio.commands import command_of
 from barchan.studio.protocol import PROTOCOL, Request, is_frame, is_state, message, numbered, read_request
 from barchan.studio.server.kept_states import KeptStates
 from barchan.studio.server.lockstep import Lockstep
 from barchan.studio.server.queries import QUERIES
+from barchan.studio.server.session_commands import FIRST, SECOND, SESSION
 from barchan.studio.server.starts import Starts
 from barchan.studio.server.worker_handle import WorkerHandle
 from barchan.studio.server.workspace import Workspace
 
-FIRST, SECOND = "a", "b"
-
-SESSION: Handlers[Callable[["Session", Request], None]] = Handlers("session")
+ANSWERED = (BarchanError, OSError, LookupError, TypeError, ValueError, ArithmeticError, MemoryError)
+"""Errors of a request that the browser is told of."""
 
 
 class Session:
@@ -48,7 +46,7 @@ class Session:
 
     def start(self) -> None:
         """Start the first worker."""
-        self._start(FIRST, self.first)
+        self.start_run(FIRST, self.first)
         self._keep()
 
     def close(self) -> None:
@@ -85,15 +83,7 @@ class Session:
             self._carry_out(request)
         except ScenarioError as error:
             self._refuse(request, str(error), [vars(problem) for problem in error.problems])
-        except (
-            BarchanError,
-            OSError,
-            LookupError,
-            TypeError,
-            ValueError,
-            ArithmeticError,
-            MemoryError,
-        ) as error:
+        except ANSWERED as error:
             self._refuse(request, str(error) or type(error).__name__, [])
 
     def _send(self, kind: str, **content: Any) -> None:
@@ -129,7 +119,7 @@ class Session:
             for name in [named] if named is not None else list(self.workers):
                 self.workers[name].forward({**request, "run": None})
 
-    def _worker(self, name: str) -> WorkerHandle:
+    def worker(self, name: str) -> WorkerHandle:
         """The worker of that name, a new one where there is none or it was lost."""
         worker = self.workers.get(name)
         if worker is None or not worker.process.is_alive():
@@ -138,11 +128,11 @@ class Session:
                 worker.send("attach")
         return worker
 
-    def _start(self, name: str, request: Request) -> None:
+    def start_run(self, name: str, request: Request) -> None:
         """Let a worker begin a run."""
         start = self.starts.add(name, request, request.get("scenario"))
         assert start.request is not None
-        self._worker(name).forward(start.request)
+        self.worker(name).forward(start.request)
 
     def _keep(self) -> None:
         """Let the workers send their states, to be kept, now and again and again."""
@@ -176,12 +166,12 @@ class Session:
         """A worker ended by itself."""
         if self.workers.get(worker.name) is worker:
             worker.process.join()
-            self._pair_again()
+            self.pair_again()
             self._report_loss(worker)
             if (missed := self.starts.lost(worker.name)) is not None:
-                self._start(worker.name, missed)
+                self.start_run(worker.name, missed)
 
-    def _pair_again(self) -> None:
+    def pair_again(self) -> None:
         """Pause two runs; neither waits for steps of the other any more, whose process may be lost."""
         if self.lockstep is not None:
             self.lockstep = Lockstep(self.workers, self._on_lockstep)
@@ -197,45 +187,38 @@ class Session:
         if content["ok"]:
             self.kept.begun(name, content["number"], resumed=start is not None and start.request is None)
         elif name == SECOND and SECOND not in self.scenarios:
-            self._alone({})
+            self.end_second()
 
-    @SESSION.handles("create")
-    def _create(self, request: Request) -> None:
-        """Start a scenario; where there are two workers in the other one, too, with its own model."""
-        self.workspace.check(request["scenario"])
-        data = validate(request["scenario"]).seeded().data()
-        name = SECOND if self.lockstep is not None and request.get("run") == SECOND else FIRST
-        begun = {name: data}
-        if self.lockstep is not None:
-            other = FIRST if name == SECOND else SECOND
-            newest = self.starts.scenario(other) or self.scenarios[other]
-            begun[other] = {**data, "model": newest["model"]}
-        self._begin(begun, bool(request.get("running", True)))
-
-    def _begin(self, scenarios: dict[str, dict[str, Any]], running: bool) -> None:
-        """Start these scenarios, in lockstep where there are two."""
+    def begin(
+        self, scenarios: dict[str, dict[str, Any]], running: bool, answering: dict[str, Request] | None = None
+    ) -> None:
+        """Start these scenarios, in lockstep where there are two; the named workers answer the request."""
         alone = len(scenarios) == 1
         for name, data in scenarios.items():
-            self._start(name, {"command": "start", "scenario": data, "running": running and alone})
+            answer = (answering or {}).get(name, {})
+            self.start_run(
+                name, {"command": "start", **answer, "scenario": data, "running": running and alone}
+            )
         self.lockstep = None if alone else Lockstep(self.workers, self._on_lockstep)
         if self.lockstep is not None and running:
             self.lockstep.run()
 
+    def resume(self, step: int) -> None:
+        """Let all runs continue from the states that are kept after a step."""
+        states = {name: self.kept.at(name, step) for name in self.workers}
+        self.pair_again()
+        for name, state in states.items():
+            start = self.starts.add(name, None)
+            self.worker(name).send_bytes(numbered(state, start.number))
+
     def _on_lockstep(self, running: bool) -> None:
         self._send("lockstep", running=running)
 
-    @SESSION.handles("compare")
-    def _compare(self, request: Request) -> None:
-        """Run another model beside, on the same ground, under the same wind, from the same seed."""
-        first = self.scenarios[FIRST]
-        if request["model"] not in models():
-            raise BarchanError(f"no model '{request['model']}'; allowed: {', '.join(models())}")
-        second = validate({**first, "model": {"name": request["model"]}}).data()
-        self._begin({FIRST: first, SECOND: second}, running=True)
+    def report_runs(self) -> None:
+        """Let the browser know the names of the runs."""
         self._send("runs", runs=list(self.workers))
 
-    @SESSION.handles("alone")
-    def _alone(self, _: Request) -> None:
+    def end_second(self) -> None:
         """End the second simulation."""
         self.lockstep = None
         worker = self.workers.pop(SECOND, None)
@@ -243,38 +226,4 @@ class Session:
             worker.close()
         self.scenarios.pop(SECOND, None)
         self.kept.forget(SECOND)
-        self._send("runs", runs=list(self.workers))
-
-    @SESSION.handles("revive")
-    def _revive(self, request: Request) -> None:
-        """Start lost workers again: from the states kept after step ``kept``, or from their beginning."""
-        if request.get("kept") is not None:
-            self._resume(int(request["kept"]))
-        elif self.scenarios:
-            self._begin(dict(self.scenarios), running=True)
-        else:
-            self._start(FIRST, self.first)
-
-    def _resume(self, step: int) -> None:
-        """Let all runs continue from the states that are kept after a step."""
-        states = {name: self.kept.at(name, step) for name in self.workers}
-        self._pair_again()
-        for name, state in states.items():
-            start = self.starts.add(name, None)
-            self._worker(name).send_bytes(numbered(state, start.number))
-
-    @SESSION.handles("save")
-    def _save(self, request: Request) -> None:
-        """Save a run as an archive in the session's folder."""
-        folder = self.workspace.run(str(request["name"]))
-        worker = self.workers[request.get("run") or FIRST]
-        worker.send("save_folder", folder=str(folder), id=request.get("id"))
-
-    @SESSION.handles("open")
-    def _open(self, request: Request) -> None:
-        """Continue an archive of the session's folder."""
-        folder = self.workspace.run(str(request["name"]))
-        if folder.name not in self.workspace.runs():
-            raise BarchanError(f"no run '{folder.name}' in {self.workspace.folder}")
-        self._alone(request)
-        self._start(FIRST, {"command": "open_folder", "folder": str(folder), "id": request.get("id")})
+        self.report_runs()
