@@ -5,6 +5,7 @@ from importlib.resources import files
 import pytest
 
 AXE = files("axe_playwright_python").joinpath("axe.min.js")
+STATES = ("no token", "wrong token", "replaced", "too much", "other version", "no answer", "connecting")
 RULES = "{ runOnly: ['wcag2a', 'wcag2aa', 'wcag21aa', 'best-practice'], resultTypes: ['violations'] }"
 
 
@@ -17,7 +18,8 @@ def faults(studio):
         if not studio.ask("'axe' in window"):
             studio.ask(f"void (() => {{ {AXE.read_text('utf-8')} }})()")
         results = studio.ask(f"axe.run('{part}', {RULES})")
-        return [f"{one['id']}: {node['html'][:150]}" for one in results["violations"] for node in one["nodes"]]
+        nodes = [(one["id"], node["html"]) for one in results["violations"] for node in one["nodes"]]
+        return [f"{rule}: {html[:150]}" for rule, html in nodes]
 
     return found
 
@@ -50,7 +52,7 @@ def test_notices_and_refusals_can_be_read_in_every_state(studio, faults, theme):
     studio.ask("window.barchan.app.changed.send()")
     studio.page.get_by_role("button", name="restart the run").wait_for()
     assert faults(".messages") == []
-    for state in ("no token", "wrong token", "replaced", "too much", "other version", "no answer", "connecting"):
+    for state in STATES:
         studio.ask(f"window.barchan.app.connection.state.send('{state}')")
         assert faults(".messages") == []
     studio.ask("window.barchan.app.connection.state.send('open')")
@@ -91,14 +93,16 @@ def test_rows_show_their_numbers_whole_beside_sliders_wide_enough_to_drag(studio
     for details in page.locator(".panel details").all():
         details.evaluate("(one) => (one.open = true)")
     cut = """[...document.querySelectorAll('.panel .control input[type=number]')]
-        .filter((one) => one.clientWidth > 0 && one.scrollWidth > one.clientWidth).map((one) => one.dataset.path)"""
+        .filter((one) => one.clientWidth > 0 && one.scrollWidth > one.clientWidth)
+        .map((one) => one.dataset.path)"""
     assert studio.ask(cut) == []
-    beyond = """[...document.querySelectorAll('.panel .page:not([hidden]) .row *')]
-        .filter((one) => one.getBoundingClientRect().right > document.querySelector('.panel').getBoundingClientRect().right)
+    edge = box(studio, ".panel")["x"] + box(studio, ".panel")["width"]
+    beyond = f"""[...document.querySelectorAll('.panel .page:not([hidden]) .row *')]
+        .filter((one) => one.getBoundingClientRect().right > {edge})
         .map((one) => one.outerHTML.slice(0, 100))"""
     assert studio.ask(beyond) == []
-    widths = studio.ask("[...document.querySelectorAll('.panel input[type=range]')].map((one) => one.clientWidth)")
-    assert min(width for width in widths if width) >= 56
+    sliders = "[...document.querySelectorAll('.panel input[type=range]')]"
+    assert studio.ask(f"Math.min(...{sliders}.map((one) => one.clientWidth || 99))") >= 56
 
 
 def test_the_panel_folds_widens_and_is_remembered(studio):
