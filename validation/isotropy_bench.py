@@ -1,4 +1,4 @@
-"""A bench of isotropy: one bedform field under one wind at an angle to the lattice, measured, and kept on disk.
+"""A bench of isotropy: a field of bedforms under a wind at an angle to the lattice, measured and kept.
 
 A variant is data: a model, its options, and options of the lattice, so that a lattice of another kind is one
 more variant. Results are kept in ``validation/cache`` by a key of everything that defines the run, so that
@@ -126,7 +126,8 @@ def _run(case: Case) -> dict[str, float]:
 def spectral_azimuth(surface: NDArray[np.floating[Any]], cell: float) -> float:
     """Crest azimuth (degrees) from the power spectrum: across the mean axis of its waves.
 
-    Each wave is weighted with the square of its power, and its axis counts twice its angle, so that a wave and
+    Each wave is weighted with the square of its power, and its axis counts twice its angle, so that a wave
+    and
     its opposite are one. It is a check of the structure tensor, which weighs steep slopes.
     """
     power = np.abs(np.fft.fft2(surface - surface.mean())) ** 2

@@ -99,7 +99,7 @@ def test_oblique_shadow_equals_rays_marched_column_by_column(direction, rule):
 
 @pytest.mark.parametrize("direction", [255.0, 225.5, 287.0])
 def test_oblique_shadow_from_a_place_equals_lines_marched_finely_over_boxes(direction):
-    """From the middle of each cell the box under every point of the line is looked up, each 1/50 of a cell."""
+    """From the middle of each cell the box under each point of the line is looked up, 50 a cell."""
     lattice = Lattice(rows=9, columns=13)
     sand = rough_bed(lattice, 3, top=6)
     towards = math.radians(270.0 - direction)

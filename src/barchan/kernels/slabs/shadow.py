@@ -175,8 +175,8 @@ def in_shadow(view, along, across, here, peak, grid, axis, ray, box):
     """Whether a place (fixed-point cells) on top of a stack of height ``here`` lies in shadow.
 
     ``here`` is of the surface's type. ``peak`` is a height that no cell exceeds: it bounds how far upwind the
-    test looks. One of ``axis`` and ``ray`` is None. Only with a ``box`` it matters where in its cell the place
-    lies.
+    test looks. One of ``axis`` and ``ray`` is None. Only with a ``box`` it matters where in its cell the
+    place lies.
     """
     shaded = False
     if box is not None:
