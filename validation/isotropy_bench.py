@@ -8,7 +8,7 @@ an interrupted study goes on where it was; delete the folder when the bits of mo
 import hashlib
 import json
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import Any
@@ -83,15 +83,20 @@ def steady(variant: Variant, angle: float, seed: int, **changes: int) -> Case:
     return Case(variant, ((270.0 + angle, 1),), seed, **changes)
 
 
-def measured(case: Case) -> dict[str, float]:
-    """The measures of a run, out of the cache or by running it."""
-    path = CACHE / f"{case.key}.json"
+def kept(key: str, run: Callable[[], dict[str, float]]) -> dict[str, float]:
+    """The result of a run that is known by a key, out of the cache or by running it."""
+    path = CACHE / f"{key}.json"
     if not path.exists():
-        found = _run(case)
+        found = run()
         CACHE.mkdir(exist_ok=True)
         path.with_suffix(".new").write_text(json.dumps(found), "utf-8")
         path.with_suffix(".new").replace(path)
     return dict(json.loads(path.read_text("utf-8")))
+
+
+def measured(case: Case) -> dict[str, float]:
+    """The measures of a run, out of the cache or by running it."""
+    return kept(case.key, lambda: _run(case))
 
 
 def over(cases: Iterable[Case]) -> list[dict[str, float]]:
@@ -150,10 +155,19 @@ def turning(variant: Variant, waves: tuple[int, int], steps: int, seed: int, siz
     """
     direction = math.degrees(math.atan2(-waves[0], -waves[1])) % 360.0
     case = Case(variant, ((direction, 1),), seed, size, steps)
-    simulation = barchan.Simulation(case.scenario())
+    return kept(f"turning-{waves[0]}-{waves[1]}-{case.key}", lambda: _turned(case, waves))["turned"]
+
+
+def _turned(case: Case, waves: tuple[int, int]) -> dict[str, float]:
+    size, steps = case.size, case.steps
+    flat = barchan.load(case.scenario().data(), sand={"kind": "flat", "mean": case.mean})
+    simulation = barchan.Simulation(flat)
     phase = 2 * np.pi * np.add.outer(waves[1] * np.arange(size), waves[0] * np.arange(size)) / size
-    simulation.bed.sand[:] = np.rint(10 + 4 * np.sin(phase)).astype(np.int32)
+    sand = np.rint(case.mean + 4 * np.sin(phase)).astype(np.int32)
+    missing = int(simulation.bed.sand.sum() - sand.sum())
+    sand.flat[: abs(missing)] += np.sign(missing)
+    simulation.bed.sand[:] = sand
     cell = simulation.scenario.lattice.cell_size
     before = crest_orientation(simulation.elevation, cell).azimuth
     simulation.advance(steps)
-    return difference(crest_orientation(simulation.elevation, cell).azimuth, before)
+    return {"turned": difference(crest_orientation(simulation.elevation, cell).azimuth, before)}
