@@ -24,7 +24,7 @@ def two_lobes(width):
 
 @pytest.mark.parametrize("width", [15.0, 25.0, 30.0, 35.0])
 def test_two_wide_lobes_that_a_clear_saddle_parts_are_bimodal(width):
-    """At 35 degrees the saddle, 57.5 degrees off both, has 0.26 of the sum of the peaks, 0.65 of the lower one."""
+    """At 35 degrees the saddle, 57.5 degrees off both, stands 0.65 as high as the lower peak."""
     saddle, lower = np.exp(-0.5 * (57.5 / 35.0) ** 2) * 10.0, 4.0 + 6.0 * np.exp(-0.5 * (115.0 / 35.0) ** 2)
     assert saddle / lower == pytest.approx(0.65, abs=0.01)
     found = variability(two_lobes(width))

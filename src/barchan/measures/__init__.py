@@ -53,6 +53,7 @@ __all__ = [
     "Summit",
     "Track",
     "Tracks",
+    "arms",
     "bare_fraction",
     "bedform_height",
     "bedform_index",
