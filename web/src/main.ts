@@ -4,6 +4,7 @@ import "./style.css";
 import "./layout.css";
 import "./messages.css";
 import { App } from "./core/app";
+import { takeToken } from "./core/token";
 import { Stage } from "./scene/stage";
 import { Bar } from "./ui/bar";
 import { Compare } from "./ui/compare";
@@ -29,7 +30,7 @@ import { SectionView } from "./views/section";
 import { SeriesView } from "./views/series";
 import { SpaceTimeView } from "./views/spacetime";
 
-const app = new App(new URLSearchParams(location.search).get("token") ?? "");
+const app = new App(takeToken());
 
 function themed(): void {
   const { theme } = app.view.look;
