@@ -6,6 +6,7 @@ import { entryOf, replaced } from "../core/schema";
 import { Dial } from "./dial";
 import { h, later } from "./dom";
 import { type FormContext, group } from "./form";
+import { type Icon, icon } from "./icons";
 import { RefreshGuard } from "./refresh_guard";
 import { roses } from "./rose";
 import { labelOf } from "./labels";
@@ -24,7 +25,11 @@ export class WindPanel {
     void this.guard.during(this.tell());
   });
 
-  constructor(private readonly app: App) {
+  /** ``fromFile`` asks for a record. */
+  constructor(
+    private readonly app: App,
+    private readonly fromFile: () => void,
+  ) {
     this.guard = new RefreshGuard(this.element, () => this.follow());
     app.described.watch(() => this.follow());
     app.changed.watch(() => this.follow());
@@ -73,11 +78,13 @@ export class WindPanel {
       "regimes" in this.wind ? this.regimes() : "direction" in this.wind ? this.steady() : this.form(this.kind, []);
     const rose = h("div", { "data-rose": "" }, ...(this.element.querySelector("[data-rose]")?.children ?? []));
     const open = new Set([...this.element.querySelectorAll("details[open]")].map((one) => one.id));
+    const another = this.kind === "record" ? [h("button", { type: "button", className: "quiet", onclick: this.fromFile }, "use another record …")] : [];
     this.element.replaceChildren(
       h("div", { className: "row" }, h("span", {}, "kind"), h("div", { className: "control" }, kinds)),
+      ...another,
       rose,
       ...body,
-      h("p", { className: "hint" }, "Changes blow at once. Drag the dial’s head to where the wind comes from; shift turns it freely."),
+      h("p", { className: "hint" }, `Changes blow at once.${"regimes" in this.wind || "direction" in this.wind ? " Drag the dial’s head to where the wind comes from; with Shift it turns by less than 5°." : ""}`),
     );
     for (const details of this.element.querySelectorAll("details")) details.open = open.has(details.id);
   }
@@ -132,8 +139,8 @@ export class WindPanel {
 
   private summary(regime: JsonObject, number: number, list: JsonObject[]): HTMLElement {
     // Buttons take the list as it is when they are pressed: curves change it without redrawing it.
-    const tool = (label: string, sign: string, change: (now: JsonObject[]) => JsonObject[], enabled: boolean) =>
-      h("button", { type: "button", title: label, "aria-label": `${label}: regime ${number + 1}`, disabled: !enabled, onclick: () => this.reorder(change(this.wind.regimes as JsonObject[])) }, sign);
+    const tool = (label: string, sign: Icon, change: (now: JsonObject[]) => JsonObject[], enabled: boolean) =>
+      h("button", { type: "button", title: label, "aria-label": `${label}: regime ${number + 1}`, disabled: !enabled, onclick: () => this.reorder(change(this.wind.regimes as JsonObject[])) }, icon(sign));
     const moved = (by: number) => (now: JsonObject[]) => {
       const order = now.toSpliced(number, 1);
       order.splice(number + by, 0, now[number]!);
@@ -155,12 +162,12 @@ export class WindPanel {
             this.draw();
           },
         },
-        h("span", { className: "way", style: `transform: rotate(${Number(regime.direction)}deg)` }, "↓"),
+        h("span", { className: "way", style: `transform: rotate(${Number(regime.direction)}deg)` }, icon("down")),
         ` ${regime.direction}°, ${lasting(regime)}${speed}`,
       ),
-      tool("Up", "↑", moved(-1), number > 0),
-      tool("Down", "↓", moved(1), number < list.length - 1),
-      tool("Remove", "×", (now) => now.toSpliced(number, 1), list.length > 1),
+      tool("Up", "up", moved(-1), number > 0),
+      tool("Down", "down", moved(1), number < list.length - 1),
+      tool("Remove", "remove", (now) => now.toSpliced(number, 1), list.length > 1),
     );
   }
 
