@@ -39,7 +39,6 @@ CHANGES = {
     "random order of neighbours": RANDOM,
     "Moore, one limit, random order": {**MOORE, **RANDOM},
     "Moore, two limits, random order": {**THREE, **RANDOM},
-    "each cell once a step": {"polling": "non_repeated"},
     "forced polls": {"forced_erosion": True},
     "no bands": {"band_rows": 65536},
     "shadow from the place": PLACE,
@@ -47,7 +46,10 @@ CHANGES = {
     "shadow from the place, Moore, one limit, random order": {**PLACE, **MOORE, **RANDOM},
     "shadow from the place, Moore, two limits, random order": {**PLACE, **THREE, **RANDOM},
 }
-OF_MOMIJI = {"hops of their exact length": {"hop_rounding": "none"}}
+OF_MOMIJI = {
+    "hops of their exact length": {"hop_rounding": "none"},
+    "hops by the height at the start": {"hop_from": "start"},
+}
 OF_WERNER = (
     "as it is",
     "shadow from the edge",
@@ -73,7 +75,6 @@ GROWN = {
     variant("momiji", "as it is"): FEW,
     variant("momiji", "shadow from the place"): FEW,
     variant("momiji", "shadow from the place, Moore, two limits, random order"): SEEDS,
-    variant("werner", "as it is"): FEW,
     variant("werner", "shadow from the place, Moore, two limits, random order"): SEEDS,
 }
 """Variants whose fields grow out of noise, and their seeds."""
@@ -132,7 +133,7 @@ def draw(results):
     panels = figure.subplots(1, 2, sharey=True)
     for axes, model in zip(panels, ("momiji", "werner"), strict=True):
         shown = [(variant, found) for variant, found in results.items() if variant.model == model]
-        colours = ("#b5651d", "#8a8a8a", "#35507a") if len(shown) == 3 else ("#b5651d", "#35507a")
+        colours = ("#b5651d", "#8a8a8a", "#35507a")[-len(shown) :]
         for (variant, found), colour in zip(shown, colours, strict=True):
             wrong = {angle: errors(result, angle) for angle, result in found.items()}
             means = [np.mean(values) for values in wrong.values()]
@@ -145,6 +146,7 @@ def draw(results):
         axes.set_xticks(ANGLES)
         axes.grid(alpha=0.3)
         axes.legend(fontsize=7, loc="lower right")
+    panels[0].set_ylim(-40, 30)
     panels[0].set_ylabel("crests' error (degrees)", fontsize=9)
     return figure
 
@@ -159,5 +161,11 @@ def rows():
 
 
 READING = """
-READING_TEXT
+![Errors of crests over the angle of the wind to the lattice](_static/directions.png)
+
+Shadow lines over whole slabs steer Momiji's model; neighbourhoods, orders of neighbours, exact hops and bands change
+little. Shadow from each slab's place ends it: planted trains turn no more off the axes than along one, where symmetry
+forbids a bias. Fields that grow with it have the same relief, spacing and speed at all angles within some
+per cent. Runs of Momiji's model still scatter by 8° from seed to seed on fields of this size, along an axis as much as off
+it. Planted trains of Werner's model are little steered by any rule.
 """
