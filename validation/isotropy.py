@@ -1,11 +1,11 @@
 """Which rules let the lattice steer crests: one rule changed at a time, under winds at all angles to it.
 
 *Planted*: a train of sinusoidal ridges (128 × 128 cells, 10 slabs a cell, amplitude 4 slabs) lies straight
-across the wind; how far has it turned after 200 steps? Waves that close on the periodic field give winds at 0
-to 45° to the lattice; 3 seeds. *Grown*: crests out of noise (192 × 192 cells, 10 slabs a cell, 500 steps); the
-error is from the line across the wind to the crests, by the structure tensor, beside it by the power
-spectrum; relief is the standard deviation of the surface after 100 steps, spacing that at the end, migration
-that along the wind from step 100 to 110. Angles are clockwise, so is the wind's to the lattice.
+across the wind; how far has it turned after 200 steps? Waves that close on the periodic field give winds at
+0 to 45° to the lattice; 3 seeds. *Grown*: crests out of noise (192 × 192 cells, 10 slabs a cell, 500
+steps); the error is from the line across the wind to the crests, by the structure tensor, beside it by the
+power spectrum; relief is the standard deviation of the surface after 100 steps, spacing that at the end,
+migration that along the wind from step 100 to 110. Angles are clockwise, so is the wind's to the lattice.
 """
 
 from pathlib import Path
@@ -163,9 +163,10 @@ def rows():
 READING = """
 ![Errors of crests over the angle of the wind to the lattice](_static/directions.png)
 
-Shadow lines over whole slabs steer Momiji's model; neighbourhoods, orders of neighbours, exact hops and bands change
-little. Shadow from each slab's place ends it: planted trains turn no more off the axes than along one, where symmetry
-forbids a bias. Fields that grow with it have the same relief, spacing and speed at all angles within some
-per cent. Runs of Momiji's model still scatter by 8° from seed to seed on fields of this size, along an axis as much as off
-it. Planted trains of Werner's model are little steered by any rule.
+Shadow lines over whole slabs steer Momiji's model; neighbourhoods, orders of neighbours, exact hops and
+bands change little. Shadow from each slab's place ends it: planted trains turn no more off the axes than
+along one, where symmetry forbids a bias. Fields that grow with it have the same relief, spacing and speed
+at all angles within some per cent. Runs of Momiji's model still scatter by 8° from seed to seed on fields
+of this size, along an axis as much as off it. Planted trains of Werner's model are little steered by any
+rule.
 """
