@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from functools import partial
 
 from barchan.kernels.grains.state import MOST_ITERATIONS, Scene
 
@@ -27,10 +28,11 @@ def shared_scene(scene: Scene, key: int, slots: int, first: int) -> Iterator[Cal
     """A function that runs a scene up to before an iteration, from ``first`` on, shared among threads."""
     from barchan.kernels.core import threads
     from barchan.kernels.core.work_queue import close
+    from barchan.kernels.grains.flight import work_space
     from barchan.kernels.grains.iterations import plan_of, run_iterations
 
     plan = plan_of(key, slots, first)
     count = min(threads.thread_count(), slots // threads.LEAST)
-    helpers = [lambda: run_iterations(False, plan, scene, 0)] * (count - 1)
+    helpers = [partial(run_iterations, False, plan, scene, work_space(), 0) for _ in range(count - 1)]
     with threads.with_helpers(helpers, lambda: close(plan.board)):
-        yield lambda end: run_iterations(True, plan, scene, end)
+        yield partial(run_iterations, True, plan, scene, work_space())

@@ -1,13 +1,16 @@
 """Arrays lent to kernels: not counted, not kept, and given back as they were."""
 
+import ast
 import gc
 import sys
 import weakref
+from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
 from numba import njit
 
+from barchan import kernels
 from barchan.kernels.core.borrow import borrowed
 
 
@@ -61,3 +64,24 @@ def test_what_is_missing_stays_missing():
     left, inner = np.array([1.0, -1.0]), np.zeros(2)
     turn_all(Pair(left, None, 0.5), ((inner,), 1.0))
     assert (left.tolist(), inner.tolist()) == ([-1.0, -1.0], [1.0, 1.0])
+
+
+def loans():
+    """Every function of the kernels that borrows: where it stands, its arguments, and what it borrows."""
+    for path in sorted(Path(kernels.__file__).parent.rglob("*.py")):
+        for function in ast.walk(ast.parse(path.read_text("utf-8"))):
+            if not isinstance(function, ast.FunctionDef):
+                continue
+            arguments = {argument.arg for argument in function.args.args}
+            for call in ast.walk(function):
+                if isinstance(call, ast.Call) and getattr(call.func, "id", "") == "borrowed":
+                    yield f"{path.name}: {function.name}", arguments, call.args[0]
+
+
+def test_kernels_borrow_nothing_but_their_arguments():
+    """The memory of an array that a kernel makes and borrows at once is free while it is used."""
+    found = list(loans())
+    assert found
+    for where, arguments, lent in found:
+        parts = lent.elts if isinstance(lent, ast.Tuple) else [lent]
+        assert {ast.unparse(part) for part in parts} <= arguments, where

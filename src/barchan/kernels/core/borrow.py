@@ -27,7 +27,8 @@ def _without_owner(context, builder, kind, value):
 def borrowed(_typing_context, values):
     """The same ``values``, arrays and numbers in tuples of any depth, on loan from the caller.
 
-    They must not outlive the kernel that asks for them.
+    They must not outlive the kernel that asks for them, and they must be its arguments: an array that the
+    kernel has made itself has no other owner, and its memory would be free at once.
     """
 
     def generate(context, builder, _signature, arguments):

@@ -17,7 +17,7 @@ from barchan.kernels.core.borrow import borrowed
 from barchan.kernels.core.random import derive
 from barchan.kernels.core.work_queue import NOTHING, await_done, pop_front, publish, task_done, wait_pop_back
 from barchan.kernels.grains.exchange import exchange
-from barchan.kernels.grains.flight import move_blocks, work_space
+from barchan.kernels.grains.flight import move_blocks
 from barchan.kernels.grains.landing import land
 from barchan.kernels.grains.splash import eject, throw
 from barchan.kernels.grains.state import FLOWN
@@ -129,13 +129,15 @@ def _next_round(plan, scene, end):
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
-def run_iterations(leads, plan, scene, end):
+def run_iterations(leads, plan, scene, work, end):
     """Make iterations up to before ``end``; or, as a thread that does not lead, help until the board closes.
+
+    ``work`` is the thread's own ``work_space``.
 
     There is one place where pieces are done, whoever does them, and functions that it calls are made part of
     it: code that is called through several others would be compiled again for each of them.
     """
-    plan, scene, work = borrowed((plan, scene, work_space()))
+    plan, scene, work = borrowed((plan, scene, work))
     while True:
         if leads:
             this_round, number = plan.progress[ROUND], pop_front(plan.board)
