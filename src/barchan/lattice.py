@@ -147,6 +147,14 @@ class Lattice(Parameters):
         return self.rows * self.columns
 
     @property
+    def size_in_words(self) -> str:
+        """Columns, rows, and width of the cells; of hexagons also the field's true size."""
+        if self.hexagonal:
+            size = f"{self.width:.4g} × {self.height:.4g} m"
+            return f"{self.columns} × {self.rows} hexagons of {self.cell_size:g} m ({size})"
+        return f"{self.columns} × {self.rows} cells of {self.cell_size:g} m"
+
+    @property
     def periodic(self) -> tuple[bool, bool]:
         """Whether the field is periodic south to north and west to east."""
         return self.boundary_y == "periodic", self.boundary_x == "periodic"

@@ -38,6 +38,7 @@ _CELL_BYTES = 24
 class SlabModel(Model):
     """A model that moves slabs of sand one at a time (Werner 1995 and its descendants)."""
 
+    lattices = ("square", "hex")
     takes_influx = True
     Parameters = SlabParameters
     parameters: SlabParameters
@@ -235,7 +236,8 @@ class SlabModel(Model):
     def _angles(self, angle: float) -> str:
         face, corner = self.parameters.effective_angles(self.lattice, angle)
         face_limit, corner_limit = self.parameters.limits(self.lattice, angle)
-        text = f"{face:.1f}° towards faces ({face_limit} slabs)"
+        faces = "all six neighbours" if self.lattice.hexagonal else "faces"
+        text = f"{face:.1f}° towards {faces} ({face_limit} slabs)"
         return text if corner is None else f"{text}, {corner:.1f}° towards corners ({corner_limit} slabs)"
 
     def remarks(self, hop_length: float | None, direction: float) -> list[str]:

@@ -195,8 +195,14 @@ FEATURES = [
 @settings(max_examples=30)
 @given(st.data())
 def test_kernel_equals_reference_with_what_models_add(features, data):
+    bed, tally, plain = with_features(features, data, data.draw(LATTICES), [226.0, 262.0, 314.0])
+    assert_same(bed, tally, plain)
+
+
+def with_features(features, data, lattice, oblique_winds):
+    """Beds and tallies under some of what models add, with all else drawn."""
     speedup, plants, uneven, oblique, path, release = features
-    lattice, parameters = data.draw(LATTICES), data.draw(PARAMETERS)
+    parameters = data.draw(PARAMETERS)
     seed = data.draw(st.integers(0, 2**32))
     random = np.random.default_rng(seed)
     ground = np.zeros(lattice.shape)
@@ -209,12 +215,12 @@ def test_kernel_equals_reference_with_what_models_add(features, data):
         "path_test": data.draw(st.sampled_from(["hard", "surface"])) if path else "off",
         "static_repose_angle": parameters.repose_angle + above,
     }
-    bed, tally, plain = both(
+    return both(
         parameters.model_copy(update=changes),
         lattice,
         random.integers(0, 9, lattice.shape).astype(np.int32),
         ground,
-        data.draw(st.sampled_from([226.0, 262.0, 314.0])) if oblique else 270.0,
+        data.draw(st.sampled_from(oblique_winds)) if oblique else 270.0,
         steps=1,
         key_seed=seed,
         extra=Rules(
@@ -225,7 +231,6 @@ def test_kernel_equals_reference_with_what_models_add(features, data):
         ),
         mobility=random.normal(0.7, 0.7, lattice.shape) if plants else None,
     )
-    assert_same(bed, tally, plain)
 
 
 @settings(deadline=None, max_examples=40)
