@@ -400,6 +400,8 @@ class Field:
             part = (dx, dy) if piece == pieces else (dx // pieces * piece, dy // pieces * piece)
             there = self.place_after(x + part[0], y + part[1])
             if None in there:
+                if piece < pieces:  # over the edge and back, where the edge is not straight
+                    continue
                 self.travel(dx, dy)
                 return None, None, False
             if test != "off" and self.blocked(here, there):

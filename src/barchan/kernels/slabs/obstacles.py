@@ -142,6 +142,8 @@ def hop_until_blocked(surface, sand, along, across, hop_along, hop_across, grid,
         next_across = hop_across if piece == pieces else piece_across * piece
         next_a, next_c = after_hop(along, across, next_along, next_across, grid)
         if next_a < 0 or next_c < 0:
+            if piece < pieces:  # the way may cut the corner of an edge that is not straight
+                continue
             return np.int64(-1), np.int64(-1), hop_along, hop_across, False
         cell = (c >> 32) * grid.cols + (a >> 32)
         other = (next_c >> 32) * grid.cols + (next_a >> 32)
