@@ -28,9 +28,9 @@ class Lattice(Parameters):
     kind: Literal["square", "hex"] = parameter(
         "square",
         unit="-",
-        meaning="Shape of the cells: squares, or hexagons with six neighbours at one distance in rows of which "
-        "every second is shifted east by half a cell (slab models alone); 'from ground' takes rows, columns "
-        "and cell_size from the ground's file.",
+        meaning="Shape of the cells: squares, or hexagons with six neighbours at one distance, in rows of "
+        "which every second is shifted east by half a cell (slab models alone); 'from ground' takes rows, "
+        "columns and cell_size from the ground's file.",
         source="hex: ours, after D'Ambrosio et al. 2003",
     )
     rows: int = parameter(
@@ -55,7 +55,7 @@ class Lattice(Parameters):
         ge=1e-4,
         le=1e6,
         scale="log",
-        meaning="Width of a cell: the side of a square, the distance between two opposite sides of a hexagon.",
+        meaning="Width of a cell: side of a square, distance between two opposite sides of a hexagon.",
         source="Prague thesis, §4.3",
     )
     slab_aspect: float | None = parameter(
@@ -95,7 +95,8 @@ class Lattice(Parameters):
     def _even_rows(self) -> Self:
         if self.hexagonal and self.rows % 2:
             raise ValueError(
-                f"rows {self.rows} is odd; allowed with kind hex: even numbers of rows (every second is shifted)"
+                f"rows {self.rows} is odd; allowed with kind hex: even numbers of rows, "
+                "for every second is shifted"
             )
         return self
 
@@ -167,12 +168,14 @@ class Lattice(Parameters):
     @property
     def shift(self) -> NDArray[np.float64]:
         """How far each row is shifted east (m)."""
-        odd = np.arange(self.rows) % 2 * 0.5 if self.hexagonal else np.zeros(self.rows)
-        return odd * self.cell_size
+        shift = np.zeros(self.rows)
+        if self.hexagonal:
+            shift[1::2] = self.cell_size / 2
+        return shift
 
     @property
     def centres(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """Distances of all cells' centres from the west edge and from the south edge (m), by row and column."""
+        """Distances of all cells' centres from the west and the south edge (m), by row and column."""
         x, y = np.broadcast_arrays(self.x + self.shift[:, None], self.y[:, None])
         return x, y
 

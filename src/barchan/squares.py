@@ -1,8 +1,8 @@
 """Fields of a lattice of hexagons brought onto squares, for what works on squares: spectra, maps, files.
 
-The squares have the width of the hexagons. As many rows of them as come nearest to its height cover the field, so
-their height differs from their width by at most half a row over the whole field; it counts as one with the
-width. On a lattice of squares every field stays as it is.
+The squares have the width of the hexagons. As many rows of them cover the field as come nearest to its
+height, so their own height differs from their width by half a row over the whole field at most; it
+counts as one with the width. On a lattice of squares every field stays as it is.
 """
 
 from dataclasses import dataclass
@@ -71,7 +71,9 @@ class Squares:
             for rows, part in ((lower, share), (upper, 1.0 - share))
         ]
         rows = np.where(away[0] <= away[1], lower, upper)
-        return np.broadcast_to(rows[:, None], self.lattice.shape), np.broadcast_to(columns, self.lattice.shape)
+        return np.broadcast_to(rows[:, None], self.lattice.shape), np.broadcast_to(
+            columns, self.lattice.shape
+        )
 
 
 def bedforms_of(bed: Bed) -> NDArray[np.float64]:

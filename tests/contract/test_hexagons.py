@@ -70,7 +70,7 @@ def test_a_run_on_hexagons_that_is_cut_and_taken_up_again_has_the_bits_of_one_in
 
 @pytest.mark.parametrize("name", [name for name in models() if "hex" not in models()[name].lattices])
 def test_models_that_are_not_made_for_hexagons_say_so(name):
-    with pytest.raises(ScenarioError, match="lattice.kind: is hex; allowed with .*: square"):
+    with pytest.raises(ScenarioError, match=r"lattice\.kind: is hex; allowed with .*: square"):
         scenario(name, lattice=SMALL)
 
 
@@ -80,5 +80,5 @@ def test_a_lattice_of_hexagons_has_an_even_number_of_rows():
 
 
 def test_squares_in_a_file_are_refused_on_hexagons():
-    with pytest.raises(ScenarioError, match="ground.kind: is file, whose cells are squares"):
+    with pytest.raises(ScenarioError, match=r"ground\.kind: is file, whose cells are squares"):
         scenario("werner", lattice=SMALL, ground={"kind": "file", "path": "none.npy"})

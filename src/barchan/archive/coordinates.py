@@ -25,7 +25,7 @@ Axis = tuple[tuple[str, ...], NDArray[np.float64], dict[str, Any]]
 def axes(lattice: Lattice, place: Georeference | None) -> dict[str, Axis]:
     """Centres of the cells along ``x`` and ``y``; of hexagons also ``CENTRE_X``, by row and column."""
     west, south = (0.0, 0.0) if place is None else (place.west, place.south)
-    found = {
+    found: dict[str, Axis] = {
         "x": (("x",), lattice.x + west, attributes_of("x", place)),
         "y": (("y",), lattice.y + south, attributes_of("y", place)),
     }

@@ -40,7 +40,7 @@ class Grid:
 
     @classmethod
     def of(cls, lattice: Lattice, place: Georeference | None) -> Self:
-        """The cells of a lattice that lies at a place on Earth, or anywhere; of hexagons the squares over them."""
+        """The cells of a lattice at a place on Earth, or anywhere; of hexagons the squares over them."""
         west, south, crs, wkt = (
             (0.0, 0.0, None, None) if place is None else (place.west, place.south, place.crs, place.wkt)
         )

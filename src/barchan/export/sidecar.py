@@ -108,8 +108,8 @@ def _hexagons(lattice: "Lattice") -> dict[str, Any]:
         "columns": lattice.columns,
         "width_m": lattice.cell_size,
         "row_spacing_m": lattice.row_spacing,
-        "how": "heights lie on straight lines between the cells' centres, along the rows and then from row to "
-        "row; counts, and yes and no, are those of the cell that covers the centre",
+        "how": "heights lie on straight lines between the cells' centres, along the rows and then from row "
+        "to row; counts, and yes and no, are those of the cell that covers the centre",
     }
 
 

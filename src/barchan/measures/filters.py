@@ -83,6 +83,7 @@ def sixfold_gradient(field: Field, cell_size: float, periodic: Periodic) -> tupl
 
     The plane that fits a cell's six neighbours best; beyond an open edge the slope goes on as it comes.
     """
+    height, width = field.shape
     rows, columns = np.indices(field.shape)
     odd = rows % 2
     joined_y, joined_x = periodic
@@ -91,10 +92,8 @@ def sixfold_gradient(field: Field, cell_size: float, periodic: Periodic) -> tupl
     for angle, up, ahead, back in ((0, 0, 1, -1), (60, 1, odd, odd - 1), (120, 1, odd - 1, odd)):
         found = []
         for r, c in ((rows + up, columns + ahead), (rows - up, columns + back)):
-            inside = (joined_y | ((r >= 0) & (r < rows.shape[0]))) & (
-                joined_x | ((c >= 0) & (c < rows.shape[1]))
-            )
-            step = field[r % rows.shape[0], c % rows.shape[1]] - field
+            inside = (joined_y | ((r >= 0) & (r < height))) & (joined_x | ((c >= 0) & (c < width)))
+            step = field[r % height, c % width] - field
             found.append(np.where(inside, step, np.nan))
         ahead_of, behind = found
         rise = np.where(

@@ -100,7 +100,7 @@ class Blowouts(Layout):
         columns = _within(centres - self.x * lattice.width, self.length)
         middles = (np.arange(self.count) + 0.5) * lattice.height / self.count
         rows = _within(lattice.y[:, None] - middles, self.width).any(axis=1)
-        return np.where(rows[:, None] & columns, 0.0, 1.0)
+        return np.where(np.logical_and(np.asarray(rows)[:, None], columns), 0.0, 1.0)
 
 
 def _within(distance: NDArray[np.float64], size: float) -> NDArray[np.bool_]:

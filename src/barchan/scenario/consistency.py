@@ -43,7 +43,10 @@ def _lattice_problems(scenario: "Scenario", model: Model) -> Iterator[Found]:
     parts = {("ground",): scenario.ground, ("sand",): scenario.sand, ("model", "vegetation"): plants}
     for path, part in parts.items():
         if getattr(part, "kind", None) == "file":
-            yield (*path, "kind"), "is file, whose cells are squares; allowed with lattice.kind hex: other kinds"
+            yield (
+                (*path, "kind"),
+                "is file, whose cells are squares; allowed with lattice.kind hex: other kinds",
+            )
 
 
 def _clock_problems(scenario: "Scenario", model: Model) -> list[Found]:

@@ -2,7 +2,7 @@
 
 from collections.abc import Hashable
 from functools import partial
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -38,7 +38,7 @@ _CELL_BYTES = 24
 class SlabModel(Model):
     """A model that moves slabs of sand one at a time (Werner 1995 and its descendants)."""
 
-    lattices = ("square", "hex")
+    lattices: ClassVar[tuple[str, ...]] = ("square", "hex")
     takes_influx = True
     Parameters = SlabParameters
     parameters: SlabParameters
@@ -247,7 +247,9 @@ class SlabModel(Model):
         size = self.lattice.width if abs(x) >= abs(y) else self.lattice.height
         along = size / self.lattice.cell_size
         if hop > along / 2:
-            text = f"hop length {hop:g} cells is longer than half the field along the wind ({along:.4g} cells)"
+            text = (
+                f"hop length {hop:g} cells is longer than half the field along the wind ({along:.4g} cells)"
+            )
             return [f"{text}: the field's edges will dominate"]
         return []
 

@@ -10,9 +10,10 @@ from barchan.lattice import HEX_ROWS, Lattice
 from barchan.slabs.parameters import SlabParameters
 
 Groups = tuple[dict[int, tuple[float, float]], ...]
-"""Steps (across, along) to neighbours by the kernels' direction, group by group: faces come before corners."""
+"""Steps (across, along) to neighbours by the kernels' direction, group by group: faces before corners."""
 
-_SQUARE = ((0, 1), (1, 0), (0, -1), (-1, 0), (1, 1), (1, -1), (-1, -1), (-1, 1))
+_FACES = ((0.0, 1.0), (1.0, 0.0), (0.0, -1.0), (-1.0, 0.0))
+_CORNERS = ((1.0, 1.0), (1.0, -1.0), (-1.0, -1.0), (-1.0, 1.0))
 _HEXAGON = ((0.0, 1.0), (HEX_ROWS, 0.5), (HEX_ROWS, -0.5), (0.0, -1.0), (-HEX_ROWS, -0.5), (-HEX_ROWS, 0.5))
 
 
@@ -20,8 +21,7 @@ def neighbour_groups(parameters: SlabParameters, lattice: Lattice) -> Groups:
     """The neighbours of a cell: four faces, four faces and four corners, or the six of a hexagon."""
     if lattice.hexagonal:
         return (dict(zip(SIXFOLD, _HEXAGON, strict=True)),)
-    faces = {direction: _SQUARE[direction] for direction in range(4)}
-    corners = {direction: _SQUARE[direction] for direction in range(4, 8)}
+    faces, corners = dict(enumerate(_FACES)), dict(enumerate(_CORNERS, start=4))
     return (faces, corners) if parameters.neighbourhood == "moore" else (faces,)
 
 

@@ -19,9 +19,9 @@ _SIXTY = math.radians(60.0)
 class _Crossings(NamedTuple):
     """Where a ray from a cell meets lines of cells upwind, and the first cell of the two that it passes."""
 
-    distance: NDArray[np.float64]
+    distance: NDArray[np.floating]
     """Along the ray (cells)."""
-    rows_away: NDArray[np.float64]
+    rows_away: NDArray[np.floating]
     """Rows from the sheltered cell to the crossing."""
     rows: NDArray[np.int64]
     cols: NDArray[np.int64]
@@ -49,8 +49,18 @@ def ray_shadow(
     away = np.ceil(np.abs(found.rows_away) - _ROUNDING)
     near = np.searchsorted(away, np.arange(grid.rows), side="right").astype(np.int64)
     memory = rows, found.weights, falls, near, np.ascontiguousarray(cols)
-    addresses = [array.ctypes.data for array in memory]
-    ray = RayShadow(*addresses[:4], angle < 0.0, falls.size, width, addresses[4], *found.second)
+    ray = RayShadow(
+        rows=memory[0].ctypes.data,
+        weights=memory[1].ctypes.data,
+        falls=memory[2].ctypes.data,
+        near=memory[3].ctypes.data,
+        rises=angle < 0.0,
+        size=falls.size,
+        width=width,
+        cols=memory[4].ctypes.data,
+        next_row=found.second[0],
+        next_col=found.second[1],
+    )
     return ray, memory
 
 

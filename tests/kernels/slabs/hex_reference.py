@@ -1,7 +1,7 @@
 """Slab transport on hexagons in plain Python: every cell is looked up by the place of its centre.
 
-It works with distances on the plane alone: a slab lands in the cell whose centre is nearest, a neighbour is the
-cell at one cell's distance. Nothing is taken from the kernel's tables.
+It works with distances on the plane alone: a slab lands in the cell whose centre is nearest, a neighbour is
+the cell at one cell's distance. Nothing is taken from the kernel's tables.
 """
 
 import math

@@ -1,6 +1,5 @@
 """On hexagons the compiled kernel equals the plain reference, which looks every cell up by its centre."""
 
-
 import math
 
 import numpy as np

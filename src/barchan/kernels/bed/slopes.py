@@ -89,9 +89,7 @@ def _steepest_of_six(stacks, orders, order, row, col, here, sign, at_rest, grid,
     stacks, orders = borrowed((stacks, orders))
     surface, sand, mobility = stacks.surface, stacks.sand, stacks.mobility
     rest = at_rest * repose.static_face
-    limit = StepLimit(
-        repose.face_limit + rest, repose.stabilised_face_limit + rest, repose.stabilised_below
-    )
+    limit = StepLimit(repose.face_limit + rest, repose.stabilised_face_limit + rest, repose.stabilised_below)
     north, south, east, west = beside(row, col, grid)
     odd = row & 1
     itself = np.uint64(row * grid.cols + col)

@@ -169,7 +169,7 @@ def neighbour_code(direction: int, place: int) -> int:
 
 
 def relaxation_orders(corners: bool, hexagonal: bool = False) -> NDArray[np.int64]:
-    """Orders of neighbours: from each of four directions (six of a hexagon), clockwise and counterclockwise."""
+    """Orders of neighbours: from each of four directions (of a hexagon six), clockwise and back."""
     if hexagonal:
         return _sixfold_orders()
     orders = np.full((8, 8), BARRED, np.int64)
