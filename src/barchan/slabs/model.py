@@ -179,6 +179,13 @@ class SlabModel(Model):
             raise ValueError(f"is given, but {reason}: a step of no known volume has no duration")
         return given * hop_length / self.parameters.p_s
 
+    def problems(self, step_seconds: float | None) -> list[tuple[str, str]]:
+        """Rules that hold on squares alone."""
+        if self.lattice.hexagonal and self.parameters.shadow_from == "place":
+            text = "is place, which sees stacks as square boxes; allowed with lattice.kind hex: centre, edge"
+            return [("shadow_from", text)]
+        return []
+
     def slope_limits(self) -> dict[str, tuple[int, ...]]:
         """The repose limits (slabs) towards faces and corners, of bare cells and of stabilised ones."""
         angles = {"bare": self.parameters.static_repose_angle, "stabilised": self.rules().stabilised_angle}
@@ -215,7 +222,7 @@ class SlabModel(Model):
         arguments, stacks = self._enter(bed, frame, self.parameters.hop_length, None)
         rules = arguments.rules
         zone = np.zeros(self.lattice.cells, np.bool_)
-        shadow_zone(stacks.surface, rules.grid, rules.axis, rules.ray, zone)
+        shadow_zone(stacks.surface, rules.grid, rules.axis, rules.ray, rules.box, zone)
         return frame.leave(zone.reshape(rules.grid.rows, rules.grid.cols)).copy()
 
     def unsheltered(self, field: NDArray[np.float64], bed: Bed, direction: float) -> NDArray[np.float64]:

@@ -56,7 +56,7 @@ class HexField(Field):
 
     # --- the shadow zone ---------------------------------------------------------------------------
 
-    def in_shadow(self, row, col):
+    def in_shadow(self, row, col, place=None):
         fall = math.tan(math.radians(self.rules.shadow_angle)) / self.aspect
         start = 0.5 if self.rules.shadow_from == "edge" else 0.0
         here = self.height(row, col)

@@ -28,7 +28,7 @@ VARIANTS = {
     "polling": ["repeated", "non_repeated"],
     "forced_erosion": [True, False],
     "repose_test": ["before", "after"],
-    "shadow_from": ["centre", "edge"],
+    "shadow_from": ["centre", "edge", "place"],
 }
 EVERY_COMBINATION = [dict(zip(VARIANTS, v, strict=True)) for v in itertools.product(*VARIANTS.values())]
 
@@ -199,10 +199,10 @@ def test_kernel_equals_reference_with_what_models_add(features, data):
     assert_same(bed, tally, plain)
 
 
-def with_features(features, data, lattice, oblique_winds):
+def with_features(features, data, lattice, oblique_winds, drawn=PARAMETERS):
     """Beds and tallies under some of what models add, with all else drawn."""
     speedup, plants, uneven, oblique, path, release = features
-    parameters = data.draw(PARAMETERS)
+    parameters = data.draw(drawn)
     seed = data.draw(st.integers(0, 2**32))
     random = np.random.default_rng(seed)
     ground = np.zeros(lattice.shape)
