@@ -31,7 +31,7 @@ class Lattice(Parameters):
         meaning="Shape of the cells: squares, or hexagons with six neighbours at one distance, in rows of "
         "which every second is shifted east by half a cell (slab models alone); 'from ground' takes rows, "
         "columns and cell_size from the ground's file.",
-        source="hex: ours, after D'Ambrosio et al. 2003",
+        source="hex: ours",
     )
     rows: int = parameter(
         256,

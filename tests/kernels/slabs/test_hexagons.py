@@ -29,7 +29,9 @@ WINDS = [270.0, 240.0, 300.0, 210.0, 262.0, 225.0, 200.0, 330.0, 181.0, 359.0, 3
 @pytest.mark.parametrize("number", range(0, len(EVERY_COMBINATION), 3))
 def test_kernel_equals_reference_on_hexagons_for_combinations_of_variants(number):
     variants = EVERY_COMBINATION[number]
-    parameters = SlabParameters(**{**variants, "shadow_from": "edge"}, band_rows=3, hop_length=[3.0, 4.0, 2.5][number % 5 % 3])
+    parameters = SlabParameters(
+        **{**variants, "shadow_from": "edge"}, band_rows=3, hop_length=[3.0, 4.0, 2.5][number % 5 % 3]
+    )
     lattice = Lattice(
         kind="hex",
         rows=8,

@@ -7,6 +7,7 @@ from barchan.analysis.grain_paths import follows_grains
 from barchan.models import models
 from barchan.scenario import validate
 from barchan.simulation import Simulation
+from barchan.squares import Squares
 from barchan.studio.worker.brushes import brushes
 from barchan.studio.worker.frame_fields import fields_of
 from barchan.studio.worker.live_measures import declared_measures
@@ -15,7 +16,7 @@ from barchan.studio.worker.strata import declared_strata
 
 def description(simulation: Simulation) -> dict[str, Any]:
     """The scenario as changes have left it, lattice, fields, measures, facts and remarks."""
-    lattice, model = simulation.lattice, simulation.model
+    lattice, model = Squares(simulation.lattice).lattice, simulation.model
     sound = validate(simulation.current_data(), "run")
     limits = model.slope_limits().get("bare", ())
     return {
