@@ -128,4 +128,4 @@ def test_a_wind_turned_by_sixty_degrees_shelters_the_turned_cells(turns):
     for wind in (270.0, 255.0):
         was, now = places(wind, 60.0 * turns), places((wind - 60.0 * turns) % 360, 0.0)
         assert len(was) > 5
-        assert was == pytest.approx(now, abs=1e-5)
+        np.testing.assert_allclose(was, now, atol=1e-5)
