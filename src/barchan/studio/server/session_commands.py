@@ -24,7 +24,8 @@ def create(session: "Session", request: Request) -> None:
     data = validate(request["scenario"]).seeded().data()
     name = SECOND if session.lockstep is not None and request.get("run") == SECOND else FIRST
     begun = {name: data}
-    answering = _answer_of(name, request)
+    answering: dict[str, Request] = {run: {"changed": bool(request.get("changed"))} for run in "ab"}
+    answering[name] |= _id_of(request)
     if session.lockstep is not None:
         other = FIRST if name == SECOND else SECOND
         newest = session.starts.scenario(other) or session.scenarios[other]
@@ -43,7 +44,8 @@ def compare(session: "Session", request: Request) -> None:
         raise BarchanError(f"no model '{name}'; allowed: {', '.join(models())}")
     model = first["model"] if first["model"]["name"] == name else {"name": name}
     second = validate({**first, "model": model}).data()
-    session.begin({FIRST: first, SECOND: second}, True, _answer_of(SECOND, request))
+    beside = {SECOND: {"origin": first, **_id_of(request)}, FIRST: {"changed": True}}
+    session.begin({FIRST: first, SECOND: second}, True, beside)
     session.report_runs()
 
 
@@ -82,6 +84,6 @@ def open_run(session: "Session", request: Request) -> None:
     session.start_run(FIRST, {"command": "open_folder", "folder": str(folder), "id": request.get("id")})
 
 
-def _answer_of(name: str, request: Request) -> dict[str, Request]:
-    """The id of a request that a worker answers when it has begun, by the worker's name."""
-    return {name: {"id": request["id"]}} if request.get("id") is not None else {}
+def _id_of(request: Request) -> Request:
+    """The id of a request, for the worker that answers it when it has begun."""
+    return {"id": request["id"]} if request.get("id") is not None else {}
