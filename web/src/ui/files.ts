@@ -4,7 +4,7 @@ import { type App, problemText } from "../core/app";
 import type { JsonObject, Problem } from "../core/protocol";
 import type { Stage } from "../scene/stage";
 import { dialog } from "./dialog";
-import { download, h, themeColour } from "./dom";
+import { download, h } from "./dom";
 
 /** Whether a file's name ends in one of some suffixes. */
 const ends = (name: string, suffixes: string[]): boolean => suffixes.some((suffix) => name.toLowerCase().endsWith(suffix));
@@ -67,7 +67,7 @@ export class Files {
 
   async savePicture(): Promise<void> {
     const step = this.app.current?.status?.step ?? 0;
-    download(`barchan-${step}.png`, await this.stage.picture(themeColour("paper")));
+    download(`barchan-${step}.png`, await this.stage.picture());
   }
 
   saveScenario(): void {
