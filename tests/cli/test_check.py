@@ -12,12 +12,12 @@ COMPILED = "and 10 to 60 seconds where its rules are compiled first"
 @pytest.mark.parametrize("name", preset_names())
 def test_every_preset_is_sound_and_so_is_what_it_is_printed_as(here, barchan, name):
     told = barchan("check", name).out
-    assert told.startswith(f"{name}: sound\n")
+    assert told.startswith(f"{name}: sound")
     assert "has no effect: it acts" not in told
     (here / "mine.json").write_text(barchan("presets", name).out)
     result = barchan("check", "mine.json")
     assert (result.code, result.err) == (0, "")
-    assert result.out.startswith("mine.json: sound\n")
+    assert result.out.startswith("mine.json: sound")
 
 
 def test_a_run_is_checked_by_its_folder(finished, barchan):

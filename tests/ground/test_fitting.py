@@ -10,6 +10,7 @@ from PIL import Image
 
 import barchan
 from barchan.errors import ScenarioError
+from barchan.ground.reading import read
 from barchan.ground.resampling import resampled
 from barchan.ground.sand import FileSand
 from barchan.ground.surface import FileGround
@@ -268,3 +269,14 @@ def test_a_path_in_a_scenario_file_starts_where_the_file_lies(array, tmp_path, m
     np.testing.assert_array_equal(simulation.bed.ground, HEIGHTS)
     with pytest.raises(ScenarioError, match="no such file"):
         barchan.Simulation(barchan.load(scenario))
+
+
+def test_a_photograph_gives_its_luminance_with_its_upper_edge_in_the_north(tmp_path):
+    # Flat halves survive the compression; 0.299 R + 0.587 G + 0.114 B (ITU-R BT.601) of pure green is 150.
+    upper, lower = np.full((16, 32, 3), (0, 255, 0)), np.full((16, 32, 3), (0, 0, 0))
+    path = tmp_path / "photo.jpg"
+    Image.fromarray(np.vstack((upper, lower)).astype(np.uint8)).save(path, quality=95, subsampling=0)
+    raster = read(path)
+    assert raster.full_scale == 255.0
+    np.testing.assert_allclose(raster.values[-8:], 150, atol=2)
+    np.testing.assert_allclose(raster.values[:8], 0, atol=2)

@@ -110,9 +110,9 @@ class Served:
 
 
 @contextmanager
-def serving(folder: Path, scenario: Scenario | None = None, archive: Path | None = None):
+def serving(folder: Path, scenario: Scenario | None = None, archive: Path | None = None, port: int = 0):
     """A server in a thread."""
-    socket = listener("127.0.0.1", 0)
+    socket = listener("127.0.0.1", port)
     guard = Guard(socket.getsockname()[1])
     session = Session(Workspace(folder), scenario, archive)
     config = uvicorn.Config(

@@ -1,6 +1,7 @@
 /** Puts the page together. */
 
 import "./style.css";
+import "./messages.css";
 import { App } from "./core/app";
 import { Stage } from "./scene/stage";
 import { Bar } from "./ui/bar";
@@ -14,7 +15,9 @@ import { Hud } from "./ui/hud";
 import { Paint } from "./ui/paint";
 import { Panel } from "./ui/panel";
 import { Pointer } from "./ui/pointer";
+import { StateNotice } from "./ui/state_notice";
 import { Tabs } from "./ui/tabs";
+import { Toasts, leadTo } from "./ui/toasts";
 import { Timeline } from "./ui/timeline";
 import { ViewPanel } from "./ui/viewpanel";
 import { WindPanel } from "./ui/wind";
@@ -63,7 +66,13 @@ const tabs = new Tabs([
   ["View", new ViewPanel(app, stage).element],
 ]);
 
-app.logged.watch((entry) => dock.mark(3, entry.level !== "info"));
+const toasts = new Toasts(app, (key) => {
+  tabs.choose(key === "wind" || key.startsWith("wind.") ? 1 : 0);
+  leadTo(key);
+});
+scene.append(h("div", { className: "messages" }, new StateNotice(app).element, toasts.element));
+
+app.notices.logged.watch((entry) => entry.level !== "info" && dock.mark(3));
 
 const turn = Math.PI / 36;
 const shortcuts: Shortcut[] = [
@@ -81,6 +90,7 @@ const shortcuts: Shortcut[] = [
   key("2", "measures", () => dock.toggle(1)),
   key("3", "space–time", () => dock.toggle(2)),
   key("4", "log", () => dock.toggle(3)),
+  key("Backspace", "dismiss all refusals", () => app.notices.dismissAll()),
   key("o", "oblique view", () => stage.look("oblique"), "O"),
   key("t", "view from above", () => stage.look("top"), "T"),
   key("s", "view from the side", () => stage.look("side"), "S"),
@@ -107,7 +117,7 @@ document.getElementById("app")!.append(
   h("main", {}, h("div", { className: "stage-column" }, scene, timeline.element, dock.element), tabs.element),
 );
 
-app.start().catch((error) => app.refused(error));
+app.start();
 
 /** For tests and measurements. */
 declare global {

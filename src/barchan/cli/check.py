@@ -19,6 +19,7 @@ def check(scenario: str, /, *values: Tokens) -> None:
     from barchan.scenario.cost import spoken_time
     from barchan.scenario.effects import can_move, refuse_weather
     from barchan.scenario.files import load_scenario
+    from barchan.scenario.settling import settling_seconds
     from barchan.scenario.summary import field_size
     from barchan.simulation.memory import in_words, memory_needed, refuse_too_large
 
@@ -31,12 +32,19 @@ def check(scenario: str, /, *values: Tokens) -> None:
         bed = sound.first_bed()
         model.initialise(bed, sound.seed)
     still = sound.run.steps > 0 and not can_move(sound)
-    console.print(f"{scenario}: {'without mistakes, but nothing moves' if still else 'sound'}")
+    remarks = sound.remarks(bed.ground)
+    console.print(f"{scenario}: {_verdict(still, len(remarks))}")
     console.print(f"field: {field_size(sound)}")
     console.print(f"steps: {sound.run.steps}")
-    console.print(f"expected time: {spoken_time(sound)}")
+    console.print(f"expected time: {spoken_time(sound, settling_seconds(model, bed))}")
     console.print(f"memory: about {in_words(memory_needed(sound))}")
     for name, fact in {**sound.facts(), **sound.forecast()}.items():
         console.print(f"{name}: {fact}")
-    for remark in sound.remarks(bed.ground):
+    for remark in remarks:
         print_note(remark)
+
+
+def _verdict(still: bool, remarks: int) -> str:
+    if still:
+        return "without mistakes, but nothing moves"
+    return "sound" + (f", with {remarks} note{'s' * (remarks > 1)}" if remarks else "")

@@ -4,7 +4,8 @@
 def presets(name: str | None = None, /) -> None:
     """List the scenarios that ship with Barchan by their models, or print one as a scenario file.
 
-    Sizes are columns × rows of cells; the time is what a run is expected to take on one core.
+    Sizes are columns × rows of cells; the time is what a run is expected to take on one core,
+    compilation left out.
 
     Parameters
     ----------
@@ -16,7 +17,7 @@ def presets(name: str | None = None, /) -> None:
     from barchan.cli.terminal import console
     from barchan.models import models
     from barchan.scenario import load_scenario, preset_names
-    from barchan.scenario.cost import expected_seconds, spoken_estimate
+    from barchan.scenario.cost import COMPILED, expected_seconds, spoken_estimate
 
     if name is not None:
         console.out(load_scenario(name).text(), end="", highlight=False)
@@ -36,3 +37,4 @@ def presets(name: str | None = None, /) -> None:
             console.print(Text.assemble("  ", (f"{preset:{width}}", "cyan"), f"  {scenario.title}"))
             console.print(Text.assemble(f"      {facts}", (source, "dim")))
         console.print()
+    console.print(f"A preset runs for the time given, and {COMPILED}.")

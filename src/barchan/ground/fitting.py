@@ -37,9 +37,9 @@ class FromFile(Parameters):
     kind: str
     path: str = parameter(
         unit="-",
-        meaning="The file: .npy (row 0 in the south), .png (greyscale), .tif or .tiff (GeoTIFF), .asc "
-        "(ESRI ASCII grid), .xyz (points on a grid), .nc (NetCDF) or .hgt; in a scenario file, from where "
-        "that file lies.",
+        meaning="The file: .npy (row 0 in the south), .png (greyscale), .jpg (its luminance), .tif or .tiff "
+        "(GeoTIFF), .asc (ESRI ASCII grid), .xyz (points on a grid), .nc (NetCDF) or .hgt; in a scenario "
+        "file, from where that file lies.",
     )
     lowest: float | None = parameter(
         None, unit="m", ge=-1e5, le=1e5, meaning="Height that black means, in an image."

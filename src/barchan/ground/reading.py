@@ -49,9 +49,23 @@ def _image(path: Path, _hints: Hints) -> Raster:
     return Raster(values[::-1], full_scale=255.0 if mode == "L" else 65535.0)
 
 
+def _photograph(path: Path, _hints: Hints) -> Raster:
+    """The luminance (ITU-R BT.601) of an image that cameras and scanners store in colour."""
+    from PIL import Image
+
+    try:
+        with Image.open(path) as image:
+            values = np.asarray(image.convert("L"))
+    except (OSError, ValueError, Image.DecompressionBombError) as error:
+        raise UnreadableError(f"cannot be read as an image: {error}") from None
+    return Raster(values[::-1], full_scale=255.0)
+
+
 READERS: dict[str, Callable[[Path, Hints], Raster]] = {
     ".npy": _array,
     ".png": _image,
+    ".jpg": _photograph,
+    ".jpeg": _photograph,
     ".tif": read_elevation_model,
     ".tiff": read_elevation_model,
     ".asc": read_ascii_grid,

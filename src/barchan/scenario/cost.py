@@ -58,7 +58,13 @@ def spoken_estimate(seconds: float) -> str:
     return f"about {figures} {name.removesuffix('s') if figures == '1' else name}"
 
 
-def spoken_time(scenario: "Scenario") -> str:
-    """The expected time of a scenario for people to read, and that of compilation, which it leaves out."""
+COMPILED = "10 to 60 seconds where its rules are compiled first"
+
+
+def spoken_time(scenario: "Scenario", settling: float = 0.0) -> str:
+    """The expected time of a scenario for people to read, and those of compilation and of settling (s)."""
     estimate = spoken_estimate(expected_seconds(scenario))
-    return f"{estimate}, and 10 to 60 seconds where its rules are compiled first"
+    slides = (
+        f"; before it {spoken_estimate(settling)} until all slopes are at rest" if settling >= 1.0 else ""
+    )
+    return f"{estimate}, and {COMPILED}{slides}"

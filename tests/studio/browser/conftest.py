@@ -67,8 +67,12 @@ class Studio:
         asked = "window.barchan.app.ask({ command: 'rose', run: 'a' })"
         self.ask(f"{asked}.then(() => new Promise((done) => window.barchan.app.framed.watch(() => done(1))))")
 
+    def until_logged(self, words: str) -> None:
+        said = f"entry.text.includes({json.dumps(words)})"
+        self.until(f"window.barchan.app.notices.log.some((entry) => {said})")
+
     def log(self) -> str:
-        return self.ask("JSON.stringify(window.barchan?.app.log.map((entry) => entry.text))")
+        return self.ask("JSON.stringify(window.barchan?.app.notices.log.map((entry) => entry.text))")
 
     def status(self, run: int = 0) -> dict:
         return self.ask(f"window.barchan.app.runs[{run}]?.status ?? {{}}")

@@ -287,7 +287,7 @@ def test_saving_and_opening_a_run(studio):
     page.get_by_role("menuitem", name="Save the run").click()
     page.get_by_label("Name of the run").fill("mine")
     page.get_by_role("dialog").get_by_role("button", name="save", exact=True).click()
-    studio.until("window.barchan.app.log.some((entry) => entry.text.startsWith('Saved'))")
+    studio.until_logged("Saved")
     assert (studio.folder / "mine" / "scenario.json").is_file()
     page.keyboard.press("r")
     studio.until(f"window.barchan.app.runs[0].status.step < {step}")
@@ -369,13 +369,15 @@ def test_an_elevation_model_brings_its_own_lattice_and_its_holes_are_reported(st
     np.testing.assert_allclose(ground, np.broadcast_to(0.05 * np.arange(40), (20, 40)), atol=1e-3)
     assert studio.ask(f"{run}.description.scenario.ground.missing") == [-9999]
     assert studio.ask(f"{run}.description.lattice.cell_size") == 2.5
-    told = "window.barchan.app.log.some((e) => e.text.includes('-9999 taken as cells without a height'))"
+    told = (
+        "window.barchan.app.notices.log.some((e) => e.text.includes('-9999 taken as cells without a height'))"
+    )
     assert studio.ask(told)
 
 
 def test_a_dropped_file_that_cannot_be_used_is_reported(studio):
     studio.drop_file("tune.mp3", "audio/mpeg", b"0")
-    studio.until("window.barchan.app.log.some((entry) => entry.text.startsWith('tune.mp3: not'))")
+    studio.until_logged("tune.mp3 is of an unknown kind")
 
 
 def test_a_wind_record_dropped_onto_the_scene_blows(studio):
@@ -384,7 +386,7 @@ def test_a_wind_record_dropped_onto_the_scene_blows(studio):
     wind = "window.barchan.app.runs[0].description.scenario.wind"
     studio.until(f"{wind}.kind === 'record'")
     studio.drop_file("broken.csv", "text/csv", b"seconds,speed\n0,1\n")
-    studio.until("window.barchan.app.log.some((entry) => entry.text.includes('no column for the time'))")
+    studio.until_logged("no column for the time")
     rows = "\n".join(f"2020-01-{1 + day:02}T00:00,{8 + day % 5},90" for day in range(28))
     studio.drop_file("east.csv", "text/csv", f"time,speed (m/s),direction\n{rows}\n".encode())
     studio.until(f"{wind}.path?.endsWith('east.csv')")

@@ -10,6 +10,7 @@ from websockets.exceptions import ConnectionClosed, InvalidStatus
 
 from barchan.simulation import Simulation
 from barchan.studio.protocol import FRAMES_IN_FLIGHT
+from barchan.studio.server.app import NOT_ALLOWED
 from barchan.studio.server.security import LARGEST_UPLOAD
 from tests.studio.conftest import Browser, serving, small
 
@@ -239,7 +240,6 @@ def test_two_models_run_step_by_step_on_the_same_ground(served):
 
 def test_the_line_needs_token_host_and_origin(served):
     for options in (
-        {"token": "guess"},
         {"additional_headers": {"Host": "evil.example"}},
         {"origin": "http://evil.example"},
         {"origin": f"http://127.0.0.1:{served.port + 1}"},
@@ -248,6 +248,9 @@ def test_the_line_needs_token_host_and_origin(served):
             pass
     with served.connection(origin=served.address):
         pass
+    with served.connection(token="guess") as connection, pytest.raises(ConnectionClosed) as closed:
+        connection.recv(timeout=10)
+    assert closed.value.rcvd.code == NOT_ALLOWED  # a code that the page can read
 
 
 def test_the_http_interface_needs_the_token_and_this_servers_name(served):
@@ -272,10 +275,12 @@ def test_uploads_are_data_of_limited_size_with_plain_names(served):
     good = upload("hill.npy", b"0123")
     assert good.status_code == 200
     assert good.json()["path"] == str(served.folder / "studio-uploads" / "hill.npy")
-    assert upload("../hill.npy", b"0").status_code == 400
+    beside = upload("../hill.npy", b"0").json()["path"]
+    assert beside == str(served.folder / "studio-uploads" / "hill-2.npy")
     assert upload("hill.py", b"0").status_code == 400
     assert upload("hill.npy", bytes(LARGEST_UPLOAD + 1)).status_code == 413
-    assert [path.name for path in (served.folder / "studio-uploads").iterdir()] == ["hill.npy"]
+    kept = sorted(path.name for path in (served.folder / "studio-uploads").iterdir())
+    assert kept == ["hill-2.npy", "hill.npy"]
 
 
 def test_a_scenario_from_the_browser_opens_no_file_beyond_the_folder(served, scenario, tmp_path):

@@ -38,3 +38,25 @@ def test_files_of_the_same_name_do_not_replace_each_other(tmp_path):
     assert workspace.keep("hill.npy", b"1") == first
     assert first.read_bytes() == b"1"
     assert second.read_bytes() == b"2"
+
+
+@pytest.mark.parametrize(
+    ("given", "kept"),
+    [
+        ("my dune field.png", "my-dune-field.png"),
+        ("naïve.NPY", "naive.npy"),
+        ("DEM (1).tif", "DEM-1.tif"),
+        ("../../etc/.hidden.asc", "hidden.asc"),
+        ("C:\\data\\hill.v2.png", "hill-v2.png"),
+        ("砂丘.jpg", "file.jpg"),
+    ],
+)
+def test_an_uploaded_file_gets_a_plain_name(tmp_path, given, kept):
+    path = Workspace(tmp_path).keep(given, b"x")
+    assert path == tmp_path / "studio-uploads" / kept
+    assert is_plain_name(path.name)
+
+
+def test_a_file_that_is_neither_heights_nor_winds_is_not_kept(tmp_path):
+    with pytest.raises(BarchanError, match=r"run\.exe.*allowed: \.npy"):
+        Workspace(tmp_path).keep("run.exe", b"x")

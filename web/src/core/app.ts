@@ -1,20 +1,13 @@
 /** The state that all parts of the studio share: the connection, the runs, the view, the log. */
 
 import type { MessageType } from "./commands";
-import { Connection, Refused } from "./connection";
-import { type Command, type Description, type JsonObject, type Message, type Problem, type RunName, readFrame } from "./protocol";
+import { Connection, type ConnectionState, Refused } from "./connection";
+import { type Level, Notices, problemText } from "./notices";
+import { type Command, type Description, type JsonObject, type Message, type RunName, readFrame } from "./protocol";
 import { Run } from "./run";
 import { Signal } from "./signal";
 import { type Schema } from "./schema";
 import { View } from "./view";
-
-export type Level = "info" | "warning" | "error";
-
-export interface Entry {
-  time: Date;
-  level: Level;
-  text: string;
-}
 
 export class App {
   readonly connection: Connection;
@@ -28,8 +21,7 @@ export class App {
   files: { heights: string[]; records: string[] } = { heights: [], records: [] };
   /** Whether two runs that are led together run; null where there is one. */
   pairRuns: boolean | null = null;
-  readonly log: Entry[] = [];
-  readonly logged = new Signal<Entry>();
+  readonly notices = new Notices();
   readonly described = new Signal<Run>();
   readonly framed = new Signal<Run>();
   readonly changed = new Signal<void>();
@@ -40,17 +32,39 @@ export class App {
     this.connection = new Connection(token);
     this.connection.message.watch((message) => this.onMessage(message));
     this.connection.frame.watch((data) => this.onFrame(data));
+    this.connection.state.watch((state) => this.onState(state));
     this.view.changed.watch(() => this.refreshFields());
   }
 
-  async start(): Promise<void> {
+  start(): void {
     this.connection.connect();
-    [this.schema, this.colours, this.files] = await Promise.all([
-      this.connection.fetch<Schema>("schema"),
-      this.connection.fetch<App["colours"]>("colours"),
-      this.connection.fetch<App["files"]>("files"),
-    ]);
-    this.changed.send();
+    if (this.connection.hasToken) void this.load();
+  }
+
+  private state: ConnectionState = "connecting";
+  private loading = false;
+
+  private onState(state: ConnectionState): void {
+    this.state = state;
+    if (state === "open" && !this.schema.properties) void this.load();
+  }
+
+  /** Fetch what is needed once; where the connection failed, its state tells why. */
+  private async load(): Promise<void> {
+    if (this.loading) return;
+    this.loading = true;
+    try {
+      [this.schema, this.colours, this.files] = await Promise.all([
+        this.connection.fetch<Schema>("schema"),
+        this.connection.fetch<App["colours"]>("colours"),
+        this.connection.fetch<App["files"]>("files"),
+      ]);
+      this.changed.send();
+    } catch (error) {
+      if (this.state === "open") this.refused(error);
+    } finally {
+      this.loading = false;
+    }
   }
 
   run(name: RunName): Run | undefined {
@@ -67,10 +81,7 @@ export class App {
   }
 
   note(level: Level, text: string): void {
-    const entry = { time: new Date(), level, text };
-    this.log.push(entry);
-    if (this.log.length > 1000) this.log.shift();
-    this.logged.send(entry);
+    this.notices.note(level, text);
   }
 
   /** Send a command; without a run's name all runs carry it out. */
@@ -78,7 +89,7 @@ export class App {
     this.connection.send(command);
   }
 
-  /** Send a command and wait for its answer; a refusal goes to the log. */
+  /** Send a command and wait for its answer; null where it was refused, which the page then says. */
   async ask(command: Command): Promise<Message | null> {
     try {
       return await this.connection.ask(command);
@@ -88,14 +99,15 @@ export class App {
     }
   }
 
-  /** Start a scenario. */
-  create(scenario: JsonObject, running = true): void {
-    this.send({ command: "create", scenario, running, run: this.selected });
+  /** Start a scenario; returns whether it runs. What is refused leaves the run as it was. */
+  async create(scenario: JsonObject, running = true): Promise<boolean> {
+    return (await this.ask({ command: "create", scenario, running, run: this.selected })) !== null;
   }
 
+  /** Say why something was refused, at the places that it concerns. */
   refused(error: unknown): void {
     if (error instanceof Refused && error.problems.length) {
-      for (const problem of error.problems) this.note("error", problemText(problem));
+      for (const problem of error.problems) this.notices.note("error", problemText(problem), problem.key);
     } else this.note("error", error instanceof Error ? error.message : String(error));
   }
 
@@ -129,12 +141,13 @@ export class App {
     },
     refused: (message) => {
       this.refused(new Refused(String(message.text), message.problems as never));
-      if (this.current) this.described.send(this.current);
     },
     lost: (message, run) => {
       if (!run) return;
       run.lost = true;
-      this.note("error", `The simulation's process ended (code ${message.code}). The server lives; restart the run.`);
+      const text = `The simulation’s process ended by itself (code ${message.code}).`;
+      this.notices.note("error", text, "", false); // the scene says so for as long as it lasts
+      this.connection.abandon(text, run.name);
       this.changed.send();
     },
   };
@@ -194,9 +207,4 @@ export class App {
   private get shown(): string {
     return JSON.stringify([this.view.fields(), this.view.look.paths]);
   }
-}
-
-export function problemText(problem: Problem): string {
-  const place = problem.place ? ` (${problem.place})` : "";
-  return problem.key ? `${problem.key}: ${problem.message}${place}` : `${problem.message}${place}`;
 }

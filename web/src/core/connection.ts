@@ -1,12 +1,18 @@
 /** The connection to the server: commands out, messages and frames in; it reconnects by itself. */
 
 import { PROTOCOL } from "./commands";
-import type { Command, Message, Problem } from "./protocol";
+import type { Command, Message, Problem, RunName } from "./protocol";
 import { Signal } from "./signal";
 
 const REPLACED = 4001;
 const NOT_ALLOWED = 4403;
+const TOO_MUCH = 4429;
+const FORBIDDEN = 403;
+/** Milliseconds between two attempts to reach a server that does not answer. */
 const AGAIN = 1000;
+
+/** How the page stands with the server; every kind has its own words and its own way out. */
+export type ConnectionState = "connecting" | "open" | "no token" | "wrong token" | "replaced" | "too much" | "other version" | "no answer";
 
 export class Refused extends Error {
   constructor(
@@ -17,40 +23,63 @@ export class Refused extends Error {
   }
 }
 
-type Waiting = { done: (message: Message) => void; refused: (reason: Refused) => void };
+interface Waiting {
+  done: (message: Message) => void;
+  refused: (reason: Refused) => void;
+  /** The run that is to answer; where it is not named, any of them. */
+  run: unknown;
+}
 
 export class Connection {
   readonly message = new Signal<Message>();
   readonly frame = new Signal<ArrayBuffer>();
-  /** Empty while connected; otherwise the reason why not. */
-  readonly state = new Signal<string>();
+  readonly state = new Signal<ConnectionState>();
   private socket: WebSocket | null = null;
   private readonly waiting = new Map<number, Waiting>();
   private lastId = 0;
+  private again: ReturnType<typeof setTimeout> | undefined;
 
   constructor(private readonly token: string) {}
 
+  /** Whether the address holds a token at all. */
+  get hasToken(): boolean {
+    return this.token !== "";
+  }
+
   connect(): void {
+    if (!this.hasToken) return this.state.send("no token");
+    clearTimeout(this.again);
     const scheme = location.protocol === "https:" ? "wss" : "ws";
     const socket = new WebSocket(`${scheme}://${location.host}/connection?token=${encodeURIComponent(this.token)}`);
     socket.binaryType = "arraybuffer";
-    socket.onopen = () => this.state.send("");
     socket.onmessage = (event) => this.onData(event.data);
     socket.onclose = (event) => this.onClose(event.code);
     this.socket = socket;
   }
 
-  send(command: Command): void {
-    if (this.socket?.readyState === WebSocket.OPEN) this.socket.send(JSON.stringify(command));
+  /** Send a command; returns whether there is a connection. */
+  send(command: Command): boolean {
+    if (this.socket?.readyState !== WebSocket.OPEN) return false;
+    this.socket.send(JSON.stringify(command));
+    return true;
   }
 
   /** Send a command and wait for its answer. */
   ask(command: Command): Promise<Message> {
     const id = ++this.lastId;
     return new Promise((done, refused) => {
-      this.waiting.set(id, { done, refused });
-      this.send({ ...command, id });
+      this.waiting.set(id, { done, refused, run: command.run });
+      if (!this.send({ ...command, id })) this.abandon("There is no connection to the studio's server.");
     });
+  }
+
+  /** Refuse what is waiting for an answer that will not come: of one run, or of all. */
+  abandon(reason: string, run?: RunName): void {
+    for (const [id, waiting] of this.waiting) {
+      if (run !== undefined && waiting.run !== undefined && waiting.run !== run) continue;
+      this.waiting.delete(id);
+      waiting.refused(new Refused(reason, []));
+    }
   }
 
   /** Fetch something that the server gives once. */
@@ -59,7 +88,8 @@ export class Connection {
       ...init,
       headers: { "x-barchan-token": this.token },
     });
-    const content = await answer.json();
+    if (answer.status === FORBIDDEN) throw new Error("The address of this page does not hold the present token.");
+    const content = await answer.json().catch(() => ({}));
     if (!answer.ok) throw new Error(content.text ?? answer.statusText);
     return content as T;
   }
@@ -71,9 +101,7 @@ export class Connection {
   private onData(data: string | ArrayBuffer): void {
     if (typeof data !== "string") return this.frame.send(data);
     const message = JSON.parse(data) as Message;
-    if (message.type === "hello" && message.protocol !== PROTOCOL) {
-      this.state.send("This page is of another version than the server. Reload it.");
-    }
+    if (message.type === "hello") this.state.send(message.protocol === PROTOCOL ? "open" : "other version");
     const waiting = typeof message.id === "number" ? this.waiting.get(message.id) : undefined;
     if (waiting && typeof message.id === "number") {
       this.waiting.delete(message.id);
@@ -87,13 +115,10 @@ export class Connection {
 
   private onClose(code: number): void {
     this.socket = null;
-    for (const { refused } of this.waiting.values()) refused(new Refused("the connection was lost", []));
-    this.waiting.clear();
-    if (code === REPLACED) return this.state.send("The studio was opened in another window.");
-    if (code === NOT_ALLOWED) {
-      return this.state.send("The address lacks the token. Open the one that the terminal shows.");
-    }
-    this.state.send("The studio's server does not answer.");
-    setTimeout(() => this.connect(), AGAIN);
+    this.abandon("The connection to the studio's server was lost before it answered.");
+    const final = { [REPLACED]: "replaced", [NOT_ALLOWED]: "wrong token", [TOO_MUCH]: "too much" } as const;
+    const reason: ConnectionState | undefined = final[code as keyof typeof final];
+    this.state.send(reason ?? "no answer");
+    if (!reason) this.again = setTimeout(() => this.connect(), AGAIN);
   }
 }

@@ -17,9 +17,16 @@ export class Compare {
 
   private choose(): void {
     const model = this.select.value;
-    if (model === "") this.app.send({ command: "alone" });
-    else this.app.send({ command: "compare", model });
-    if (model === "") this.app.view.set({ side: "surface" });
+    if (model === "") {
+      this.app.send({ command: "alone" });
+      this.app.view.set({ side: "surface" });
+    } else void this.begin(model);
+  }
+
+  private async begin(model: string): Promise<void> {
+    if (await this.app.ask({ command: "compare", model })) return;
+    this.shown = ""; // what was chosen was refused: show what is
+    this.draw();
   }
 
   private draw(): void {

@@ -42,11 +42,13 @@ export class Dock {
     this.views.forEach((view, number) => {
       view.element.hidden = number !== at;
       this.tabs[number]!.setAttribute("aria-selected", String(number === at));
+      if (number === at) this.tabs[number]!.classList.remove("marked");
       view.show(number === at);
     });
   }
 
-  mark(at: number, marked: boolean): void {
-    this.tabs[at]!.classList.toggle("marked", marked && this.open !== at);
+  /** Mark a view as holding something that was not read yet, until it is opened. */
+  mark(at: number): void {
+    this.tabs[at]!.classList.toggle("marked", this.open !== at);
   }
 }

@@ -1,10 +1,12 @@
 /** Scenarios, runs and pictures in and out; files dropped onto the page. */
 
-import { type App, problemText } from "../core/app";
+import type { App } from "../core/app";
+import { problemText } from "../core/notices";
 import type { JsonObject, Problem } from "../core/protocol";
 import type { Stage } from "../scene/stage";
-import { dialog } from "./dialog";
+import { dialog, formDialog } from "./dialog";
 import { download, h } from "./dom";
+import { menu } from "./menu";
 
 /** Whether a file's name ends in one of some suffixes. */
 const ends = (name: string, suffixes: string[]): boolean => suffixes.some((suffix) => name.toLowerCase().endsWith(suffix));
@@ -25,22 +27,15 @@ export class Files {
     private readonly app: App,
     private readonly stage: Stage,
   ) {
-    const item = (text: string, action: () => void) => h("button", { type: "button", role: "menuitem", onclick: () => this.done(action) }, text);
-    const list = h(
-      "div",
-      { className: "menu-list", role: "menu" },
-      item("Load a scenario …", () => this.choose()),
-      item("Save the scenario", () => this.saveScenario()),
-      h("hr"),
-      item("Open a saved run …", () => void this.open()),
-      item("Save the run …", () => this.saveRun()),
-      h("hr"),
-      item("Save a picture (P)", () => void this.savePicture()),
-    );
-    this.menu = h("details", { className: "menu" }, h("summary", { title: "Files" }, "File"), list);
-    document.addEventListener("click", (event) => {
-      if (!this.menu.contains(event.target as Node)) this.menu.removeAttribute("open");
-    });
+    this.menu = menu("File", "Files", [
+      ["Load a scenario …", () => this.choose()],
+      ["Save the scenario", () => this.saveScenario()],
+      null,
+      ["Open a saved run …", () => void this.open()],
+      ["Save the run …", () => this.saveRun()],
+      null,
+      ["Save a picture (P)", () => void this.savePicture()],
+    ]);
   }
 
   /** Take what is dropped onto the page. */
@@ -62,7 +57,10 @@ export class Files {
     const { heights, records } = this.app.files;
     if (ends(file.name, [".json"])) await this.load(file.name, await file.text());
     else if (ends(file.name, [...heights, ...records])) await this.keep(file);
-    else this.app.note("error", `${file.name}: not a scenario (.json), no ground (${heights.join(", ")}) and no wind record (${records.join(", ")})`);
+    else {
+      const kinds = [["scenarios", ".json"], ["grounds", heights.join(", ")], ["records of wind", records.join(", ")]];
+      this.app.note("error", `${file.name} is of an unknown kind. Allowed: ${kinds.map((kind) => kind.join(" ")).join("; ")}.`);
+    }
   }
 
   async savePicture(): Promise<void> {
@@ -83,18 +81,16 @@ export class Files {
     if (!answer) return;
     const problems = answer.problems as unknown as Problem[];
     const scenario = answer.scenario as JsonObject | null;
-    for (const problem of problems) this.app.note("error", problemText(problem));
+    for (const problem of problems) this.app.notices.note("error", problemText(problem), problem.key, false);
     if (scenario && !problems.length) {
-      this.app.note("info", `Loaded ${name}.`);
-      this.app.create(scenario, true);
+      if (await this.app.create(scenario)) this.app.note("info", `Loaded ${name}.`);
     } else this.offer(name, problems, scenario);
   }
 
   private offer(name: string, problems: Problem[], scenario: JsonObject | null): void {
-    const rest = () => {
+    const rest = async () => {
       sheet.close();
-      this.app.note("warning", `Loaded ${name} without what was wrong.`);
-      this.app.create(scenario!, true);
+      if (await this.app.create(scenario!)) this.app.note("warning", `Loaded ${name} without what was wrong.`);
     };
     const sheet: HTMLDialogElement = dialog(
       `${name}: ${problems.length === 1 ? "1 problem" : `${problems.length} problems`}`,
@@ -103,15 +99,10 @@ export class Files {
       h(
         "div",
         { className: "buttons" },
-        scenario !== null && h("button", { type: "button", onclick: rest }, "load the rest"),
+        scenario !== null && h("button", { type: "button", onclick: () => void rest() }, "load the rest"),
         h("button", { type: "button", onclick: () => sheet.close() }, "leave it"),
       ),
     );
-  }
-
-  private done(action: () => void): void {
-    this.menu.removeAttribute("open");
-    action();
   }
 
   private choose(): void {
@@ -131,16 +122,16 @@ export class Files {
     try {
       const kept = await this.upload(file);
       if (ends(file.name, this.app.files.records) && !kept.heights) await this.record(file, kept);
-      else this.ground(file, kept);
+      else await this.ground(file, kept);
     } catch (error) {
       this.app.refused(error);
     }
   }
 
-  private ground(file: File, kept: Kept): void {
+  private async ground(file: File, kept: Kept): Promise<void> {
     const scenario = this.app.current?.description?.scenario;
     if (!scenario) return;
-    const image = /\.png$/i.test(file.name);
+    const image = /\.(png|jpe?g)$/i.test(file.name);
     const { columns, cell_size } = this.app.current!.description!.lattice;
     const heights = image ? { lowest: 0, highest: Number((columns * cell_size * 0.08).toPrecision(2)) } : {};
     const codes = kept.heights?.codes ?? [];
@@ -151,8 +142,9 @@ export class Files {
       image ? `white ${heights.highest} m above black` : "",
       codes.length ? `${codes.join(", ")} taken as cells without a height` : "",
     ];
-    this.app.note("info", `${said.filter(Boolean).join(", ")}; see Ground in the panel.`);
-    this.app.create({ ...scenario, ...this.lattice(scenario, kept), ground }, true);
+    if (await this.app.create({ ...scenario, ...this.lattice(scenario, kept), ground })) {
+      this.app.note("info", `${said.filter(Boolean).join(", ")}; see Ground in the panel.`);
+    }
   }
 
   /** The lattice over a whole elevation model: its own cells, or larger ones where there are too many. */
@@ -177,16 +169,15 @@ export class Files {
   private saveRun(): void {
     const name = h("input", { type: "text", value: `run-${new Date().toISOString().slice(0, 16).replaceAll(/[T:]/g, "-")}`, "aria-label": "Name of the run" });
     const save = async () => {
-      sheet.close();
-      const answer = await this.app.ask({ command: "save", name: name.value, run: this.app.selected });
-      if (answer) this.app.note("info", `Saved ${answer.frames} frames up to step ${answer.step} as ${name.value}.`);
+      const answer = await this.app.connection.ask({ command: "save", name: name.value, run: this.app.selected });
+      this.app.note("info", `Saved ${answer.frames} frames up to step ${answer.step} as ${name.value}.`);
     };
-    const sheet: HTMLDialogElement = dialog(
+    formDialog(
       "Save the run",
-      "small",
+      "save",
+      save,
       h("p", {}, "A folder with the scenario, the states that are kept, and all it takes to go on; the command line reads it too."),
       h("div", { className: "row" }, h("label", {}, "name ", name)),
-      h("div", { className: "buttons" }, h("button", { type: "button", className: "primary", onclick: () => void save() }, "save")),
     );
     name.select();
   }

@@ -17,6 +17,10 @@ export interface FormContext {
   drag: (path: Path, value: Json) => void;
   /** Ask for a variant with all its defaults. */
   variant: (path: Path, key: string, name: string) => void;
+  /** The key of a path within the scenario. */
+  keyOf: (path: Path) => string;
+  /** Why the value of a key was refused last; empty where it was not. */
+  trouble: (key: string) => string;
   /** Whether a path can change while the run goes on. */
   live: (path: Path, schema: Schema) => boolean;
 }
@@ -79,7 +83,7 @@ export function variantField(context: FormContext, name: string, given: Schema, 
     "fieldset",
     {},
     h("legend", {}, labelOf(name)),
-    h("div", { className: "row" }, h("label", { for: label }, "kind"), h("div", { className: "control" }, choice)),
+    h("div", { className: "row" }, h("label", { for: label }, "kind"), h("div", { className: "control" }, choice), trouble(context, path)),
     ...group(context, variant, value ?? {}, path),
   );
 }
@@ -154,8 +158,14 @@ function row(context: FormContext, name: string, given: Schema, value: Json, pat
     { className: "row", title: explained(schema, live) },
     h("label", { for: label }, labelOf(name), restarts && h("span", { className: "restarts", "aria-label": "restarts the run" }, restarts)),
     h("div", { className: "control" }, ...controls, unit && h("span", { className: "unit" }, unit), reset),
-    h("output", { className: "trouble", "data-trouble": path.join(".") }),
+    trouble(context, path),
   );
+}
+
+/** The place where it stands why a value was refused. */
+function trouble(context: FormContext, path: Path): HTMLElement {
+  const key = context.keyOf(path);
+  return h("output", { className: "trouble", "data-trouble": key }, context.trouble(key));
 }
 
 function control(

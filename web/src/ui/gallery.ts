@@ -40,8 +40,7 @@ function card(app: App, preset: Preset, close: () => void): HTMLElement {
     close();
     const answer = await app.ask({ command: "preset", name: preset.name });
     if (!answer) return;
-    app.note("info", `Preset ${preset.name}.`);
-    app.create(answer.scenario as JsonObject, true);
+    if (await app.create(answer.scenario as JsonObject)) app.note("info", `Preset ${preset.name}.`);
   };
   const picture = preset.picture
     ? h("img", { src: app.connection.picture(preset.name), alt: "", loading: "lazy", width: 240, height: 150 })

@@ -1,4 +1,4 @@
-/** The display over the scene: compass with the wind, scale bar, colour bar, values under the mouse, notices. */
+/** The display over the scene: compass with the wind, scale bar, colour bar, values under the mouse. */
 
 import type { App } from "../core/app";
 import type { Stage } from "../scene/stage";
@@ -18,10 +18,7 @@ export class Hud {
   private readonly barEnds = h("div", { className: "bar-ends" });
   private readonly colours: HTMLElement;
   private readonly under = h("output", { className: "under" });
-  private readonly notice = h("div", { className: "notice", role: "alert", hidden: true });
   private readonly names = h("div", { className: "names" });
-  private connection = "Connecting …";
-  private compiling = false;
 
   constructor(
     private readonly app: App,
@@ -41,21 +38,7 @@ export class Hud {
       h("div", { className: "compass" }, compass as unknown as HTMLElement, this.windText),
       h("div", { className: "corner" }, this.colours, this.scale),
       this.under,
-      this.notice,
     );
-    app.connection.state.watch((text) => {
-      this.connection = text;
-      this.notify();
-    });
-    app.compiling.watch(() => {
-      this.compiling = true;
-      this.notify();
-    });
-    app.framed.watch(() => {
-      this.compiling = false;
-      this.notify();
-    });
-    app.changed.watch(() => this.notify());
     stage.onDrawn = () => this.draw();
   }
 
@@ -76,23 +59,6 @@ export class Hud {
     this.under.textContent =
       `x ${short(place.x)} m, y ${short(place.y)} m · elevation ${metres(run.surface[at])} · ` +
       `slope ${slope.toFixed(1)}° · ${run.material} ${metres(run.depth[at])}${extra}`;
-  }
-
-  private notify(): void {
-    const lost = this.app.runs.some((run) => run.lost);
-    const started = this.app.runs.some((run) => run.ready);
-    const finished = this.app.current?.status?.finished;
-    let text = this.connection;
-    if (!text && lost) text = "The simulation’s process ended.";
-    else if (!text && this.compiling) text = "Compiling the model; only its first run does …";
-    else if (!text && !started) text = "Starting …";
-    else if (!text && finished) text = `The run ended: ${finished}.`;
-    this.notice.hidden = text === "";
-    if (this.notice.dataset.text === text + lost) return;
-    this.notice.dataset.text = text + lost;
-    this.notice.classList.toggle("calm", !lost && this.connection === "");
-    const again = h("button", { type: "button", onclick: () => this.app.send({ command: "revive" }) }, "restart the run");
-    this.notice.replaceChildren(text, ...(lost && !this.connection ? [again] : []));
   }
 
   private draw(): void {

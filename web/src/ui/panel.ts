@@ -1,7 +1,7 @@
 /** The panel of a scenario: made from the schema, every change taken at once. */
 
 import type { App } from "../core/app";
-import type { Json, JsonObject, Problem } from "../core/protocol";
+import type { Json, JsonObject } from "../core/protocol";
 import { type Schema, entryOf, replaced } from "../core/schema";
 import { h, id, later } from "./dom";
 import { type FormContext, type Path, field, group, variantField } from "./form";
@@ -16,24 +16,29 @@ export class Panel {
   readonly element = h("div", { className: "forms" });
   private shown = "";
   private scenario: JsonObject = {};
-  /** Whether a change made here is still to be sent. */
-  private unsent = false;
-  private readonly create = later(350, () => {
-    this.unsent = false;
-    this.app.create(this.scenario, true);
-  });
-
+  /** Changes that restart the run and are still to be sent. */
+  private unsent: [Path, Json][] = [];
+  /** The last request, so that each builds on what the one before it has changed. */
+  private sent: Promise<void> = Promise.resolve();
+  private readonly create = later(350, () => this.submit());
   private readonly guard: RefreshGuard;
 
   constructor(private readonly app: App) {
     this.guard = new RefreshGuard(this.element, () => this.show());
     app.described.watch(() => this.show());
     app.changed.watch(() => this.show());
+    app.notices.changed.watch(() => this.refresh());
+  }
+
+  /** Show the scenario as it was accepted last, and what was refused beside it. */
+  private refresh(): void {
+    this.shown = "";
+    this.show();
   }
 
   private show(): void {
     const description = this.app.current?.description;
-    if (!description || !this.app.schema.properties || this.guard.busy || this.unsent) return;
+    if (!description || !this.app.schema.properties || this.guard.busy || this.unsent.length) return;
     const text = JSON.stringify([description.scenario, description.materials, description.facts, this.app.selected, this.app.runs.map((run) => run.description?.model.title)]);
     if (text === this.shown) return;
     this.shown = text;
@@ -57,6 +62,8 @@ export class Panel {
       change: (path, value, live) => this.change(path, value, live),
       drag: (path, value) => this.change(path, value, false),
       variant: (path, key, name) => void this.variant(path, key, name),
+      keyOf: (path) => path.join("."),
+      trouble: (key) => this.app.notices.troubles.get(key) ?? "",
       live: (path, schema) => path[0] === "model" && !path.some(Number.isInteger) && schema.live === true,
     };
     const look = String(this.scenario.look_for ?? "");
@@ -148,28 +155,30 @@ export class Panel {
 
   private change(path: Path, value: Json, live: boolean): void {
     this.scenario = replaced(this.scenario, path, value) as JsonObject;
-    this.trouble([]);
     if (live) void this.guard.during(this.set(path.join("."), value));
     else {
-      this.unsent = true;
+      this.unsent.push([path, value]);
       this.create();
     }
   }
 
   private async set(key: string, value: Json): Promise<void> {
-    try {
-      await this.app.connection.ask({ command: "set", key, value, run: this.app.selected });
-    } catch (error) {
-      this.app.refused(error);
-      this.trouble((error as { problems?: Problem[] }).problems ?? []);
-    }
+    if (await this.app.ask({ command: "set", key, value, run: this.app.selected })) this.app.notices.settle([key]);
+    else this.shown = ""; // the row shows the accepted value again
   }
 
-  private trouble(problems: Problem[]): void {
-    for (const place of this.element.querySelectorAll<HTMLElement>("[data-trouble]")) {
-      const found = problems.find((problem) => problem.key === place.dataset.trouble);
-      place.textContent = found?.message ?? "";
-    }
+  /** Send the changes that restart the run, once those sent before are answered. */
+  private submit(): void {
+    this.sent = this.sent.then(() => this.guard.during(this.begin(this.unsent.splice(0))));
+  }
+
+  /** Start the accepted scenario with these changes, and no others: a value refused before cannot hinder them. */
+  private async begin(changes: [Path, Json][]): Promise<void> {
+    const accepted = this.app.current?.description?.scenario;
+    if (!accepted || !changes.length) return;
+    const scenario = changes.reduce<Json>((data, [path, value]) => replaced(data, path, value), accepted);
+    if (await this.app.create(scenario as JsonObject)) this.app.notices.settle(changes.map(([path]) => path.join(".")));
+    this.shown = "";
   }
 
   private async variant(path: Path, key: string, name: string): Promise<void> {
@@ -178,13 +187,13 @@ export class Panel {
     const needsFile = name === "file";
     if (needsFile) {
       this.app.note("info", "Drop an image, an array or an elevation model onto the scene to use it as ground.");
-      this.shown = "";
-      this.show();
+      this.refresh();
       return;
     }
     const answer = await this.app.ask({ command: "variant", group, value: whole[group] ?? null });
-    if (!answer) return;
-    this.app.create({ ...this.scenario, [group]: answer.value as Json }, true);
+    if (!answer) return this.refresh();
+    this.unsent.push([[group], answer.value as Json]);
+    this.submit();
   }
 }
 

@@ -4,6 +4,8 @@ import { h } from "./dom";
 
 export class Tabs {
   readonly element: HTMLElement;
+  /** Show the page at a place. */
+  readonly choose: (chosen: number) => void;
 
   constructor(pages: [string, HTMLElement][]) {
     const buttons = pages.map(([name], at) =>
@@ -17,6 +19,7 @@ export class Tabs {
       sheets.forEach((sheet, at) => (sheet.hidden = at !== chosen));
     };
     this.element = h("aside", { className: "panel", "aria-label": "Panel" }, h("div", { className: "tabs", role: "tablist" }, ...buttons), ...sheets);
+    this.choose = choose;
     choose(0);
   }
 }

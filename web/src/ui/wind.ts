@@ -21,13 +21,27 @@ export class WindPanel {
   private unsent = false;
   private readonly send = later(60, () => {
     this.unsent = false;
-    void this.guard.during(this.app.ask({ command: "wind", wind: this.wind }));
+    void this.guard.during(this.tell());
   });
 
   constructor(private readonly app: App) {
     this.guard = new RefreshGuard(this.element, () => this.follow());
     app.described.watch(() => this.follow());
     app.changed.watch(() => this.follow());
+    app.notices.changed.watch(() => this.refresh());
+  }
+
+  /** Let the wind blow; one that is refused leaves the one that blew before. */
+  private async tell(): Promise<void> {
+    if (await this.app.ask({ command: "wind", wind: this.wind })) this.app.notices.settle(["wind"]);
+    else this.refresh();
+  }
+
+  /** Show the accepted wind, and what was refused beside it. */
+  private refresh(): void {
+    this.shown = "";
+    this.wind = {};
+    this.follow();
   }
 
   /** Show the run's wind, unless it is being changed here. */
@@ -98,6 +112,8 @@ export class WindPanel {
         this.put(path, { [key]: name });
         this.shown = "";
       },
+      keyOf: (path) => ["wind", ...path].join("."),
+      trouble: (key) => this.app.notices.troubles.get(key) ?? "",
       live: () => true,
     };
   }
@@ -186,10 +202,7 @@ export class WindPanel {
     const { model, clock } = this.app.current!.description!.scenario;
     const beside = { model: model ?? null, clock: clock ?? null };
     const answer = await this.app.ask({ command: "variant", group: "wind", value: { kind, ...first }, beside });
-    if (!answer) {
-      this.draw();
-      return;
-    }
+    if (!answer) return this.refresh();
     this.wind = answer.value as JsonObject;
     if ("direction" in this.wind) this.wind = { ...this.wind, direction };
     this.unsent = true;

@@ -1,6 +1,7 @@
 /** The log of events, by level. */
 
-import type { App, Level } from "../core/app";
+import type { App } from "../core/app";
+import type { Level } from "../core/notices";
 import { h } from "../ui/dom";
 
 const LEVELS: Level[] = ["info", "warning", "error"];
@@ -31,14 +32,14 @@ export class LogView {
         type: "button",
         className: "quiet",
         onclick: () => {
-          this.app.log.length = 0;
+          this.app.notices.clearLog();
           this.draw();
         },
       },
       "clear",
     );
     this.element = h("div", { className: "view" }, h("div", { className: "tools" }, level, clear), this.list);
-    app.logged.watch(() => this.draw());
+    app.notices.logged.watch(() => this.draw());
   }
 
   show(_visible: boolean): void {
@@ -46,7 +47,7 @@ export class LogView {
   }
 
   private draw(): void {
-    const shown = this.app.log.filter((entry) => LEVELS.indexOf(entry.level) >= LEVELS.indexOf(this.least));
+    const shown = this.app.notices.log.filter((entry) => LEVELS.indexOf(entry.level) >= LEVELS.indexOf(this.least));
     this.list.replaceChildren(
       ...shown.map((entry) =>
         h("li", { className: entry.level }, h("time", {}, entry.time.toTimeString().slice(0, 8)), h("b", {}, entry.level), h("span", {}, entry.text)),

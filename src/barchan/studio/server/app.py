@@ -96,12 +96,13 @@ async def _upload(request: Request, session: Session) -> Response:
 
 async def _connect(websocket: WebSocket, session: Session, guard: Guard) -> None:
     """Carry messages between one browser and the session until one of them ends."""
-    if not guard.is_addressed(websocket.headers) or not guard.may_act(
-        websocket.headers, websocket.query_params
-    ):
+    if not guard.is_addressed(websocket.headers) or not guard.is_own_page(websocket.headers):
         await websocket.close(NOT_ALLOWED)
         return
-    await websocket.accept()
+    await websocket.accept()  # a page learns the code, and so the reason, only of a connection that was open
+    if not guard.knows_token(websocket.headers, websocket.query_params):
+        await websocket.close(NOT_ALLOWED)
+        return
     outbox = session.attach()
     sending = asyncio.create_task(_send_all(websocket, outbox))
     limiter = RateLimiter()

@@ -153,17 +153,21 @@ class Session:
         data = validate(request["scenario"]).seeded().data()
         name = SECOND if self.lockstep is not None and request.get("run") == SECOND else FIRST
         begun = {name: data}
+        answering = _answer_of(name, request)
         if self.lockstep is not None:
             other = FIRST if name == SECOND else SECOND
             begun[other] = {**data, "model": self.scenarios[other]["model"]}
-        self._begin(begun, bool(request.get("running", True)))
+        self._begin(begun, bool(request.get("running", True)), answering)
 
-    def _begin(self, scenarios: dict[str, dict[str, Any]], running: bool) -> None:
-        """Start these scenarios, in lockstep where there are two."""
+    def _begin(
+        self, scenarios: dict[str, dict[str, Any]], running: bool, answering: dict[str, Request] | None = None
+    ) -> None:
+        """Start these scenarios, in lockstep where there are two; the named workers answer the request."""
         alone = len(scenarios) == 1
         self.scenarios = scenarios
         for name, data in scenarios.items():
-            self._worker(name).send("start", scenario=data, running=running and alone)
+            answer = (answering or {}).get(name, {})
+            self._worker(name).send("start", **answer, scenario=data, running=running and alone)
         self.lockstep = None if alone else Lockstep(self.workers, self._on_lockstep)
         if self.lockstep is not None and running:
             self.lockstep.run()
@@ -178,7 +182,7 @@ class Session:
         if request["model"] not in models():
             raise BarchanError(f"no model '{request['model']}'; allowed: {', '.join(models())}")
         second = validate({**first, "model": {"name": request["model"]}}).data()
-        self._begin({FIRST: first, SECOND: second}, running=True)
+        self._begin({FIRST: first, SECOND: second}, True, _answer_of(SECOND, request))
         self._send("runs", runs=list(self.workers))
 
     @SESSION.handles("alone")
@@ -214,3 +218,8 @@ class Session:
             raise BarchanError(f"no run '{folder.name}' in {self.workspace.folder}")
         self._alone(request)
         self._worker(FIRST).send("open_folder", folder=str(folder), id=request.get("id"))
+
+
+def _answer_of(name: str, request: Request) -> dict[str, Request]:
+    """The id of a request that a worker answers when it has begun, by the worker's name."""
+    return {name: {"id": request["id"]}} if request.get("id") is not None else {}

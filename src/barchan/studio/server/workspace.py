@@ -1,5 +1,7 @@
 """The session's folder: saved runs, and uploaded files."""
 
+import re
+import unicodedata
 from pathlib import Path
 from typing import Any
 
@@ -10,6 +12,10 @@ from barchan.studio.server.security import is_plain_name
 from barchan.wind.records.reading import SUFFIXES
 
 UPLOADS = "studio-uploads"
+
+LONGEST_STEM = 60
+"""Characters of an uploaded file's name, without its suffix, that are kept."""
+
 HEIGHTS = tuple(READERS)
 """Suffixes of files that can be ground."""
 
@@ -47,10 +53,11 @@ class Workspace:
         return where in self._trusted or where.is_relative_to(self.folder / UPLOADS)
 
     def keep(self, name: str, content: bytes) -> Path:
-        """Keep an uploaded file; raises BarchanError for a name or kind that is not allowed."""
-        if not is_plain_name(name) or Path(name).suffix.lower() not in KINDS:
-            raise BarchanError(f"'{name}' cannot be used; allowed: {', '.join(KINDS)}, with a plain name")
-        path = self.folder / UPLOADS / name
+        """Keep an uploaded file under a plain name; raises BarchanError for a kind that is not allowed."""
+        plain = plain_file_name(name)
+        if Path(plain).suffix not in KINDS:
+            raise BarchanError(f"'{name}' is of an unknown kind; allowed: {', '.join(KINDS)}")
+        path = self.folder / UPLOADS / plain
         path.parent.mkdir(parents=True, exist_ok=True)
         number = 1
         while path.exists() and path.read_bytes() != content:
@@ -71,6 +78,17 @@ class Workspace:
             return []
         found = [path for path in self.folder.iterdir() if (path / SCENARIO).is_file()]
         return sorted(p.name for p in found if (p / CHECKPOINT).is_file() and is_plain_name(p.name))
+
+
+def plain_file_name(name: str) -> str:
+    """A file's name without folders, in letters, digits, dots and dashes, its suffix in small letters.
+
+    Letters lose their accents; ``naïve dunes (1).PNG`` becomes ``naive-dunes-1.png``.
+    """
+    letters = unicodedata.normalize("NFKD", re.split(r"[/\\]", name)[-1])
+    stem, dot, suffix = "".join(c for c in letters if not unicodedata.combining(c)).rpartition(".")
+    words = re.findall(r"[A-Za-z0-9_]+", stem)
+    return f"{'-'.join(words)[:LONGEST_STEM] or 'file'}{dot}{suffix.lower()}"
 
 
 def _paths(data: Any, key: str = "") -> list[tuple[str, str]]:

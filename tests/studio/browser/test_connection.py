@@ -1,0 +1,93 @@
+"""Every way in which the connection can fail has its own words and its own way out."""
+
+import re
+
+import pytest
+
+from tests.studio.conftest import serving, small
+
+NOTICE = ".notice"
+
+
+@pytest.fixture
+def visit(chromium):
+    """Open an address in a page of its own."""
+    pages = []
+
+    def open_page(address: str):
+        pages.append(chromium.new_page(viewport={"width": 900, "height": 600}))
+        pages[-1].goto(address)
+        return pages[-1]
+
+    yield open_page
+    for page in pages:
+        page.close()
+
+
+def says(page, words: str) -> None:
+    page.locator(NOTICE, has_text=words).wait_for()
+
+
+def running(page) -> None:
+    page.locator("[data-status=step]").filter(has_text=re.compile(r"\d")).wait_for()
+    page.locator(NOTICE).wait_for(state="hidden")
+
+
+def test_an_address_without_a_token_asks_for_the_whole_one(visit, server):
+    address = server[1]
+    page = visit(re.sub(r"\?.*", "", address))
+    says(page, "lacks the token")
+    page.get_by_label("Address or token").fill(address)
+    page.get_by_label("Address or token").press("Enter")
+    running(page)
+
+
+def test_a_wrong_token_is_named_as_such_and_a_token_alone_is_taken(visit, server):
+    address = server[1]
+    page = visit(re.sub("token=.*", "token=stale", address))
+    says(page, "is not the present one")
+    page.get_by_label("Address or token").fill(address.partition("token=")[2])
+    page.get_by_role("button", name="open").click()
+    running(page)
+    assert page.evaluate("window.barchan.app.notices.log.filter((entry) => entry.level === 'error')") == []
+
+
+def test_a_window_that_lost_the_studio_to_another_takes_it_back(visit, server):
+    first = visit(server[1])
+    running(first)
+    second = visit(server[1])
+    running(second)
+    says(first, "another window")
+    first.get_by_role("button", name="use it here").click()
+    running(first)
+    says(second, "another window")
+
+
+def test_a_server_that_ends_is_reported_and_one_that_comes_back_is_found(visit, tmp_path):
+    with serving(tmp_path, small()) as served:
+        page = visit(f"{served.address}/?token={served.guard.token}")
+        running(page)
+        port = served.port
+    says(page, "does not answer")
+    assert page.get_by_role("button", name="try now").is_visible()
+    with serving(tmp_path, small(), port=port):  # with a token of its own
+        page.locator(NOTICE, has_text="is not the present one").wait_for(timeout=10_000)
+
+
+def test_a_flood_of_messages_is_named_and_the_page_connects_again(visit, server):
+    page = visit(server[1])
+    running(page)
+    page.evaluate("for (let i = 0; i < 3000; i++) window.barchan.app.send({ command: 'saved' })")
+    says(page, "more messages")
+    page.get_by_role("button", name="connect again").click()
+    running(page)
+
+
+def test_a_page_of_another_version_offers_to_load_it_again(visit, server):
+    page = visit(server[1])
+    running(page)
+    page.evaluate("window.barchan.app.connection.state.send('other version')")
+    says(page, "another version")
+    page.get_by_role("button", name="load the page again").click()
+    page.wait_for_load_state()
+    running(page)

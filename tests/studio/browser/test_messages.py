@@ -1,0 +1,109 @@
+"""What the page says where something is refused, and that nothing refused stands in the way."""
+
+import io
+
+import numpy as np
+from PIL import Image
+
+RUN = "window.barchan.app.runs[0]"
+SCENARIO = f"{RUN}.description.scenario"
+
+
+def fill(studio, path: str, value: str) -> None:
+    box = studio.page.locator(f"[data-path='{path}']")
+    box.fill(value)
+    box.press("Enter")
+
+
+def toasts(studio):
+    return studio.page.locator(".toast")
+
+
+def test_a_refused_value_goes_back_and_hinders_no_later_change(studio):
+    page = studio.page
+    page.locator("summary", has_text="Lattice").click()
+    accepted = studio.ask(f"{SCENARIO}.lattice.rows")
+    fill(studio, "lattice.rows", "0")  # a lattice has at least one
+    toasts(studio).wait_for()
+    assert "lattice › rows" in toasts(studio).inner_text()
+    row = page.locator("[data-trouble='lattice.rows']")
+    assert "allowed" in row.inner_text()
+    assert page.locator("[data-path='lattice.rows']").input_value() == str(accepted)
+    page.locator("summary", has_text="Sand at the start").click()
+    fill(studio, "sand.mean", "4")
+    studio.until(f"{SCENARIO}.sand.mean === 4")
+    assert studio.ask(f"{SCENARIO}.lattice.rows") == accepted
+    assert toasts(studio).count() == 1
+    toasts(studio).get_by_role("button", name="Dismiss").click()
+    assert toasts(studio).count() == 0
+    assert row.inner_text() == ""
+
+
+def test_a_refusal_leads_to_its_row_and_goes_when_another_value_is_taken(studio):
+    page = studio.page
+    fill(studio, "model.p_s", "5")  # a probability
+    toasts(studio).wait_for()
+    page.get_by_role("tab", name="Wind").click()
+    toasts(studio).get_by_role("button", name="show").click()
+    box = page.locator("[data-path='model.p_s']")
+    assert box.is_visible()
+    assert box.evaluate("(box) => box === document.activeElement")
+    fill(studio, "model.p_s", "0.5")
+    studio.until(f"{SCENARIO}.model.p_s === 0.5")
+    studio.until("document.querySelectorAll('.toast').length === 0")
+
+
+def test_a_refusal_stays_marked_at_the_log_until_the_log_is_opened(studio):
+    page = studio.page
+    fill(studio, "model.p_s", "5")
+    toasts(studio).wait_for()
+    studio.ask("window.barchan.app.note('info', 'Something else.')")
+    log = page.get_by_role("tab", name="Log")
+    assert "marked" in log.get_attribute("class")
+    log.click()
+    assert "marked" not in log.get_attribute("class")
+    assert "p_s" in page.locator(".log .error").last.inner_text()
+
+
+def test_saving_under_a_name_in_use_leaves_the_sheet_open_and_says_why(studio):
+    page = studio.page
+    (studio.folder / "taken").mkdir()
+    (studio.folder / "taken" / "notes.txt").write_text("not a run")
+    studio.pause()
+    page.locator("summary", has_text="File").click()
+    page.get_by_role("menuitem", name="Save the run").click()
+    name = page.get_by_label("Name of the run")
+    name.fill("taken")
+    name.press("Enter")
+    refusal = page.get_by_role("dialog").get_by_role("alert")
+    refusal.filter(has_text="taken").wait_for()
+    assert page.get_by_role("dialog").is_visible()
+    name.fill("free")
+    name.press("Enter")
+    page.get_by_role("dialog").wait_for(state="detached")
+    assert (studio.folder / "free" / "scenario.json").is_file()
+
+
+def grey(size: tuple[int, int], kind: str) -> bytes:
+    content = io.BytesIO()
+    heights = np.tile(np.linspace(0, 255, size[0]).astype(np.uint8), (size[1], 1))
+    Image.fromarray(heights).save(content, kind)
+    return content.getvalue()
+
+
+def test_photographs_and_names_with_spaces_and_accents_are_grounds(studio):
+    for name, kind, kept in (
+        ("my naïve dunes (1).JPG", "JPEG", "my-naive-dunes-1.jpg"),
+        ("plan ö.png", "PNG", "plan-o.png"),
+    ):
+        studio.drop_file(name, f"image/{kind.lower()}", grey((64, 48), kind))
+        studio.until(f"{SCENARIO}.ground.path?.endsWith('{kept}')")
+        studio.until_logged(f"{name} is the ground")
+
+
+def test_a_broken_image_is_refused_without_having_been_called_the_ground(studio):
+    studio.drop_file("broken.png", "image/png", b"\x89PNG and nothing more")
+    toasts(studio).wait_for()
+    assert "cannot be read as an image" in toasts(studio).inner_text()
+    assert "is the ground" not in studio.log()
+    studio.step_beyond(studio.status()["step"])  # the run goes on as it was

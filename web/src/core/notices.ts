@@ -1,0 +1,86 @@
+/** What the page says to its user: the log of everything, refusals that stay until dismissed, marks at the places they concern. */
+
+import type { Problem } from "./protocol";
+import { Signal } from "./signal";
+
+export type Level = "info" | "warning" | "error";
+
+export interface Entry {
+  time: Date;
+  level: Level;
+  text: string;
+  /** The key of the scenario that it concerns; empty where there is none. */
+  key: string;
+}
+
+/** Entries of the log that are kept. */
+const MOST = 1000;
+
+export class Notices {
+  readonly log: Entry[] = [];
+  readonly logged = new Signal<Entry>();
+  /** Refusals that were not dismissed yet. */
+  standing: Entry[] = [];
+  readonly changed = new Signal<void>();
+  /** Why the value of a key was refused, by key. */
+  readonly troubles = new Map<string, string>();
+
+  /** Put a line into the log; a refusal also stands on the page until it is dismissed. */
+  note(level: Level, text: string, key = "", stands = level === "error"): void {
+    const entry = { time: new Date(), level, text, key: dotted(key) };
+    this.log.push(entry);
+    if (this.log.length > MOST) this.log.shift();
+    if (stands) this.standing = [...this.standing.filter((one) => one.text !== text), entry];
+    if (key) this.troubles.set(entry.key, text);
+    this.logged.send(entry);
+    if (stands) this.changed.send();
+  }
+
+  dismiss(entry: Entry): void {
+    this.standing = this.standing.filter((one) => one !== entry);
+    this.troubles.delete(entry.key);
+    this.changed.send();
+  }
+
+  dismissAll(): void {
+    for (const entry of this.standing) this.troubles.delete(entry.key);
+    this.standing = [];
+    this.changed.send();
+  }
+
+  /** Take away the refusals of keys, for values of them that were taken since. */
+  settle(keys: string[]): void {
+    const settled = (key: string) => keys.some((one) => one === key || key.startsWith(`${one}.`));
+    const before = this.standing.length + this.troubles.size;
+    this.standing = this.standing.filter((one) => !settled(one.key));
+    for (const key of this.troubles.keys()) if (settled(key)) this.troubles.delete(key);
+    if (this.standing.length + this.troubles.size < before) this.changed.send();
+  }
+
+  clearLog(): void {
+    this.log.length = 0;
+  }
+}
+
+/** A problem: where it stands, then what it is. Of a file the key is named as it is written there, else as on the page. */
+export function problemText({ key, message, place }: Problem): string {
+  const ofFile = place !== "" && !OWN_PLACES.has(place);
+  const text = key ? `${ofFile ? key : spokenKey(key)}: ${message}` : message;
+  return ofFile ? `${text} (${place})` : text;
+}
+
+/** Places that mean the scenario on the page, not a file. */
+const OWN_PLACES = new Set(["scenario", "run"]);
+
+/** A key with dots before numbers, as the rows of forms are marked: `wind.regimes.0.speed`. */
+function dotted(key: string): string {
+  return key.replaceAll(/\[(\d+)\]/g, ".$1");
+}
+
+/** A key as the panel's headings and rows name it: `model › hop length`. */
+export function spokenKey(key: string): string {
+  return dotted(key)
+    .split(".")
+    .map((part) => (/^\d+$/.test(part) ? String(Number(part) + 1) : part.replaceAll(/_(?=[a-z0-9]{3})/g, " ")))
+    .join(" › ");
+}

@@ -1,0 +1,88 @@
+/** The notice over the scene: how the page stands with the server and its runs, and the way out where it fails. */
+
+import type { App } from "../core/app";
+import type { ConnectionState } from "../core/connection";
+import { h } from "./dom";
+
+interface State {
+  text: string;
+  /** Whether it is the course of things, no failure. */
+  calm?: boolean;
+  way?: () => HTMLElement;
+}
+
+export class StateNotice {
+  readonly element = h("div", { className: "notice", role: "alert", hidden: true });
+  private connection: ConnectionState = "connecting";
+  private compiling = false;
+  private shown = "";
+
+  constructor(private readonly app: App) {
+    app.connection.state.watch((state) => {
+      this.connection = state;
+      this.show();
+    });
+    app.compiling.watch(() => {
+      this.compiling = true;
+      this.show();
+    });
+    app.framed.watch(() => {
+      this.compiling = false;
+      this.show();
+    });
+    app.changed.watch(() => this.show());
+  }
+
+  private show(): void {
+    const state = this.connection === "open" ? this.ofRuns() : this.ofConnection(this.connection);
+    this.element.hidden = state === null;
+    const text = state?.text ?? "";
+    if (text === this.shown) return;
+    this.shown = text;
+    this.element.classList.toggle("calm", state?.calm === true);
+    this.element.replaceChildren(h("span", {}, text), ...(state?.way ? [state.way()] : []));
+  }
+
+  private ofConnection(state: Exclude<ConnectionState, "open">): State {
+    const again = (label: string) => () => action(label, () => this.app.connection.connect());
+    const states: Record<typeof state, State> = {
+      connecting: { text: "Connecting …", calm: true },
+      "no token": { text: "The address of this page lacks the token that opens the studio. Paste the address that the terminal shows:", way: addressForm },
+      "wrong token": {
+        text: "The token in the address of this page is not the present one: the studio was started again since, or the address was cut off. Paste the address that the terminal shows:",
+        way: addressForm,
+      },
+      replaced: { text: "The studio is in use in another window; only one can show it.", way: again("use it here") },
+      "too much": { text: "The page sent more messages than the server takes, and the connection was closed.", way: again("connect again") },
+      "other version": { text: "This page is of another version than the server.", way: () => action("load the page again", () => location.reload()) },
+      "no answer": { text: "The studio’s server does not answer: it has ended, or the network is down. Start the studio again if it has ended; this page tries to reach it every second.", way: again("try now") },
+    };
+    return states[state];
+  }
+
+  private ofRuns(): State | null {
+    const { runs, current } = this.app;
+    if (runs.some((run) => run.lost)) {
+      return { text: "The simulation’s process ended by itself.", way: () => action("restart the run", () => void this.app.send({ command: "revive" })) };
+    }
+    if (this.compiling) return { text: "Translating the model into machine code; that is kept, so it happens once …", calm: true };
+    if (!runs.some((run) => run.ready)) return { text: "Starting …", calm: true };
+    const finished = current?.status?.finished;
+    return finished ? { text: `The run ended: ${finished}.`, calm: true } : null;
+  }
+}
+
+function action(label: string, act: () => void): HTMLElement {
+  return h("button", { type: "button", onclick: act }, label);
+}
+
+/** A field for the address that the terminal shows, or only its token. */
+function addressForm(): HTMLElement {
+  const input = h("input", { type: "text", required: true, "aria-label": "Address or token", autocomplete: "off", spellcheck: false });
+  const open = (event: Event) => {
+    event.preventDefault();
+    const token = /[?&]token=([^&#\s]+)/.exec(input.value)?.[1] ?? encodeURIComponent(input.value.trim());
+    location.search = `?token=${token}`;
+  };
+  return h("form", { onsubmit: open }, input, h("button", { type: "submit" }, "open"));
+}
