@@ -51,7 +51,8 @@ const paint = new Paint(app);
 const section = new SectionView(app, stage, () => pointer.drawLine());
 const pointer = new Pointer(stage, hud, paint, section);
 const log = new LogView(app);
-const dock = new Dock([section, new SeriesView(app), new SpaceTimeView(app, section), log]);
+const series = new SeriesView(app);
+const dock = new Dock([section, series, new SpaceTimeView(app, section), log]);
 const timeline = new Timeline(app);
 const bar = new Bar(app, [
   button("Presets (G)", "Presets", () => void gallery(app)),
@@ -112,7 +113,12 @@ const quiet: Shortcut[] = [
 ];
 listen([...shortcuts, ...quiet]);
 
-document.getElementById("app")!.append(
+const page = document.getElementById("app")!;
+page.classList.add("waiting");
+app.framed.watch(() => {
+  if (app.current?.ready) page.classList.remove("waiting");
+});
+page.append(
   bar.element,
   h("main", {}, h("div", { className: "stage-column" }, scene, timeline.element, dock.element), tabs.element),
 );
@@ -122,7 +128,7 @@ app.start();
 /** For tests and measurements. */
 declare global {
   interface Window {
-    barchan: { app: App; stage: Stage; files: Files };
+    barchan: { app: App; stage: Stage; series: SeriesView; files: Files };
   }
 }
-window.barchan = { app, stage, files };
+window.barchan = { app, stage, series, files };

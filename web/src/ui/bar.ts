@@ -2,6 +2,7 @@
 
 import type { App } from "../core/app";
 import { button, duration, h, metres, short } from "./dom";
+import { type Icon, icon } from "./icons";
 
 const LIMITS: [string, number | null][] = [
   ["no limit", null],
@@ -31,7 +32,7 @@ export class Bar {
     private readonly app: App,
     extras: HTMLElement[],
   ) {
-    this.play = button("Run (space)", "▶", () => this.toggle(), { className: "primary" });
+    this.play = button("Run (space)", "", () => this.toggle(), { className: "primary" });
     const limit = h(
       "select",
       {
@@ -52,11 +53,11 @@ export class Bar {
         "div",
         { className: "controls", role: "group", "aria-label": "Run" },
         this.play,
-        button("One step (.)", "▸❘", () => this.step(1)),
+        signed("One step (.)", "step", () => this.step(1)),
         this.count,
         button("Do these steps", "go", () => this.step(Number(this.count.value) || 1)),
         limit,
-        button("Restart with the same seed (R)", "↺", () => this.restart()),
+        signed("Restart with the same seed (R)", "restart", () => this.restart()),
       ),
       h("dl", { className: "status", "aria-label": "Status" }, ...this.status()),
       h("div", { className: "extras" }, ...extras),
@@ -98,12 +99,14 @@ export class Bar {
     const run = this.app.current;
     const { description, status } = run ?? {};
     const titles = this.app.runs.map((one) => one.description?.model.title).filter(Boolean);
-    const title = String(description?.scenario.title || "Untitled scenario");
+    const title = description ? String(description.scenario.title || "Untitled scenario") : "";
     this.title.textContent = title;
     this.model.textContent = titles.join("  ·  ");
-    document.title = `${title} – Barchan studio`;
+    document.title = title ? `${title} – Barchan studio` : "Barchan studio";
     const running = this.app.running;
-    this.play.textContent = running ? "❚❚" : "▶";
+    const sign: Icon = running ? "pause" : "play";
+    if (this.play.dataset.sign !== sign) this.play.replaceChildren(icon(sign));
+    this.play.dataset.sign = sign;
     this.play.title = running ? "Pause (space)" : "Run (space)";
     this.play.setAttribute("aria-label", this.play.title);
     this.play.setAttribute("aria-pressed", String(running));
@@ -122,4 +125,10 @@ export class Bar {
       value.parentElement!.hidden = text === "";
     }
   }
+}
+
+function signed(label: string, sign: Icon, action: () => void): HTMLButtonElement {
+  const found = button(label, "", action);
+  found.append(icon(sign));
+  return found;
 }

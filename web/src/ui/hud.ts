@@ -3,7 +3,7 @@
 import type { App } from "../core/app";
 import type { Stage } from "../scene/stage";
 import { slopes } from "../scene/smooth";
-import { fitCanvas, h, lengthUnit, metres, short, svg } from "./dom";
+import { fitCanvas, h, heights, lengthUnit, metres, short, svg } from "./dom";
 
 const BAR = 110;
 
@@ -13,6 +13,7 @@ export class Hud {
   private readonly wind = svg("g", { class: "wind" }, svg("line", { x1: 0, y1: -30, x2: 0, y2: 24 }), svg("path", { d: "M0 30 L-6 17 L6 17 Z" }));
   private readonly windText = h("span", { className: "wind-text" });
   private readonly scale = h("div", { className: "scale" });
+  private readonly steeper = h("div", { className: "steeper", title: "Heights are drawn this many times as steep as they are (View, vertical exaggeration)" });
   private readonly bar = h("canvas", { className: "colour-canvas" });
   private readonly barTitle = h("div", { className: "bar-title" });
   private readonly barEnds = h("div", { className: "bar-ends" });
@@ -33,10 +34,10 @@ export class Hud {
     this.colours = h("div", { className: "colours" }, this.barTitle, this.bar, this.barEnds);
     this.element = h(
       "div",
-      { className: "hud" },
+      { className: "hud", hidden: true },
       this.names,
       h("div", { className: "compass" }, compass as unknown as HTMLElement, this.windText),
-      h("div", { className: "corner" }, this.colours, this.scale),
+      h("div", { className: "corner" }, this.colours, h("div", { className: "measure" }, this.scale, this.steeper)),
       this.under,
     );
     stage.onDrawn = () => this.draw();
@@ -63,6 +64,7 @@ export class Hud {
 
   private draw(): void {
     const run = this.app.current;
+    this.element.hidden = !run?.ready;
     if (!run?.ready) return;
     const heading = (this.stage.heading() * 180) / Math.PI;
     this.rose.setAttribute("transform", `rotate(${-heading})`);
@@ -90,6 +92,8 @@ export class Hud {
     this.scale.style.width = `${length / perPixel}px`;
     const text = metres(length);
     if (this.scale.textContent !== text) this.scale.textContent = text;
+    const times = heights(this.stage.terrain(this.app.current!)?.exaggeration ?? 1);
+    if (this.steeper.textContent !== times) this.steeper.textContent = times;
   }
 
   private drawn = "";

@@ -2,6 +2,7 @@
 
 import type { App } from "../core/app";
 import { button, h, short } from "./dom";
+import { icon } from "./icons";
 
 const PLAY_PAUSE = 90;
 
@@ -23,7 +24,8 @@ export class Timeline {
 
   constructor(private readonly app: App) {
     this.play = button("Play from here", "play", () => this.togglePlay());
-    this.now = button("Return to now (End)", "now ⏵❘", () => this.live());
+    this.now = button("Return to now (End)", "now ", () => this.live());
+    this.now.append(icon("now"));
     this.branch = button("Go on from here; what came later stays as a branch", "go on from here", () => this.goOn());
     this.slider.addEventListener("input", () => this.look(Number(this.slider.value)));
     this.element = h("div", { className: "timeline" }, this.play, this.slider, this.label, this.branches, this.branch, this.now);
