@@ -5,7 +5,7 @@ import pytest
 from barchan.errors import BarchanError
 from barchan.studio.commands import CLIENT_FILE, COMMANDS, Handlers, client_names, command_of
 from barchan.studio.server.queries import QUERIES
-from barchan.studio.server.session import SESSION
+from barchan.studio.server.session_commands import SESSION
 from barchan.studio.worker.commands import WORKER
 
 

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from barchan.ground.raster import Hints, Raster, UnreadableError, placed
+from barchan.ground.raster import Hints, Raster, UnreadableError, placed, refuse_many_cells
 from barchan.ground.reference import METRES, MISSING_EXTRA, stated
 from barchan.ground.units import metres_in
 
@@ -19,6 +19,7 @@ def read_elevation_model(path: Path, hints: Hints) -> Raster:
     with _opened(path) as source:
         if source.count != 1:
             raise UnreadableError(f"has {source.count} bands; allowed: one, of elevations")
+        refuse_many_cells(source.height, source.width)
         crs = stated(source.crs, hints)
         if crs is None and hints.crs != METRES:
             raise UnreadableError(

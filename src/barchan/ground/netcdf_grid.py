@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from barchan.ground.raster import Hints, Raster, UnreadableError, placed
+from barchan.ground.raster import Hints, Raster, UnreadableError, placed, refuse_many_cells
 from barchan.ground.reference import reference_of, stated
 from barchan.ground.units import metres_in
 from barchan.ground.voids import marked
@@ -52,6 +52,7 @@ def _raster(dataset: "xr.Dataset", hints: Hints) -> Raster:
     if others:
         said = ", ".join(f"{name} of {size}" for name, size in others.items())
         raise UnreadableError(f"has the dimension {said} in {variable.name}; allowed: one grid of y and x")
+    refuse_many_cells(variable.sizes[along], variable.sizes[across])
     values = variable.transpose(..., along, across).to_numpy().reshape(variable.sizes[along], -1)
     unit = variable.attrs.get("units")
     factor = 1.0 if unit in (None, "", "1") else metres_in(str(unit))

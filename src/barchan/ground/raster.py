@@ -15,8 +15,19 @@ SHEAR = 1e-3
 """Largest part of a cell by which rows or columns may lean over the whole raster."""
 
 
+MOST_CELLS = 1 << 28
+"""Cells of a file that are read: a small file may declare any number of them."""
+
+
 class UnreadableError(BarchanError):
     """A file whose heights cannot be used, and why."""
+
+
+def refuse_many_cells(rows: int, columns: int, most: int = MOST_CELLS) -> None:
+    """Raise UnreadableError where a file declares more cells, or pixels, than are read."""
+    if rows * columns > most:
+        side = math.isqrt(most)
+        raise UnreadableError(f"has {columns} × {rows} cells; allowed: as many as {side} × {side}")
 
 
 @dataclass(frozen=True)

@@ -1,5 +1,6 @@
 """Rasters from files, by suffix: arrays, greyscale images, elevation models."""
 
+import math
 from collections.abc import Callable
 from pathlib import Path
 
@@ -7,8 +8,11 @@ import numpy as np
 
 from barchan.ground.geotiff import read_elevation_model
 from barchan.ground.netcdf_grid import read_netcdf
-from barchan.ground.raster import Hints, Raster, UnreadableError
+from barchan.ground.raster import Hints, Raster, UnreadableError, refuse_many_cells
 from barchan.ground.text_grids import read_ascii_grid, read_points
+
+MOST_PIXELS = 1 << 26
+"""Pixels of an image that is read (8192 × 8192)."""
 
 
 def read(path: Path, hints: Hints | None = None) -> Raster:
@@ -21,11 +25,15 @@ def read(path: Path, hints: Hints | None = None) -> Raster:
         raise UnreadableError(f"is of an unknown kind; allowed: {', '.join(READERS)}")
     if not path.is_file():
         raise UnreadableError("no such file")
-    return reader(path, hints or Hints())
+    try:
+        return reader(path, hints or Hints())
+    except MemoryError:
+        raise UnreadableError("holds more than there is memory for") from None
 
 
 def _array(path: Path, _hints: Hints) -> Raster:
     try:
+        _refuse_false_heading(path)
         values = np.load(path, allow_pickle=False)
     except (OSError, ValueError, EOFError) as error:
         raise UnreadableError(f"cannot be read as a NumPy array: {error}") from None
@@ -36,11 +44,27 @@ def _array(path: Path, _hints: Hints) -> Raster:
     return Raster(values)
 
 
+def _refuse_false_heading(path: Path) -> None:
+    """Raise ValueError where a heading promises more numbers than the file holds: they would all be made."""
+    from numpy.lib import format as layout
+
+    with path.open("rb") as file:
+        version = layout.read_magic(file)
+        read = layout.read_array_header_1_0 if version == (1, 0) else layout.read_array_header_2_0
+        shape, _, kind = read(file)
+        stored = path.stat().st_size - file.tell()
+    promised = math.prod(shape) * kind.itemsize
+    if not kind.hasobject and promised > stored:
+        size = " × ".join(str(length) for length in shape)
+        raise ValueError(f"its heading states {size} numbers, {promised:,} bytes; the file holds {stored:,}")
+
+
 def _image(path: Path, _hints: Hints) -> Raster:
     from PIL import Image
 
     try:
         with Image.open(path) as image:
+            refuse_many_cells(image.height, image.width, MOST_PIXELS)
             mode, values = image.mode, np.asarray(image)
     except (OSError, ValueError, Image.DecompressionBombError) as error:
         raise UnreadableError(f"cannot be read as an image: {error}") from None

@@ -7,6 +7,7 @@ bytes, then the numbers of the fields that it lists as ``encoded``, each padded 
 """
 
 import json
+import math
 import struct
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -15,7 +16,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-PROTOCOL = 4
+from barchan.errors import BarchanError
+
+PROTOCOL = 5
 """Version of the messages; client and server of different versions do not talk."""
 
 MESSAGES = {
@@ -23,15 +26,22 @@ MESSAGES = {
     "runs": "The names of the runs have changed.",
     "lockstep": "Two runs that are compared started or stopped.",
     "scenario": "What a run consists of: scenario, lattice, fields, measures, branches.",
+    "begun": "A run has begun, or its start was refused; only for the server.",
     "compiling": "Kernels are being compiled.",
     "arrived": "A run has done the steps that it was asked for.",
-    "lost": "The process of a run has ended by itself.",
+    "lost": "The process of a run has ended by itself; the newest step that all runs can continue from.",
     "done": "The answer to a request.",
     "refused": "A request that cannot be carried out, and why.",
 }
 """Types of the messages that the browser gets, and their meanings."""
 
 MAGIC = b"BRCH"
+
+STATE_MAGIC = b"BRST"
+"""How the complete state of a run begins, by which a worker and the server save it from a loss."""
+
+STATE_HEAD = "<qq"
+"""What follows it: the number of the start that the run goes back to, and the step."""
 
 LARGEST_MESSAGE = 1 << 20
 """Bytes of a control message that the server takes."""
@@ -62,6 +72,28 @@ class EncodedField:
         }
 
 
+def read_request(text: str | bytes) -> Request:
+    """The request in a message.
+
+    Raises BarchanError where it is no object of JSON, or holds a number that is not finite: JSON has none,
+    and a digit too many in an exponent must not become one.
+    """
+    try:
+        data = json.loads(text, parse_constant=_finite, parse_float=_finite)
+    except (ValueError, RecursionError) as error:
+        raise BarchanError(f"a message that cannot be read: {error}") from None
+    if not isinstance(data, dict):
+        raise BarchanError("a message must be an object that names a command")
+    return data
+
+
+def _finite(text: str) -> float:
+    number = float(text)
+    if not math.isfinite(number):
+        raise BarchanError(f"a message holds the number {text}; allowed: finite numbers")
+    return number
+
+
 def message(kind: str, **content: Any) -> bytes:
     """A control message of one of the ``MESSAGES``; raises KeyError for any other."""
     MESSAGES[kind]
@@ -76,6 +108,24 @@ def frame(header: dict[str, Any], fields: Sequence[EncodedField]) -> bytes:
         numbers = np.ascontiguousarray(field.numbers)
         parts += [numbers.data, padding(numbers.nbytes)]
     return b"".join(parts)
+
+
+def is_state(data: bytes) -> bool:
+    """Whether data are the complete state of a run; see ``STATE_MAGIC``."""
+    return data.startswith(STATE_MAGIC)
+
+
+def state_head(data: bytes) -> tuple[int, int]:
+    """The number of the start that a run goes back to, and the step of its state."""
+    number, step = struct.unpack_from(STATE_HEAD, data, len(STATE_MAGIC))
+    return number, step
+
+
+def numbered(data: bytes, number: int) -> bytes:
+    """The state of a run, for the start of that number."""
+    _, step = state_head(data)
+    head = len(STATE_MAGIC) + struct.calcsize(STATE_HEAD)
+    return STATE_MAGIC + struct.pack(STATE_HEAD, number, step) + data[head:]
 
 
 def is_frame(data: bytes) -> bool:

@@ -21,6 +21,8 @@ export class App {
   files: { heights: string[]; records: string[] } = { heights: [], records: [] };
   /** Whether two runs that are led together run; null where there is one. */
   pairRuns: boolean | null = null;
+  /** The step that the server kept last of all runs, after one was lost; null where there is none. */
+  kept: number | null = null;
   readonly notices = new Notices();
   readonly described = new Signal<Run>();
   readonly framed = new Signal<Run>();
@@ -145,6 +147,7 @@ export class App {
     lost: (message, run) => {
       if (!run) return;
       run.lost = true;
+      this.kept = message.kept as number | null;
       const text = `The simulation’s process ended by itself (code ${message.code}).`;
       this.notices.note("error", text, "", false); // the scene says so for as long as it lasts
       this.connection.abandon(text, run.name);

@@ -1,6 +1,6 @@
 /** Names that server and client share; written by `python -m barchan.studio.commands`. */
 
-export const PROTOCOL = 4;
+export const PROTOCOL = 5;
 
 export type CommandName =
   /** A frame was drawn; another one may follow. */
@@ -45,7 +45,7 @@ export type CommandName =
   | "compare"
   /** End the second run. */
   | "alone"
-  /** Start lost runs again. */
+  /** Start lost runs again, at their beginning or from the kept state. */
   | "revive"
   /** Save a run in the session's folder. */
   | "save"
@@ -69,11 +69,13 @@ export type MessageType =
   | "lockstep"
   /** What a run consists of: scenario, lattice, fields, measures, branches. */
   | "scenario"
+  /** A run has begun, or its start was refused; only for the server. */
+  | "begun"
   /** Kernels are being compiled. */
   | "compiling"
   /** A run has done the steps that it was asked for. */
   | "arrived"
-  /** The process of a run has ended by itself. */
+  /** The process of a run has ended by itself; the newest step that all runs can continue from. */
   | "lost"
   /** The answer to a request. */
   | "done"

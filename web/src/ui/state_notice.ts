@@ -2,7 +2,7 @@
 
 import type { App } from "../core/app";
 import type { ConnectionState } from "../core/connection";
-import { h } from "./dom";
+import { h, short } from "./dom";
 
 interface State {
   text: string;
@@ -63,12 +63,23 @@ export class StateNotice {
   private ofRuns(): State | null {
     const { runs, current } = this.app;
     if (runs.some((run) => run.lost)) {
-      return { text: "The simulation’s process ended by itself.", way: () => action("restart the run", () => void this.app.send({ command: "revive" })) };
+      return { text: "The simulation’s process ended by itself.", way: () => this.revival() };
     }
     if (this.compiling) return { text: "Translating the model into machine code; that is kept, so it happens once …", calm: true };
     if (!runs.some((run) => run.ready)) return { text: "Starting …", calm: true };
     const finished = current?.status?.finished;
     return finished ? { text: `The run ended: ${finished}.`, calm: true } : null;
+  }
+
+  /** Both ways out of a loss: from the state that the server kept, and from the beginning. */
+  private revival(): HTMLElement {
+    const { kept } = this.app;
+    return h(
+      "span",
+      {},
+      kept !== null && action(`go on from step ${short(kept, 9)}`, () => void this.app.send({ command: "revive", kept })),
+      action("restart the run", () => void this.app.send({ command: "revive" })),
+    );
   }
 }
 

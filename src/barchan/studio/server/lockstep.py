@@ -21,6 +21,7 @@ class Lockstep:
         self._left: int | None = None
         self._pacer = StepPacer(MEETING_SECONDS)
         self._steps = 0
+        self._keep = False
         self._away: set[str] = set()
         self._began = 0.0
 
@@ -37,6 +38,18 @@ class Lockstep:
         self.running = False
         self._on_change(False)
 
+    def keep(self) -> None:
+        """Let both send their states where they meet next, so that both are of the same step."""
+        self._keep = True
+        if not self._away:
+            self._send_keep()
+
+    def _send_keep(self) -> None:
+        if self._keep:
+            self._keep = False
+            for worker in self.workers.values():
+                worker.send("keep")
+
     def arrived(self, name: str) -> None:
         """A worker has done its steps."""
         if name not in self._away:
@@ -44,6 +57,7 @@ class Lockstep:
         self._away.discard(name)
         if self._away:
             return
+        self._send_keep()
         self._pacer.record(self._steps, time.perf_counter() - self._began)
         if self._left == 0:
             self.pause()

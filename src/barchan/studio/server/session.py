@@ -2,23 +2,23 @@
 
 import asyncio
 import json
-from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 from barchan.errors import BarchanError, ScenarioError
-from barchan.models import models
-from barchan.scenario import Scenario, validate
-from barchan.studio.commands import Handlers, command_of
-from barchan.studio.protocol import PROTOCOL, Request, is_frame, message
+from barchan.scenario import Scenario
+from barchan.studio.commands import command_of
+from barchan.studio.protocol import PROTOCOL, Request, is_frame, is_state, message, numbered, read_request
+from barchan.studio.server.kept_states import KeptStates
 from barchan.studio.server.lockstep import Lockstep
 from barchan.studio.server.queries import QUERIES
+from barchan.studio.server.session_commands import FIRST, SECOND, SESSION
+from barchan.studio.server.starts import Starts
 from barchan.studio.server.worker_handle import WorkerHandle
 from barchan.studio.server.workspace import Workspace
 
-FIRST, SECOND = "a", "b"
-
-SESSION: Handlers[Callable[["Session", Request], None]] = Handlers("session")
+ANSWERED = (BarchanError, OSError, LookupError, TypeError, ValueError, ArithmeticError, MemoryError)
+"""Errors of a request that the browser is told of."""
 
 
 class Session:
@@ -32,7 +32,10 @@ class Session:
         self.workers: dict[str, WorkerHandle] = {}
         self.scenarios: dict[str, dict[str, Any]] = {}
         """The scenario of each worker, as changes during the run have left it."""
+        self.starts = Starts()
+        self.kept = KeptStates()
         self.lockstep: Lockstep | None = None
+        self._keeping: asyncio.TimerHandle | None = None
         self.outbox: asyncio.Queue[bytes] | None = None
         if archive is not None:
             self.first: Request = {"command": "open_folder", "folder": str(archive)}
@@ -43,10 +46,13 @@ class Session:
 
     def start(self) -> None:
         """Start the first worker."""
-        self._worker(FIRST).forward(self.first)
+        self.start_run(FIRST, self.first)
+        self._keep()
 
     def close(self) -> None:
         """End all workers."""
+        if self._keeping is not None:
+            self._keeping.cancel()
         for worker in self.workers.values():
             worker.close()
         self.workers.clear()
@@ -61,7 +67,7 @@ class Session:
         for worker in self.workers.values():
             worker.send("attach")
             if not worker.process.is_alive():
-                self._send("lost", run=worker.name, code=worker.process.exitcode)
+                self._report_loss(worker)
         return self.outbox
 
     def detach(self, outbox: asyncio.Queue[bytes]) -> None:
@@ -73,14 +79,11 @@ class Session:
         """Carry out a request of the browser; one that cannot be carried out is answered with the reason."""
         request: Request = {}
         try:
-            data = json.loads(text)
-            if not isinstance(data, dict):
-                raise BarchanError("a message must be an object that names a command")
-            request = data
+            request = read_request(text)
             self._carry_out(request)
         except ScenarioError as error:
             self._refuse(request, str(error), [vars(problem) for problem in error.problems])
-        except (BarchanError, LookupError, TypeError, ValueError) as error:
+        except ANSWERED as error:
             self._refuse(request, str(error) or type(error).__name__, [])
 
     def _send(self, kind: str, **content: Any) -> None:
@@ -116,7 +119,7 @@ class Session:
             for name in [named] if named is not None else list(self.workers):
                 self.workers[name].forward({**request, "run": None})
 
-    def _worker(self, name: str) -> WorkerHandle:
+    def worker(self, name: str) -> WorkerHandle:
         """The worker of that name, a new one where there is none or it was lost."""
         worker = self.workers.get(name)
         if worker is None or not worker.process.is_alive():
@@ -125,14 +128,35 @@ class Session:
                 worker.send("attach")
         return worker
 
+    def start_run(self, name: str, request: Request) -> None:
+        """Let a worker begin a run."""
+        start = self.starts.add(name, request, request.get("scenario"))
+        assert start.request is not None
+        self.worker(name).forward(start.request)
+
+    def _keep(self) -> None:
+        """Let the workers send their states, to be kept, now and again and again."""
+        if self.lockstep is not None:
+            self.lockstep.keep()
+        else:
+            for worker in self.workers.values():
+                worker.send("keep")
+        self._keeping = asyncio.get_running_loop().call_later(self.kept.pause, self._keep)
+
     def _on_worker_data(self, worker: WorkerHandle, data: bytes) -> None:
         """Pass a worker's message or frame on to the browser, and note what concerns all workers."""
         if self.workers.get(worker.name) is not worker:
+            return
+        if is_state(data):
+            self.kept.take(worker.name, data)
             return
         if not is_frame(data):
             content = json.loads(data)
             if content["type"] == "scenario":
                 self.scenarios[worker.name] = content["scenario"]
+            elif content["type"] == "begun":
+                self._on_begun(worker.name, content)
+                return
             elif content["type"] == "arrived" and self.lockstep is not None:
                 self.lockstep.arrived(worker.name)
         if self.outbox is not None:
@@ -142,84 +166,64 @@ class Session:
         """A worker ended by itself."""
         if self.workers.get(worker.name) is worker:
             worker.process.join()
-            if self.lockstep is not None:
-                self.lockstep.pause()
-            self._send("lost", run=worker.name, code=worker.process.exitcode)
+            self.pair_again()
+            self._report_loss(worker)
+            if (missed := self.starts.lost(worker.name)) is not None:
+                self.start_run(worker.name, missed)
 
-    @SESSION.handles("create")
-    def _create(self, request: Request) -> None:
-        """Start a scenario; where there are two workers in the other one, too, with its own model."""
-        self.workspace.check(request["scenario"])
-        data = validate(request["scenario"]).seeded().data()
-        name = SECOND if self.lockstep is not None and request.get("run") == SECOND else FIRST
-        begun = {name: data}
-        answering = _answer_of(name, request)
+    def pair_again(self) -> None:
+        """Pause two runs; neither waits for steps of the other any more, whose process may be lost."""
         if self.lockstep is not None:
-            other = FIRST if name == SECOND else SECOND
-            begun[other] = {**data, "model": self.scenarios[other]["model"]}
-        self._begin(begun, bool(request.get("running", True)), answering)
+            self.lockstep = Lockstep(self.workers, self._on_lockstep)
+            self.lockstep.pause()
 
-    def _begin(
+    def _report_loss(self, worker: WorkerHandle) -> None:
+        kept = self.kept.common_step(list(self.workers))
+        self._send("lost", run=worker.name, code=worker.process.exitcode, kept=kept)
+
+    def _on_begun(self, name: str, content: dict[str, Any]) -> None:
+        """A worker has begun a run, or refused to."""
+        start = self.starts.answered(name, content["number"])
+        if content["ok"]:
+            self.kept.begun(name, content["number"], resumed=start is not None and start.request is None)
+        elif name == SECOND and SECOND not in self.scenarios:
+            self.end_second()
+
+    def begin(
         self, scenarios: dict[str, dict[str, Any]], running: bool, answering: dict[str, Request] | None = None
     ) -> None:
         """Start these scenarios, in lockstep where there are two; the named workers answer the request."""
         alone = len(scenarios) == 1
-        self.scenarios = scenarios
         for name, data in scenarios.items():
             answer = (answering or {}).get(name, {})
-            self._worker(name).send("start", **answer, scenario=data, running=running and alone)
+            self.start_run(
+                name, {"command": "start", **answer, "scenario": data, "running": running and alone}
+            )
         self.lockstep = None if alone else Lockstep(self.workers, self._on_lockstep)
         if self.lockstep is not None and running:
             self.lockstep.run()
 
+    def resume(self, step: int) -> None:
+        """Let all runs continue from the states that are kept after a step."""
+        states = {name: self.kept.at(name, step) for name in self.workers}
+        self.pair_again()
+        for name, state in states.items():
+            start = self.starts.add(name, None)
+            self.worker(name).send_bytes(numbered(state, start.number))
+
     def _on_lockstep(self, running: bool) -> None:
         self._send("lockstep", running=running)
 
-    @SESSION.handles("compare")
-    def _compare(self, request: Request) -> None:
-        """Run another model beside, on the same ground, under the same wind, from the same seed."""
-        first = self.scenarios[FIRST]
-        if request["model"] not in models():
-            raise BarchanError(f"no model '{request['model']}'; allowed: {', '.join(models())}")
-        second = validate({**first, "model": {"name": request["model"]}}).data()
-        self._begin({FIRST: first, SECOND: second}, True, _answer_of(SECOND, request))
+    def report_runs(self) -> None:
+        """Let the browser know the names of the runs."""
         self._send("runs", runs=list(self.workers))
 
-    @SESSION.handles("alone")
-    def _alone(self, _: Request) -> None:
+    def end_second(self) -> None:
         """End the second simulation."""
         self.lockstep = None
         worker = self.workers.pop(SECOND, None)
         if worker is not None:
             worker.close()
         self.scenarios.pop(SECOND, None)
-        self._send("runs", runs=list(self.workers))
-
-    @SESSION.handles("revive")
-    def _revive(self, _: Request) -> None:
-        """Start lost workers again, from the beginning of their scenarios."""
-        if self.scenarios:
-            self._begin(dict(self.scenarios), running=True)
-        else:
-            self.start()
-
-    @SESSION.handles("save")
-    def _save(self, request: Request) -> None:
-        """Save a run as an archive in the session's folder."""
-        folder = self.workspace.run(str(request["name"]))
-        worker = self.workers[request.get("run") or FIRST]
-        worker.send("save_folder", folder=str(folder), id=request.get("id"))
-
-    @SESSION.handles("open")
-    def _open(self, request: Request) -> None:
-        """Continue an archive of the session's folder."""
-        folder = self.workspace.run(str(request["name"]))
-        if folder.name not in self.workspace.runs():
-            raise BarchanError(f"no run '{folder.name}' in {self.workspace.folder}")
-        self._alone(request)
-        self._worker(FIRST).send("open_folder", folder=str(folder), id=request.get("id"))
-
-
-def _answer_of(name: str, request: Request) -> dict[str, Request]:
-    """The id of a request that a worker answers when it has begun, by the worker's name."""
-    return {name: {"id": request["id"]}} if request.get("id") is not None else {}
+        self.kept.forget(SECOND)
+        self.report_runs()

@@ -42,9 +42,13 @@ class WorkerHandle:
 
     def forward(self, request: dict[str, Any]) -> None:
         """Send the worker a request as it is; it is dropped where the worker has ended."""
+        self.send_bytes(json.dumps(request).encode())
+
+    def send_bytes(self, data: bytes) -> None:
+        """Send the worker a request or a state; it is dropped where the worker has ended."""
         try:
             with self._sending:
-                self._connection.send_bytes(json.dumps(request).encode())
+                self._connection.send_bytes(data)
         except OSError:
             pass
 

@@ -11,6 +11,7 @@ from barchan.studio.commands import Handlers, command_of
 from barchan.studio.protocol import Request
 from barchan.studio.worker.description import description
 from barchan.studio.worker.frame_sender import FrameSender
+from barchan.studio.worker.rescue import from_bytes, to_bytes
 from barchan.studio.worker.rose import rose_of
 from barchan.studio.worker.run import StudioRun, started
 from barchan.studio.worker.saved_runs import open_saved_run, save_run
@@ -22,6 +23,12 @@ Answer = dict[str, Any] | None
 
 WORKER: Handlers[Callable[["RunCommands", Request], Answer]] = Handlers("worker")
 
+BEGINNINGS = ("start", "open_folder", "resume")
+"""Commands that begin another run."""
+
+UNSEEN = ("confirm", "keep")
+"""Commands that change nothing that a frame shows."""
+
 SLOWEST, FASTEST = 0.1, 1e6
 """Limits of the speed limit (steps per second)."""
 
@@ -29,18 +36,39 @@ SLOWEST, FASTEST = 0.1, 1e6
 class RunCommands:
     """Carries commands out on the worker's run."""
 
-    def __init__(self, frames: FrameSender, send: Callable[..., None]) -> None:
-        """No run yet; ``send`` sends control messages."""
+    def __init__(
+        self, frames: FrameSender, send: Callable[..., None], send_bytes: Callable[[bytes], None]
+    ) -> None:
+        """No run yet; ``send`` sends control messages, ``send_bytes`` the state that the server keeps."""
         self.frames = frames
         self.run: StudioRun | None = None
+        self.number = 0
+        """The number of the start that the run goes back to."""
         self._send = send
+        self._send_bytes = send_bytes
+        self._kept: tuple[int, int, int] | None = None
 
     def carry_out(self, request: Request) -> Answer:
         """Carry one command out; returns the answer to it."""
         command = command_of(request["command"], has_run=self.run is not None)
-        answer = WORKER[command.name](self, request)
-        if command.name != "confirm":
+        if command.name in BEGINNINGS:
+            answer = self._begin(command.name, request)
+        else:
+            answer = WORKER[command.name](self, request)
+        if command.name not in UNSEEN:
             self.frames.refresh()
+        return answer
+
+    def _begin(self, name: str, request: Request) -> Answer:
+        """Begin another run, and let the server know whether it has begun or the old one goes on."""
+        number, begun = int(request.get("number", 0)), False
+        before, self.number = self.number, number
+        try:
+            answer = WORKER[name](self, request)
+            begun = True
+        finally:
+            self.number = number if begun else before
+            self._send("begun", number=number, ok=begun)
         return answer
 
     @property
@@ -60,7 +88,7 @@ class RunCommands:
     @WORKER.handles("confirm")
     def confirm(self, _: Request) -> None:
         """The browser has drawn a frame."""
-        self.frames.credit += 1
+        self.frames.confirm()
 
     @WORKER.handles("view")
     def view(self, request: Request) -> None:
@@ -87,6 +115,19 @@ class RunCommands:
     def open_folder(self, request: Request) -> None:
         """Continue the run in an archive, paused where it ended."""
         self._take(open_saved_run(Path(request["folder"])), running=False)
+
+    @WORKER.handles("resume")
+    def resume(self, request: Request) -> None:
+        """Continue from a state that the server has kept, paused."""
+        self._take(from_bytes(request["state"]), running=False)
+
+    @WORKER.handles("keep")
+    def keep(self, _: Request) -> None:
+        """Let the server keep the newest state, unless it has it already."""
+        now = id(self.current.live), self.current.live.steps_done, len(self.current.live.events)
+        if now != self._kept and (data := to_bytes(self.current, self.number)):
+            self._kept = now
+            self._send_bytes(data)
 
     @WORKER.handles("save_folder")
     def save_folder(self, request: Request) -> Answer:

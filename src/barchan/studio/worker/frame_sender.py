@@ -47,6 +47,10 @@ class FrameSender:
         self.stale = True
         self.forget()
 
+    def confirm(self) -> None:
+        """The browser has drawn a frame, of those that are on their way to it."""
+        self.credit = min(self.credit + 1, FRAMES_IN_FLIGHT)
+
     def forget(self) -> None:
         """Send ground, history and paths again: those that the browser has are of another run."""
         self._ground_sent = None

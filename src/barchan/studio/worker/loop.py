@@ -1,12 +1,25 @@
 """The process of one simulation: it carries out requests, does steps, and sends frames."""
 
-import json
 import signal
 from multiprocessing.connection import Connection
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from barchan.errors import BarchanError, ScenarioError
-from barchan.studio.protocol import Request, message
+from barchan.studio.protocol import Request, is_state, message, read_request, state_head
+
+if TYPE_CHECKING:
+    from barchan.studio.worker.run import StudioRun
+
+CARRIED_OUT_OR_ANSWERED = (
+    BarchanError,
+    OSError,
+    LookupError,
+    TypeError,
+    ValueError,
+    ArithmeticError,
+    MemoryError,
+)
+"""Errors of a request that are answered; a worker survives whatever numbers a request holds."""
 
 
 def run_worker(connection: Connection, name: str) -> None:
@@ -37,7 +50,7 @@ class Worker:
         self.connection = connection
         self.name = name
         self.frames = FrameSender(name, connection.send_bytes)
-        self.commands = RunCommands(self.frames, self.send)
+        self.commands = RunCommands(self.frames, self.send, connection.send_bytes)
 
     def send(self, kind: str, **content: Any) -> None:
         """Send a control message."""
@@ -46,7 +59,7 @@ class Worker:
     def receive(self) -> None:
         """Carry out the requests that have come; wait for some where there is nothing else to do."""
         while self.connection.poll(self._patience()):
-            self.on_request(json.loads(self.connection.recv_bytes()))
+            self.on_data(self.connection.recv_bytes())
 
     def _patience(self) -> float | None:
         run = self.commands.run
@@ -54,14 +67,21 @@ class Worker:
             return None
         return run.speed.wait() if run.busy else self.frames.wait()
 
+    def on_data(self, data: bytes) -> None:
+        """Carry out a request, or continue from the state that the server has kept."""
+        if is_state(data):
+            self.on_request({"command": "resume", "state": data, "number": state_head(data)[0]})
+        else:
+            self.on_request(read_request(data))
+
     def on_request(self, request: Request) -> None:
         """Carry out one request; one that cannot be carried out is answered, never fatal."""
         try:
             result = self.commands.carry_out(request)
         except ScenarioError as error:
             self._refuse(request, "; ".join(map(str, error.problems)), [vars(p) for p in error.problems])
-        except (BarchanError, OSError, LookupError, TypeError, ValueError) as error:
-            self._refuse(request, str(error), [])
+        except CARRIED_OUT_OR_ANSWERED as error:
+            self._refuse(request, reason(error), [])
         else:
             if "id" in request:
                 self.send("done", id=request["id"], **(result or {}))
@@ -76,10 +96,29 @@ class Worker:
         if run is None:
             return
         if run.busy:
-            arrived = run.advance_chunk()
+            arrived = self._advance(run)
             self.frames.stale = True
             if arrived:
                 if self.frames.credit:  # those who compare two runs see both at every meeting
                     self.frames.send(run)
                 self.send("arrived", step=run.live.steps_done)
         self.frames.send_if_due(run)
+
+    def _advance(self, run: "StudioRun") -> bool:
+        """Do some steps; a run whose steps fail is paused at the last state that is whole."""
+        try:
+            return run.advance_chunk()
+        except CARRIED_OUT_OR_ANSWERED as error:
+            step = run.live.steps_done
+            run.recover()
+            text = f"the run is paused at step {run.live.steps_done}: after step {step} {reason(error)}"
+            self._refuse({"command": "run"}, text, [])
+            return False
+
+
+def reason(error: Exception) -> str:
+    """The text of an error; memory that was not to be had is named with its amount where that is known."""
+    text = str(error)
+    if isinstance(error, MemoryError):
+        return f"more memory was needed than is free{f' ({text})' if text else ''}"
+    return text or type(error).__name__

@@ -72,6 +72,11 @@ class StudioRun:
         self.running = False
         self.measures.take(self.live, at_once=True)
 
+    def recover(self) -> None:
+        """Pause at the state that was kept last, where steps have failed half-way."""
+        self.running = False
+        self.change(Simulation.from_state(self.history.states[-1]))
+
     def advance_chunk(self) -> bool:
         """Do a chunk of steps; returns whether a set target is reached."""
         steps = self.speed.steps
