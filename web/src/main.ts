@@ -9,6 +9,7 @@ import { Compare } from "./ui/compare";
 import { Dock } from "./ui/dock";
 import { button, h } from "./ui/dom";
 import { Files } from "./ui/files";
+import { FullScreen } from "./ui/fullscreen";
 import { gallery } from "./ui/gallery";
 import { type Shortcut, control, help, key, listen } from "./ui/help";
 import { Hud } from "./ui/hud";
@@ -18,6 +19,7 @@ import { Pointer } from "./ui/pointer";
 import { StateNotice } from "./ui/state_notice";
 import { Tabs } from "./ui/tabs";
 import { Toasts, leadTo } from "./ui/toasts";
+import { Tour } from "./ui/tour";
 import { Timeline } from "./ui/timeline";
 import { ViewPanel } from "./ui/viewpanel";
 import { WindPanel } from "./ui/wind";
@@ -55,7 +57,7 @@ const series = new SeriesView(app);
 const dock = new Dock([section, series, new SpaceTimeView(app, section), log]);
 const timeline = new Timeline(app);
 const bar = new Bar(app, [
-  button("Presets (G)", "Presets", () => void gallery(app)),
+  button("Presets (G)", "Presets", () => showGallery()),
   files.menu,
   new Compare(app).element,
   button("Keys and mouse (?)", "?", () => help(shortcuts)),
@@ -75,12 +77,17 @@ scene.append(h("div", { className: "messages" }, new StateNotice(app).element, t
 
 app.notices.logged.watch((entry) => entry.level !== "info" && dock.mark(3));
 
+const tour = new Tour(app, () => tabs.choose(1));
+scene.append(tour.element);
+const showGallery = () => void gallery(app, () => tour.begin()).catch((error) => app.refused(error));
+const full = new FullScreen();
+
 const turn = Math.PI / 36;
 const shortcuts: Shortcut[] = [
   key(" ", "run or pause", () => bar.toggle(), "Space"),
   key(".", "one step", () => bar.step(1)),
   key("r", "restart with the same seed", () => bar.restart(), "R"),
-  key("g", "presets", () => void gallery(app), "G"),
+  key("g", "presets", () => showGallery(), "G"),
   key("b", "brush on or off", () => paint.activate(!paint.active), "B"),
   key("[", "smaller brush", () => paint.grow(1 / 1.25)),
   key("]", "larger brush", () => paint.grow(1.25)),
@@ -101,6 +108,7 @@ const shortcuts: Shortcut[] = [
   key("PageUp", "look back", () => timeline.nudge(-1), "Page up"),
   key("PageDown", "look on", () => timeline.nudge(1), "Page down"),
   key("End", "return to now", () => timeline.live()),
+  key("f", "full screen with large type, and back", () => full.toggle(), "F"),
   key("p", "save a picture", () => void files.savePicture(), "P"),
   key("w", "wireframe", () => app.view.set({ wireframe: !app.view.look.wireframe }), "W"),
   key("?", "this list", () => help(shortcuts)),
@@ -116,7 +124,11 @@ listen([...shortcuts, ...quiet]);
 const page = document.getElementById("app")!;
 page.classList.add("waiting");
 app.framed.watch(() => {
-  if (app.current?.ready) page.classList.remove("waiting");
+  if (!app.current?.ready || !page.classList.contains("waiting")) return;
+  page.classList.remove("waiting");
+  if (location.hash !== "#gallery") return;
+  history.replaceState(null, "", location.pathname + location.search);
+  showGallery();
 });
 page.append(
   bar.element,
@@ -128,7 +140,7 @@ app.start();
 /** For tests and measurements. */
 declare global {
   interface Window {
-    barchan: { app: App; stage: Stage; series: SeriesView; files: Files };
+    barchan: { app: App; stage: Stage; series: SeriesView; tour: Tour; files: Files };
   }
 }
-window.barchan = { app, stage, series, files };
+window.barchan = { app, stage, series, tour, files };

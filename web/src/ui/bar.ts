@@ -7,7 +7,7 @@ import { type Icon, icon } from "./icons";
 const LIMITS: [string, number | null][] = [
   ["no limit", null],
   ["100 steps/s", 100],
-  ["30 steps/s", 30],
+  ["40 steps/s", 40],
   ["10 steps/s", 10],
   ["3 steps/s", 3],
   ["1 step/s", 1],
@@ -18,6 +18,7 @@ export class Bar {
   private readonly title = h("strong", { className: "title" });
   private readonly model = h("span", { className: "model" });
   private readonly play: HTMLButtonElement;
+  private readonly limit: HTMLSelectElement;
   private readonly count = h("input", {
     type: "number",
     value: "100",
@@ -33,7 +34,7 @@ export class Bar {
     extras: HTMLElement[],
   ) {
     this.play = button("Run (space)", "", () => this.toggle(), { className: "primary" });
-    const limit = h(
+    this.limit = h(
       "select",
       {
         "aria-label": "Speed limit",
@@ -56,7 +57,7 @@ export class Bar {
         signed("One step (.)", "step", () => this.step(1)),
         this.count,
         button("Do these steps", "go", () => this.step(Number(this.count.value) || 1)),
-        limit,
+        this.limit,
         signed("Restart with the same seed (R)", "restart", () => this.restart()),
       ),
       h("dl", { className: "status", "aria-label": "Status" }, ...this.status()),
@@ -112,6 +113,8 @@ export class Bar {
     this.play.setAttribute("aria-pressed", String(running));
     if (!status || !description) return;
     this.numbers.volume!.previousElementSibling!.textContent = run!.material;
+    const chosen = LIMITS.findIndex(([, rate]) => rate === status.limit);
+    if (chosen >= 0 && document.activeElement !== this.limit) this.limit.selectedIndex = chosen;
     const texts: Record<string, string> = {
       step: short(status.step, 9),
       rate: running ? short(status.rate, 3) : "paused",

@@ -1,6 +1,7 @@
 /** The display over the scene: compass with the wind, scale bar, colour bar, values under the mouse. */
 
 import type { App } from "../core/app";
+import { nameBeside } from "../core/run";
 import type { Stage } from "../scene/stage";
 import { slopes } from "../scene/smooth";
 import { fitCanvas, h, heights, lengthUnit, metres, short, svg } from "./dom";
@@ -75,7 +76,7 @@ export class Hud {
     const two = this.app.runs.length > 1;
     this.names.hidden = !two;
     if (two) {
-      const names = this.app.runs.map((one) => `${one.description?.model.title ?? ""} · step ${short(one.status?.step, 9)}`);
+      const names = this.app.runs.map((one, at) => `${nameBeside(one, this.app.runs[1 - at])} · step ${short(one.status?.step, 9)}`);
       if (this.names.dataset.text !== names.join("|")) {
         this.names.dataset.text = names.join("|");
         this.names.replaceChildren(...names.map((name) => h("span", {}, name)));

@@ -68,7 +68,8 @@ export class StateNotice {
     if (this.compiling) return { text: "Translating the model into machine code; that is kept, so it happens once …", calm: true };
     if (!runs.some((run) => run.ready)) return { text: "Starting …", calm: true };
     const finished = current?.status?.finished;
-    return finished ? { text: `The run ended: ${finished}.`, calm: true } : null;
+    if (finished) return { text: `The run ended: ${finished}.`, calm: true };
+    return this.atItsEnd() ? { text: "Here the scenario ends.", calm: true, way: () => action("go on", () => void this.app.send({ command: "run" })) } : null;
   }
 
   /** Both ways out of a loss: from the state that the server kept, and from the beginning. */
@@ -80,6 +81,13 @@ export class StateNotice {
       kept !== null && action(`go on from step ${short(kept, 9)}`, () => void this.app.send({ command: "revive", kept })),
       action("restart the run", () => void this.app.send({ command: "revive" })),
     );
+  }
+
+  /** Whether the run stands at the last step that its scenario names. */
+  private atItsEnd(): boolean {
+    const { current, running } = this.app;
+    const run = current?.description?.scenario.run as { steps?: number } | undefined;
+    return !running && !current?.status?.looking && current?.status?.step === run?.steps;
   }
 }
 

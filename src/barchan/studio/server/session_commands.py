@@ -1,7 +1,7 @@
 """The commands that the session carries out itself: they begin, end, save and open whole runs."""
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from barchan.errors import BarchanError
 from barchan.models import models
@@ -34,11 +34,14 @@ def create(session: "Session", request: Request) -> None:
 
 @SESSION.handles("compare")
 def compare(session: "Session", request: Request) -> None:
-    """Run another model beside, on the same ground, under the same wind, from the same seed."""
+    """Run another model, or another value of a parameter, beside: the same ground, wind and seed."""
     first = session.scenarios[FIRST]
-    if request["model"] not in models():
+    if "key" in request:
+        second = validate(with_value(first, str(request["key"]), request["value"])).data()
+    elif request["model"] in models():
+        second = validate({**first, "model": {"name": request["model"]}}).data()
+    else:
         raise BarchanError(f"no model '{request['model']}'; allowed: {', '.join(models())}")
-    second = validate({**first, "model": {"name": request["model"]}}).data()
     session.begin({FIRST: first, SECOND: second}, True, _answer_of(SECOND, request))
     session.report_runs()
 
@@ -76,6 +79,19 @@ def open_run(session: "Session", request: Request) -> None:
         raise BarchanError(f"no run '{folder.name}' in {session.workspace.folder}")
     session.end_second()
     session.start_run(FIRST, {"command": "open_folder", "folder": str(folder), "id": request.get("id")})
+
+
+def with_value(scenario: dict[str, Any], key: str, value: Any) -> dict[str, Any]:
+    """A copy of a scenario's data in which a dotted key has another value; BarchanError where it has no such key."""
+    first, _, rest = key.partition(".")
+    if first not in scenario:
+        raise BarchanError(f"the scenario has no '{first}'")
+    if not rest:
+        return {**scenario, first: value}
+    group = scenario[first]
+    if not isinstance(group, dict):
+        raise BarchanError(f"'{first}' of the scenario has no '{rest}'")
+    return {**scenario, first: with_value(group, rest, value)}
 
 
 def _answer_of(name: str, request: Request) -> dict[str, Request]:

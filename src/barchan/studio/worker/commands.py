@@ -232,12 +232,13 @@ class RunCommands:
         return layers_along(self.current.shown, line, str(request["by"]))
 
     def _take(self, run: StudioRun, running: bool) -> None:
-        """Continue with another run, under the same speed limit."""
-        run.speed.limit = self.run.speed.limit if self.run else None
+        """Continue with another run, under the same speed limit, up to the end that its scenario names."""
+        if self.run:
+            run.speed.limit = self.run.speed.limit
         self.run = run
         self._announce()
         if running:
-            run.run()
+            run.run_to_its_end()
 
     def _announce(self) -> None:
         """Send everything again: the run's past is another one."""
