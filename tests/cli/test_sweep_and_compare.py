@@ -69,6 +69,7 @@ def test_a_sweep_with_failures_lists_them_and_how_to_try_again(here, barchan):
         (["--models", "werner,momiji", "--seeds", "0"], "--seeds 0"),
         (["--models", "werner,momiji", "--step", "7"], "--step 7: is not saved; allowed: multiples of 5"),
         (["--models", "werner,momiji", "--vary", "model.hop_length=0"], "is 0; allowed"),
+        (["--preset-set", "thesis"], "--preset-set is stated with a scenario; a set states its own"),
     ],
 )
 def test_a_comparison_that_cannot_be_made_says_why(here, barchan, words, said):

@@ -12,7 +12,7 @@ from websockets.sync.client import ClientConnection, connect
 
 from barchan.scenario import Scenario, validate
 from barchan.studio.server.app import application
-from barchan.studio.server.launch import listener
+from barchan.studio.server.launch import configured, listener
 from barchan.studio.server.security import Guard
 from barchan.studio.server.session import Session
 from barchan.studio.server.workspace import Workspace
@@ -115,13 +115,7 @@ def serving(folder: Path, scenario: Scenario | None = None, archive: Path | None
     socket = listener("127.0.0.1", port)
     guard = Guard(socket.getsockname()[1])
     session = Session(Workspace(folder), scenario, archive)
-    config = uvicorn.Config(
-        application(session, guard),
-        log_level="warning",
-        ws="websockets-sansio",
-        ws_per_message_deflate=False,
-        timeout_graceful_shutdown=1,
-    )
+    config = configured(application(session, guard))
     server = uvicorn.Server(config)
     thread = threading.Thread(target=server.run, args=([socket],), daemon=True)
     thread.start()

@@ -1,8 +1,11 @@
 /** Puts the page together. */
 
 import "./style.css";
+import "./layout.css";
 import "./messages.css";
+import "./first_minute.css";
 import { App } from "./core/app";
+import { takeToken } from "./core/token";
 import { Stage } from "./scene/stage";
 import { Bar } from "./ui/bar";
 import { Compare } from "./ui/compare";
@@ -13,9 +16,11 @@ import { FullScreen } from "./ui/fullscreen";
 import { gallery } from "./ui/gallery";
 import { type Shortcut, control, help, key, listen } from "./ui/help";
 import { Hud } from "./ui/hud";
+import { icon } from "./ui/icons";
 import { Paint } from "./ui/paint";
 import { Panel } from "./ui/panel";
 import { Pointer } from "./ui/pointer";
+import { Side } from "./ui/side";
 import { StateNotice } from "./ui/state_notice";
 import { Tabs } from "./ui/tabs";
 import { Toasts, leadTo } from "./ui/toasts";
@@ -28,7 +33,8 @@ import { SectionView } from "./views/section";
 import { SeriesView } from "./views/series";
 import { SpaceTimeView } from "./views/spacetime";
 
-const app = new App(new URLSearchParams(location.search).get("token") ?? "");
+const opensGallery = location.hash === "#gallery";
+const app = new App(takeToken());
 
 function themed(): void {
   const { theme } = app.view.look;
@@ -56,20 +62,25 @@ const log = new LogView(app);
 const series = new SeriesView(app);
 const dock = new Dock([section, series, new SpaceTimeView(app, section), log]);
 const timeline = new Timeline(app);
-const bar = new Bar(app, [
-  button("Presets (G)", "Presets", () => showGallery()),
-  files.menu,
-  new Compare(app).element,
-  button("Keys and mouse (?)", "?", () => help(shortcuts)),
-]);
 const tabs = new Tabs([
   ["Scenario", new Panel(app).element],
   ["Wind", new WindPanel(app).element],
   ["Paint", paint.element],
   ["View", new ViewPanel(app, stage).element],
 ]);
+const side = new Side(tabs.elements);
+const full = new FullScreen();
+const bar = new Bar(app, [
+  button("Presets (G)", "Presets", () => showGallery()),
+  files.menu,
+  new Compare(app).element,
+  button("Keys and mouse (?)", "?", () => help(shortcuts)),
+  button("Full screen (F)", icon("full"), () => full.toggle()),
+  side.button,
+]);
 
 const toasts = new Toasts(app, (key) => {
+  side.unfold();
   tabs.choose(key === "wind" || key.startsWith("wind.") ? 1 : 0);
   leadTo(key);
 });
@@ -77,10 +88,12 @@ scene.append(h("div", { className: "messages" }, new StateNotice(app).element, t
 
 app.notices.logged.watch((entry) => entry.level !== "info" && dock.mark(3));
 
-const tour = new Tour(app, () => tabs.choose(1));
+const tour = new Tour(app, () => {
+  side.unfold();
+  tabs.choose(1);
+});
 scene.append(tour.element);
 const showGallery = () => void gallery(app, () => tour.begin()).catch((error) => app.refused(error));
-const full = new FullScreen();
 
 const turn = Math.PI / 36;
 const shortcuts: Shortcut[] = [
@@ -110,6 +123,7 @@ const shortcuts: Shortcut[] = [
   key("End", "return to now", () => timeline.live()),
   key("f", "full screen with large type, and back", () => full.toggle(), "F"),
   key("p", "save a picture", () => void files.savePicture(), "P"),
+  key("n", "panel: fold or draw out", () => side.toggle(), "N"),
   key("w", "wireframe", () => app.view.set({ wireframe: !app.view.look.wireframe }), "W"),
   key("?", "this list", () => help(shortcuts)),
 ];
@@ -126,13 +140,12 @@ page.classList.add("waiting");
 app.framed.watch(() => {
   if (!app.current?.ready || !page.classList.contains("waiting")) return;
   page.classList.remove("waiting");
-  if (location.hash !== "#gallery") return;
-  history.replaceState(null, "", location.pathname + location.search);
-  showGallery();
+  if (location.hash === "#gallery") history.replaceState(null, "", location.pathname + location.search);
+  if (opensGallery) showGallery();
 });
 page.append(
   bar.element,
-  h("main", {}, h("div", { className: "stage-column" }, scene, timeline.element, dock.element), tabs.element),
+  h("main", {}, h("div", { className: "stage-column" }, scene, timeline.element, dock.element), side.element),
 );
 
 app.start();

@@ -5,7 +5,6 @@ from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.fft import irfft2, rfft2
 
 from barchan.aeolian.edges import mirrored
 from barchan.aeolian.mesh import following, over_mesh
@@ -110,11 +109,15 @@ class LinearFlow:
         """Take the ``surface`` apart."""
         self.lattice, self.direction = lattice, direction
         self.numbers = _wave_numbers(lattice, direction)
+        from scipy.fft import rfft2  # at the first step of a model that needs it, not with the first page
+
         self.waves = rfft2(mirrored(np.asarray(surface, np.float64), lattice))
 
     def field(self, factor: NDArray) -> NDArray[np.float64]:
         """The sum over all waves, each times its ``factor``."""
         rows, columns = self.lattice.shape
+        from scipy.fft import irfft2
+
         whole = irfft2(factor * self.waves, s=(self.numbers.rows, self.numbers.columns))
         return np.asarray(whole[:rows, :columns])
 

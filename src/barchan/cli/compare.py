@@ -2,20 +2,29 @@
 
 import shlex
 import sys
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 from cyclopts import Parameter
 
 from barchan.cli.ensembles import Varied
 from barchan.cli.overrides import Tokens, pairs
+from barchan.errors import BarchanError
+
+if TYPE_CHECKING:
+    from barchan.comparison.comparing import Comparison
+    from barchan.scenario.overrides import Override
 
 
 def compare(
-    scenario: str,
+    scenario: str | None = None,
     /,
     *values: Tokens,
     models: str | None = None,
+    preset_set: str | None = None,
     vary: Varied | None = None,
     seeds: int = 3,
     first_seed: int | None = None,
@@ -26,6 +35,8 @@ def compare(
     quiet: Annotated[bool, Parameter(name=["--quiet", "-q"], negative=())] = False,
 ) -> int:
     """Run models side by side on the same ground, wind and random numbers, and report on them.
+
+    With --preset-set the set-ups of a publication run instead, beside the numbers that it reports.
 
     DIR/report.html shows maps, contours, sections, measures over time with their spread over seeds, a table
     of final measures with tests of difference, slopes, differences of surfaces, and what ran; it needs no
@@ -38,6 +49,9 @@ def compare(
     models
         Names of models with commas between, as werner,momiji,bishop; the first is what others are compared
         with. Parameters that models have in common keep the scenario's values.
+    preset_set
+        Published results to set up again, instead of a scenario: thesis, all tables and figures of chapter 6
+        of the Prague thesis.
     seeds
         Realizations of each variant; tests of difference need two or more.
     first_seed
@@ -53,37 +67,80 @@ def compare(
     quiet
         Print nothing but errors.
     """
-    from barchan.archive import source_at
     from barchan.cli.ensembles import MemberReporter, exit_code, workers_of
     from barchan.cli.terminal import Interrupts, console
+
+    hands = workers_of(workers, scheduler)
+    command = shlex.join(["barchan", *sys.argv[1:]])
+    if preset_set is not None:
+        _refuse_beside_set(scenario=scenario, models=models, vary=vary, step=step, values=values)
+        task = _reproduction(preset_set, seeds, first_seed or 1)
+    else:
+        task = _comparison(scenario, models, vary, seeds, first_seed, step, pairs(values, compare))
+    folder = out or Path(task.folder)
+    if not quiet:
+        console.print(f"{task.size}, {hands.name}: {folder}")
+    with Interrupts().watched() as stop:
+        done = task.run(folder, workers=hands, command=command, told=MemberReporter(quiet), stop=stop)
+    if done.report and not quiet:
+        console.print(f"report: {done.report}")
+    return exit_code(done.outcome, command, folder)
+
+
+@dataclass(frozen=True)
+class _Task:
+    run: "Callable[..., Comparison]"
+    size: str
+    folder: str
+    """The name of its folder where none is stated."""
+
+
+def _comparison(
+    scenario: str | None,
+    models: str | None,
+    vary: list[str] | None,
+    seeds: int,
+    first_seed: int | None,
+    step: list[int] | None,
+    overrides: "list[Override]",
+) -> _Task:
+    from barchan.archive import source_at
     from barchan.comparison.comparing import axis_of_models
     from barchan.comparison.comparing import compare as compare_plan
     from barchan.ensembles.axes import parse_axes
     from barchan.ensembles.plan import make_plan
 
+    if scenario is None:
+        raise BarchanError("barchan compare needs a scenario, or --preset-set thesis")
     axes = [axis_of_models(models.split(","))] if models else []
     plan = make_plan(
         source_at(scenario),
         [*axes, *parse_axes(vary or [])],
         seeds=seeds,
         first_seed=first_seed,
-        overrides=pairs(values, compare),
+        overrides=overrides,
     )
-    folder = out or Path(f"{Path(scenario).stem}-compared")
-    command = shlex.join(["barchan", *sys.argv[1:]])
-    hands = workers_of(workers, scheduler)
-    if not quiet:
-        console.print(f"{len(plan.points)} variants, {len(plan.members)} runs, {hands.name}: {folder}")
-    with Interrupts().watched() as stop:
-        done = compare_plan(
-            plan,
-            folder,
-            workers=hands,
-            steps=step or (),
-            command=command,
-            told=MemberReporter(quiet),
-            stop=stop,
+    run = partial(compare_plan, plan, steps=step or ())
+    return _Task(
+        run, f"{len(plan.points)} variants, {len(plan.members)} runs", f"{Path(scenario).stem}-compared"
+    )
+
+
+def _reproduction(name: str, seeds: int, first_seed: int) -> _Task:
+    from barchan.comparison.published.reproducing import reproduce
+    from barchan.comparison.published.results import load_set
+
+    chosen = load_set(name)
+    size = f"{len(chosen.experiments)} figures and sections, {len(chosen.cases) * seeds} runs"
+    return _Task(partial(reproduce, chosen, seeds=seeds, first_seed=first_seed), size, name)
+
+
+def _refuse_beside_set(**given: object) -> None:
+    """Raise BarchanError for anything that has no meaning for a set of published results."""
+    stated = [name for name, value in given.items() if value]
+    if stated:
+        words = ", ".join(
+            "a scenario" if name == "scenario" else "changed values" if name == "values" else f"--{name}"
+            for name in stated
         )
-    if done.report and not quiet:
-        console.print(f"report: {done.report}")
-    return exit_code(done.outcome, command, folder)
+        raise BarchanError(f"--preset-set is stated with {words}; a set states its own scenarios and values")

@@ -15,7 +15,7 @@ def studio(
     *values: Tokens,
     folder: Path = Path(),
     host: str = "127.0.0.1",
-    port: Annotated[int, Parameter(validator=Number(gte=0, lte=65535))] = 0,
+    port: Annotated[int | None, Parameter(validator=Number(gte=0, lte=65535))] = None,
     browser: bool = True,
 ) -> None:
     """Open the studio in the browser and watch a scenario run. Ctrl-C ends it.
@@ -31,21 +31,22 @@ def studio(
         Address to serve at. Any other than this computer's own lets others in who have the address with its
         token.
     port
-        Port to serve at; a free one without it.
+        Port to serve at, 0 for any free one. Without it 8127, under which the browser finds preferences and
+        bookmarks again, or a free one where that is taken.
     browser
         Open the browser.
     """
-    from barchan.archive import source_at
-    from barchan.archive.folder import CHECKPOINT
     from barchan.cli.terminal import console, print_note
-    from barchan.scenario import load_scenario
+    from barchan.scenario import load_scenario, preset_names
     from barchan.studio.server.gallery import showpiece
     from barchan.studio.server.launch import Studio, serve
     from barchan.studio.server.security import LOOPBACK
 
     overrides = pairs(values, studio)
-    source = source_at(scenario or showpiece())
-    is_run = isinstance(source, Path) and (source.parent / CHECKPOINT).is_file() and not overrides
+    named = scenario or showpiece()
+    folder_named = named not in preset_names() and Path(named).is_dir()
+    source, is_run = _run_at(named) if folder_named else (named, False)
+    is_run = is_run and not overrides
     chosen = None if is_run else load_scenario(source, overrides)
     archive = Path(scenario).resolve() if scenario and is_run else None
     if host not in LOOPBACK:
@@ -56,3 +57,12 @@ def studio(
         console.print("Ctrl-C ends it")
 
     serve(Studio(folder, chosen, archive, host, port, gallery=scenario is None), ready, browser)
+
+
+def _run_at(folder: str) -> tuple[str | Path, bool]:
+    """Where the scenario in a folder stands, and whether there is a run to go on with."""
+    from barchan.archive import source_at  # brings zarr, which a preset does without
+    from barchan.archive.folder import CHECKPOINT
+
+    source = source_at(folder)
+    return source, isinstance(source, Path) and (source.parent / CHECKPOINT).is_file()

@@ -123,10 +123,15 @@ def _write_data(folder: Path, variants: Sequence[Variant], tests: Sequence[Diffe
     for name, content in tables.items():
         with replacing(folder / name) as partial:
             content.to_csv(partial, index=False)
-    (folder / SCENARIOS).mkdir(exist_ok=True)
+    write_scenarios(folder / SCENARIOS, variants)
+
+
+def write_scenarios(folder: Path, variants: Sequence[Variant]) -> None:
+    """Write the complete scenario of each variant into a folder."""
+    folder.mkdir(exist_ok=True)
     for variant in variants:
         text = variant.scenario.model_copy(update={"title": variant.label}).text()
-        (folder / SCENARIOS / f"{variant.name}.json").write_text(text, "utf-8")
+        (folder / f"{variant.name}.json").write_text(text, "utf-8")
 
 
 def _slope_rows(variants: Sequence[Variant]) -> list[tuple[str, int, "np.ndarray"]]:

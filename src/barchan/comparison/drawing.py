@@ -144,7 +144,7 @@ def draw_together(variants: Sequence[Variant], folder: Path) -> list[Picture]:
 
     home = folder / FIGURES
     home.mkdir(parents=True, exist_ok=True)
-    made = [Picture(_overview(variants, home / SMALL), "last frames of each seed", "overview")]
+    made = [Picture(draw_overview(variants, home / SMALL), "last frames of each seed", "overview")]
     path = home / "measures-over-time.png"
     measures_over_time(courses_of(variants), shared_measures(variants)).savefig(path, dpi=DPI)
     made.append(Picture(path, "measures over time", "series"))
@@ -197,7 +197,7 @@ MOST_SEEDS = 4
 """Realizations of each variant in the overview."""
 
 
-def _overview(variants: Sequence[Variant], path: Path) -> Path:
+def draw_overview(variants: Sequence[Variant], path: Path) -> Path:
     """Last frames, a row for each variant and a column for each of the first seeds."""
     from barchan.figures.ensembles import Panel, small_multiples
 

@@ -81,7 +81,13 @@ def report_of(contents: Contents) -> str:
         section("slopes", "Slopes", *_shown(contents, "slopes")),
         section("maps", f"Surfaces less that of {reference.label}", _difference_maps(contents, others)),
         section("variants", "Variants one by one", *(_variant(contents, v) for v in contents.variants)),
-        section("runs", "Runs", _scenarios(contents), _runs(contents), _command(contents)),
+        section(
+            "runs",
+            "Runs",
+            _scenarios(contents),
+            runs_table(contents.variants, contents.unfinished),
+            _command(contents),
+        ),
         section("method", "How to read this", _method(reference.label)),
     ]
     return page(contents.title, *parts)
@@ -235,7 +241,8 @@ def _value(value: object) -> str:
     return value if isinstance(value, str) else json.dumps(value)
 
 
-def _runs(contents: Contents) -> str:
+def runs_table(variants: Sequence[Variant], unfinished: Mapping[str, str]) -> str:
+    """A row for each finished run, and why others did not come to their end."""
     rows = [
         [
             v.label,
@@ -248,7 +255,7 @@ def _runs(contents: Contents) -> str:
             r.host,
             Markup(f"<code>{r.bed[:12]}</code>"),
         ]
-        for v in contents.variants
+        for v in variants
         for seed, r in v.reports.items()
     ]
     heads = (
@@ -263,16 +270,14 @@ def _runs(contents: Contents) -> str:
         "last bed",
     )
     parts = [table(heads, rows)]
-    changed = [
-        f"{v.label}, seed {s}" for v in contents.variants for s, r in v.reports.items() if r.differs_from
-    ]
+    changed = [f"{v.label}, seed {s}" for v in variants for s, r in v.reports.items() if r.differs_from]
     if changed:
         parts.append(
             paragraph(f"An earlier run of the same scenario had another result: {', '.join(changed)}.")
         )
-    if contents.unfinished:
+    if unfinished:
         parts.append(paragraph("Runs that did not come to their end:"))
-        parts.append(table(("run", "reason"), list(contents.unfinished.items()), wordy=True))
+        parts.append(table(("run", "reason"), list(unfinished.items()), wordy=True))
     return "".join(parts)
 
 

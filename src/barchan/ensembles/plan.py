@@ -161,6 +161,23 @@ def make_plan(
     return Plan(base.title, tuple(axes), design, chosen, tuple(members))
 
 
+def plan_of_scenarios(
+    title: str, axes: Sequence[Axis], scenarios: Sequence[tuple[Point, Scenario]], seeds: int, first_seed: int
+) -> Plan:
+    """The plan of an ensemble whose points are scenarios of their own, each with the same seeds.
+
+    Raises BarchanError where a seed is not allowed.
+    """
+    chosen = Seeds(seeds, first_seed)
+    chosen.check(len(scenarios))
+    members = [
+        _member(scenario, number, point, k, chosen.of(number, k))
+        for number, (point, scenario) in enumerate(scenarios)
+        for k in range(seeds)
+    ]
+    return Plan(title, tuple(axes), "grid", chosen, tuple(members))
+
+
 def _member(scenario: Scenario, number: int, point: Point, realization: int, seed: int) -> Member:
     run = scenario.run.model_copy(update={"seed": seed, "threads": None})
     data = scenario.model_copy(update={"run": run}).data()

@@ -5,6 +5,7 @@ are NaN are voids and count for nothing. Nothing here knows of simulations, mode
 """
 
 from barchan.measures.amounts import bare_fraction, flux, highest_stack, stack_volume
+from barchan.measures.arms import Arms, arms
 from barchan.measures.bedform_surface import bedform_surface
 from barchan.measures.change import Budget, Displacement, Estimate, budget, displacement_between
 from barchan.measures.crest_lines import CrestLine, crest_length, crest_lines, defect_density, mean_direction
@@ -21,6 +22,7 @@ from barchan.measures.landform import Landform, landform
 from barchan.measures.lee_side import LeeSide, lee_side
 from barchan.measures.migration import Migration, migration
 from barchan.measures.orientation import Orientation, crest_orientation
+from barchan.measures.positions import Position, mean_by_position, positions
 from barchan.measures.relief import bedform_height, bedform_index
 from barchan.measures.roughness import frontal_area_index, roughness
 from barchan.measures.slopes import Slopes, slip_face_angle, streamwise_slopes
@@ -29,6 +31,7 @@ from barchan.measures.stars import Summit, summits
 from barchan.measures.trends import Steadiness, coarsening, steadiness
 
 __all__ = [
+    "Arms",
     "Budget",
     "CrestLine",
     "CrestSpacing",
@@ -44,6 +47,7 @@ __all__ = [
     "LeeSide",
     "Migration",
     "Orientation",
+    "Position",
     "PowerLaw",
     "Slopes",
     "SpeedSizeLaw",
@@ -51,6 +55,7 @@ __all__ = [
     "Summit",
     "Track",
     "Tracks",
+    "arms",
     "bare_fraction",
     "bedform_height",
     "bedform_index",
@@ -77,9 +82,11 @@ __all__ = [
     "horns",
     "landform",
     "lee_side",
+    "mean_by_position",
     "mean_direction",
     "migration",
     "outline",
+    "positions",
     "power_law",
     "roughness",
     "slip_face_angle",

@@ -1,4 +1,7 @@
-"""Measures of snow: how much of it moves and is bonded, which way its forms lean, how rough they are."""
+"""Measures of snow: how much of it moves and is bonded, which way its forms lean, how rough they are.
+
+Those of forms need scipy and are imported where they are taken: a list of models goes without.
+"""
 
 from typing import Any
 
@@ -6,8 +9,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from barchan.bed import Bed
-from barchan.measures.bedform_surface import bedform_surface
-from barchan.measures.snow_forms import central_relief, roughness_length, slope_skewness
 from barchan.model import ModelMeasure
 from barchan.snow.conditions import Conditions
 from barchan.snow.fields import surface_age, threshold_wind
@@ -15,6 +16,8 @@ from barchan.wind.segment import Segment
 
 
 def _surface(bed: Bed) -> NDArray[np.float64]:
+    from barchan.measures.bedform_surface import bedform_surface
+
     lattice = bed.lattice
     return bedform_surface(bed.ground, bed.depth, lattice.cell_size, lattice.periodic)
 
@@ -43,20 +46,28 @@ def _bonded(model: Any, bed: Bed, _wind: Segment) -> float:
     return bonded_share(bed, bonding.loose_hours) if bonding.grows else 0.0
 
 
+def _relief(_model: Any, bed: Bed, _wind: Segment) -> float:
+    from barchan.measures.snow_forms import central_relief
+
+    return central_relief(_surface(bed))
+
+
 def _skewness(_model: Any, bed: Bed, wind: Segment) -> float:
+    from barchan.measures.snow_forms import slope_skewness
+
     return slope_skewness(_surface(bed), bed.lattice.cell_size, wind.direction, bed.lattice.periodic)
 
 
 def _roughness(_model: Any, bed: Bed, wind: Segment) -> float:
+    from barchan.measures.snow_forms import roughness_length
+
     return roughness_length(_surface(bed), bed.lattice.cell_size, wind.direction, bed.lattice.periodic)
 
 
 MEASURES = (
     ModelMeasure("mobile_share", "snow that the wind can take", "fraction", _mobile),
     ModelMeasure("bonded_share", "bonded surface", "fraction", _bonded),
-    ModelMeasure(
-        "relief", "relief, 1st to 99th percentile", "m", lambda _m, bed, _w: central_relief(_surface(bed))
-    ),
+    ModelMeasure("relief", "relief, 1st to 99th percentile", "m", _relief),
     ModelMeasure("slope_skewness", "skewness of slopes along the wind", "-", _skewness),
     ModelMeasure("roughness_length", "roughness length of the forms", "m", _roughness),
 )

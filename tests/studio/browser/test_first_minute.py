@@ -15,7 +15,15 @@ def test_every_preset_stands_in_one_group_and_asks_a_question():
     listed = [name for names in groups().values() for name in names]
     assert sorted(listed) == preset_names()
     assert showpiece() in listed
-    assert list(groups()) == ["Dunes", "Plants", "Obstacles", "Ripples", "Snow", "From the literature", "Teaching"]
+    assert list(groups()) == [
+        "Dunes",
+        "Plants",
+        "Obstacles",
+        "Ripples",
+        "Snow",
+        "From the literature",
+        "Teaching",
+    ]
     assert all(preset["question"].count("?") >= 1 for preset in presets())
     assert [preset["name"] for preset in presets() if preset["start"]] == [showpiece()]
 
@@ -32,10 +40,14 @@ def test_the_gallery_shows_groups_and_where_to_start(studio):
 
 
 def test_a_preset_runs_at_a_watchable_speed_to_its_end_and_goes_on_when_asked(studio):
-    studio.until("document.querySelector('[aria-label=\"Speed limit\"]').selectedOptions[0].text === '40 steps/s'")
+    studio.until(
+        "document.querySelector('[aria-label=\"Speed limit\"]').selectedOptions[0].text === '40 steps/s'"
+    )
     scenario = load_scenario("barchans", [*SMALL.items(), ("run.steps", "12")]).data()
     studio.ask(f"window.barchan.app.create({json.dumps(scenario)}, true)")
-    studio.until(f"{RUN}.description.scenario.run.steps === 12 && {RUN}.status?.step === 12 && !window.barchan.app.running")
+    studio.until(
+        f"{RUN}.description.scenario.run.steps === 12 && {RUN}.status?.step === 12 && !window.barchan.app.running"
+    )
     page = studio.page
     assert "ends" in page.locator(".notice").inner_text()
     page.get_by_role("button", name="go on", exact=True).click()
@@ -78,7 +90,10 @@ def test_full_screen_leaves_the_scene_with_large_type(studio):
     page.keyboard.press("f")
     studio.until("document.documentElement.classList.contains('large')")
     assert not page.locator(".panel").is_visible()
-    assert page.evaluate("parseFloat(getComputedStyle(document.querySelector('.wind-text')).fontSize)") > 1.4 * before
+    assert (
+        page.evaluate("parseFloat(getComputedStyle(document.querySelector('.wind-text')).fontSize)")
+        > 1.4 * before
+    )
     page.keyboard.press("f")
     studio.until("!document.documentElement.classList.contains('large')")
     assert page.locator(".panel").is_visible()

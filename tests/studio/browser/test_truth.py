@@ -109,7 +109,10 @@ def test_crests_are_plotted_without_jumps(studio):
     """Crests across a wind from 270 degrees lie at 0: 178 and 2 are plotted four degrees apart, around 0."""
     studio.pause()
     studio.page.keyboard.press("2")
-    rows = [{"step": step, "values": {"crest_azimuth": azimuth}, "doubts": {}} for step, azimuth in enumerate([178.0, 2.0, 179.0, 1.0])]
+    rows = [
+        {"step": step, "values": {"crest_azimuth": azimuth}, "doubts": {}}
+        for step, azimuth in enumerate([178.0, 2.0, 179.0, 1.0])
+    ]
     studio.ask(f"void ({RUN}.measures = {json.dumps(rows)})")
     studio.ask("window.barchan.app.changed.send()")
     plotted = studio.ask("window.barchan.series.data('crest_azimuth')[1]")

@@ -2,7 +2,7 @@
 
 import type { App } from "../core/app";
 import { button, duration, h, metres, short } from "./dom";
-import { type Icon, icon } from "./icons";
+import { icon } from "./icons";
 
 const LIMITS: [string, number | null][] = [
   ["no limit", null],
@@ -15,7 +15,7 @@ const LIMITS: [string, number | null][] = [
 
 export class Bar {
   readonly element: HTMLElement;
-  private readonly title = h("strong", { className: "title" });
+  private readonly title = h("h1", { className: "title" });
   private readonly model = h("span", { className: "model" });
   private readonly play: HTMLButtonElement;
   private readonly limit: HTMLSelectElement;
@@ -33,7 +33,7 @@ export class Bar {
     private readonly app: App,
     extras: HTMLElement[],
   ) {
-    this.play = button("Run (space)", "", () => this.toggle(), { className: "primary" });
+    this.play = button("Run (space)", icon("run"), () => this.toggle(), { className: "primary" });
     this.limit = h(
       "select",
       {
@@ -54,11 +54,11 @@ export class Bar {
         "div",
         { className: "controls", role: "group", "aria-label": "Run" },
         this.play,
-        signed("One step (.)", "step", () => this.step(1)),
+        button("One step (.)", icon("step"), () => this.step(1)),
         this.count,
-        button("Do these steps", "go", () => this.step(Number(this.count.value) || 1)),
+        button("do these steps", "do", () => this.step(Number(this.count.value) || 1)),
         this.limit,
-        signed("Restart with the same seed (R)", "restart", () => this.restart()),
+        button("Restart with the same seed (R)", icon("restart"), () => this.restart()),
       ),
       h("dl", { className: "status", "aria-label": "Status" }, ...this.status()),
       h("div", { className: "extras" }, ...extras),
@@ -96,6 +96,15 @@ export class Bar {
     });
   }
 
+  private showRunning(running: boolean): void {
+    const label = running ? "Pause (space)" : "Run (space)";
+    this.play.setAttribute("aria-pressed", String(running));
+    if (this.play.title === label) return;
+    this.play.replaceChildren(icon(running ? "pause" : "run"));
+    this.play.title = label;
+    this.play.setAttribute("aria-label", label);
+  }
+
   private show(): void {
     const run = this.app.current;
     const { description, status } = run ?? {};
@@ -105,12 +114,7 @@ export class Bar {
     this.model.textContent = titles.join("  ·  ");
     document.title = title ? `${title} – Barchan studio` : "Barchan studio";
     const running = this.app.running;
-    const sign: Icon = running ? "pause" : "play";
-    if (this.play.dataset.sign !== sign) this.play.replaceChildren(icon(sign));
-    this.play.dataset.sign = sign;
-    this.play.title = running ? "Pause (space)" : "Run (space)";
-    this.play.setAttribute("aria-label", this.play.title);
-    this.play.setAttribute("aria-pressed", String(running));
+    this.showRunning(running);
     if (!status || !description) return;
     this.numbers.volume!.previousElementSibling!.textContent = run!.material;
     const chosen = LIMITS.findIndex(([, rate]) => rate === status.limit);
@@ -128,10 +132,4 @@ export class Bar {
       value.parentElement!.hidden = text === "";
     }
   }
-}
-
-function signed(label: string, sign: Icon, action: () => void): HTMLButtonElement {
-  const found = button(label, "", action);
-  found.append(icon(sign));
-  return found;
 }

@@ -1,19 +1,28 @@
-/** Signs of buttons, drawn, so that they look alike whatever fonts a computer has. */
+/** The signs on buttons, drawn as lines so that they look alike with every font. */
 
 import { svg } from "./dom";
 
-const PATHS = {
-  play: "M4 2.5v11l9-5.5z",
-  pause: "M4 2.5h3v11H4zM9 2.5h3v11H9z",
-  step: "M3 2.5v11l7-5.5zM11 2.5h2v11h-2z",
-  restart: "M8 3a5 5 0 1 1-4.6 3l1.5.6A3.4 3.4 0 1 0 8 4.6V7L4 3.8 8 .6z",
-  now: "M2 2.5v11l5.5-5.5zM7 2.5v11l5.5-5.5zM12.5 2.5h1.6v11h-1.6z",
-  beside: "M1.5 3h5.5v10H1.5zM3 4.5v7h2.5v-7zM9 3h5.5v10H9z",
-  full: "M2 6V2h4v1.6H3.6V6zM10 2h4v4h-1.6V3.6H10zM2 10h1.6v2.4H6V14H2zM12.4 10H14v4h-4v-1.6h2.4z",
-};
+/** Paths in a square of 16 units; filled where they are closed. */
+const SHAPES = {
+  run: ["M4 2.5 L13 8 L4 13.5 Z"],
+  pause: ["M4 3 H6.5 V13 H4 Z", "M9.5 3 H12 V13 H9.5 Z"],
+  step: ["M3 3 L10 8 L3 13 Z", "M11.5 3 H13 V13 H11.5 Z"],
+  restart: ["M12.8 5.2 A5.5 5.5 0 1 0 13.5 8", "M13.6 2 V5.6 H10"],
+  back: ["M5.5 3 L2.5 6 L5.5 9", "M2.5 6 H9.5 A3.5 3.5 0 0 1 9.5 13 H6"],
+  up: ["M8 13 V3", "M4 7 L8 3 L12 7"],
+  down: ["M8 3 V13", "M4 9 L8 13 L12 9"],
+  remove: ["M4 4 L12 12", "M12 4 L4 12"],
+  latest: ["M3 3 L10 8 L3 13 Z", "M12 3 V13"],
+  beside: ["M2 3 H7 V13 H2 Z", "M9 3 H14 V13 H9 Z"],
+  panel: ["M2 3 H14 V13 H2 Z M10 3 V13"],
+  full: ["M6 2.5 H2.5 V6", "M10 2.5 H13.5 V6", "M6 13.5 H2.5 V10", "M10 13.5 H13.5 V10"],
+} as const;
 
-export type Icon = keyof typeof PATHS;
+export type Icon = keyof typeof SHAPES;
 
-export function icon(name: Icon): HTMLElement {
-  return svg("svg", { viewBox: "0 0 16 16", width: 14, height: 14, class: "icon", "aria-hidden": "true" }, svg("path", { d: PATHS[name], fill: "currentColor" })) as unknown as HTMLElement;
+const OUTLINES = new Set<Icon>(["panel", "beside"]);
+
+export function icon(name: Icon): SVGElement {
+  const paths = SHAPES[name].map((d) => svg("path", { d, class: d.endsWith("Z") && !OUTLINES.has(name) ? "solid" : "line" }));
+  return svg("svg", { viewBox: "0 0 16 16", class: "icon", "aria-hidden": "true" }, ...paths);
 }

@@ -8,6 +8,7 @@ from typing import Any
 
 from starlette.applications import Starlette
 from starlette.concurrency import run_in_threadpool
+from starlette.middleware.gzip import GZipMiddleware
 from starlette.requests import Request
 from starlette.responses import JSONResponse, PlainTextResponse, Response
 from starlette.routing import Mount, Route, WebSocketRoute
@@ -15,6 +16,7 @@ from starlette.staticfiles import StaticFiles
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from barchan.errors import BarchanError
+from barchan.studio.colours import colours
 from barchan.studio.protocol import LARGEST_MESSAGE, is_frame
 from barchan.studio.server import gallery
 from barchan.studio.server.security import LARGEST_UPLOAD, Guard, HostCheck, RateLimiter
@@ -22,6 +24,9 @@ from barchan.studio.server.session import Session
 from barchan.studio.server.uploads import heights_in
 
 CLIENT = Path(__file__).parents[1] / "client"
+
+COMPRESSED_FROM = 1024
+"""Bytes of an answer from which it is sent compressed."""
 
 NOT_ALLOWED, REPLACED, TOO_MUCH = 4403, 4001, 4429
 """Codes with which a connection is closed."""
@@ -67,7 +72,7 @@ def application(session: Session, guard: Guard) -> Starlette:
     routes = [
         Route("/api/presets", guarded(json_of(gallery.presets))),
         Route("/api/schema", guarded(json_of(gallery.schema))),
-        Route("/api/colours", guarded(json_of(gallery.colours))),
+        Route("/api/colours", guarded(json_of(colours))),
         Route("/api/files", guarded(json_of(gallery.files_taken))),
         Route("/api/pictures/{name}", guarded(thumbnail)),
         Route("/api/upload", guarded(upload), methods=["POST"]),
@@ -75,6 +80,7 @@ def application(session: Session, guard: Guard) -> Starlette:
         Mount("/", StaticFiles(directory=CLIENT, html=True, check_dir=False)),
     ]
     app = Starlette(routes=routes, lifespan=lifespan)
+    app.add_middleware(GZipMiddleware, minimum_size=COMPRESSED_FROM, compresslevel=6)
     app.add_middleware(HostCheck, guard=guard)
     return app
 

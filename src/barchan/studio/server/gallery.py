@@ -1,18 +1,13 @@
-"""Data that a page requests once: presets with their pictures, the schema, the colours, kinds of files."""
+"""Data that a page requests once: presets with their pictures, the schema, kinds of files."""
 
 import tomllib
 from functools import cache
 from importlib.resources import files
 from typing import Any
 
-import numpy as np
-
 from barchan.models import models
 from barchan.scenario import Scenario, load_scenario, preset_names
 from barchan.studio.server.workspace import HEIGHTS, RECORDS
-
-COLOURS = 64
-"""Colours of a map that are sent."""
 
 
 @cache
@@ -79,27 +74,3 @@ def schema() -> dict[str, Any]:
 def files_taken() -> dict[str, tuple[str, ...]]:
     """Suffixes of the files that a page may upload, as ground and as a wind record."""
     return {"heights": HEIGHTS, "records": RECORDS}
-
-
-@cache
-def colours() -> dict[str, list[list[int]]]:
-    """Colour maps by name: red, green and blue from lowest to highest."""
-    from barchan.figures.fields import centred_map, choice_map
-    from barchan.figures.layers import layer_map
-    from barchan.figures.strata import strata_map
-    from barchan.figures.style import colour_map
-
-    maps = {
-        "perceptual": colour_map("perceptual"),
-        "grey": colour_map("grey"),
-        "red-green": colour_map("red-green"),
-        "centred": centred_map(),
-        "choice": choice_map(),
-        "strata": strata_map(),
-        **{layer.colours: layer_map(layer) for model in models().values() for layer in model.overlays},
-    }
-    places = np.linspace(0.0, 1.0, COLOURS)
-    return {
-        name: np.rint(np.asarray(colours(places))[:, :3] * 255).astype(int).tolist()
-        for name, colours in maps.items()
-    }

@@ -6,6 +6,7 @@ import webbrowser
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from barchan.errors import BarchanError
 from barchan.scenario import Scenario
@@ -13,6 +14,13 @@ from barchan.studio.protocol import LARGEST_MESSAGE
 from barchan.studio.server.security import LOOPBACK, Guard
 from barchan.studio.server.session import Session
 from barchan.studio.server.workspace import Workspace
+
+if TYPE_CHECKING:
+    import uvicorn
+    from starlette.types import ASGIApp
+
+PORT = 8127
+"""The usual port: browsers keep preferences and bookmarks by address and port."""
 
 
 @dataclass(frozen=True)
@@ -23,8 +31,8 @@ class Studio:
     scenario: Scenario | None = None
     archive: Path | None = None
     host: str = "127.0.0.1"
-    port: int = 0
-    """0: any free one."""
+    port: int | None = None
+    """0: any free one; None: the usual one, so that what the browser keeps is found again, or a free one."""
     gallery: bool = False
     """Whether the page opens with the gallery of presets."""
 
@@ -40,18 +48,11 @@ def serve(studio: Studio, ready: Callable[[str], None], open_browser: bool = Tru
 
     if not (CLIENT / "index.html").is_file():
         raise BarchanError(f"the client is not built in {CLIENT}; install the package again")
-    sock = listener(studio.host, studio.port)
+    sock = usual_listener(studio.host) if studio.port is None else listener(studio.host, studio.port)
     port = sock.getsockname()[1]
     guard = Guard(port, tuple({*LOOPBACK, studio.host, *_names(studio.host)}))
     session = Session(Workspace(studio.folder), studio.scenario, studio.archive)
-    config = uvicorn.Config(
-        application(session, guard),
-        log_level="warning",
-        ws="websockets-sansio",
-        ws_max_size=LARGEST_MESSAGE,
-        ws_per_message_deflate=False,
-        timeout_graceful_shutdown=1,
-    )
+    config = configured(application(session, guard))
     shown = "127.0.0.1" if studio.host in ("0.0.0.0", "::") else studio.host  # noqa: S104
     address = f"http://{f'[{shown}]' if ':' in shown else shown}:{port}/?token={guard.token}"
     address += "#gallery" if studio.gallery else ""
@@ -65,6 +66,32 @@ def serve(studio: Studio, ready: Callable[[str], None], open_browser: bool = Tru
     finally:
         session.close()
         sock.close()
+
+
+def configured(app: "ASGIApp") -> "uvicorn.Config":
+    """How an application is served."""
+    import uvicorn
+
+    return uvicorn.Config(
+        app,
+        log_level="warning",
+        server_header=False,
+        ws="websockets-sansio",
+        ws_max_size=LARGEST_MESSAGE,
+        ws_per_message_deflate=False,
+        timeout_graceful_shutdown=1,
+    )
+
+
+def usual_listener(host: str) -> socket.socket:
+    """A socket that listens at the usual port, or at a free one where that is taken.
+
+    Raises BarchanError where it cannot listen at all.
+    """
+    try:
+        return listener(host, PORT)
+    except BarchanError:
+        return listener(host, 0)
 
 
 def listener(host: str, port: int) -> socket.socket:

@@ -19,13 +19,20 @@ MESSAGES_AT_ONCE = 800.0
 LARGEST_UPLOAD = 64 << 20
 """Bytes of an uploaded file."""
 
-HEADERS = {
+HEADERS = {  # {host} is the name and port that the page was asked for under
     "Content-Security-Policy": "default-src 'self'; img-src 'self' data: blob:; "
-    "style-src 'self' 'unsafe-inline'; connect-src 'self' ws:; frame-ancestors 'none'",
+    "style-src 'self' 'unsafe-inline'; connect-src 'self' ws://{host}; frame-ancestors 'none'",
+    "Cross-Origin-Opener-Policy": "same-origin",
+    "Cross-Origin-Resource-Policy": "same-origin",
     "Referrer-Policy": "no-referrer",
     "X-Content-Type-Options": "nosniff",
     "Cache-Control": "no-store",
 }
+
+RESERVED = {"studio-uploads", "con", "prn", "aux", "nul"} | {
+    f"{d}{n}" for d in ("com", "lpt") for n in range(1, 10)
+}
+"""Names that no run may have, in any case and with any suffix: the folder of uploads, devices of Windows."""
 
 _NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]{0,99}")
 
@@ -95,13 +102,15 @@ class HostCheck:
         if scope["type"] != "http":
             await self.app(scope, receive, send)
             return
-        if not self.guard.is_addressed(Headers(scope=scope)):
+        headers = Headers(scope=scope)
+        if not self.guard.is_addressed(headers):
             await PlainTextResponse("not this server's name\n", 421)(scope, receive, send)
             return
 
         async def with_headers(answer: Any) -> None:
             if answer["type"] == "http.response.start":
-                extra = [(name.lower().encode(), value.encode()) for name, value in HEADERS.items()]
+                own = {name: value.format(host=headers["host"]) for name, value in HEADERS.items()}
+                extra = [(name.lower().encode(), value.encode()) for name, value in own.items()]
                 answer["headers"] = [*answer.get("headers", []), *extra]
             await send(answer)
 
@@ -110,4 +119,9 @@ class HostCheck:
 
 def is_plain_name(name: str) -> bool:
     """Whether a name can only mean a file or folder beside its fellows."""
-    return _NAME.fullmatch(name) is not None and ".." not in name
+    return _NAME.fullmatch(name) is not None and ".." not in name and not name.endswith(".")
+
+
+def is_reserved(name: str) -> bool:
+    """Whether a name means something else than a run of the user's."""
+    return name.lower() in RESERVED or name.lower().split(".")[0] in RESERVED

@@ -5,13 +5,15 @@ import unicodedata
 from pathlib import Path
 from typing import Any
 
-from barchan.archive.folder import CHECKPOINT, SCENARIO
 from barchan.errors import BarchanError, Problem, ScenarioError
 from barchan.ground.reading import READERS
-from barchan.studio.server.security import is_plain_name
+from barchan.studio.server.security import is_plain_name, is_reserved
 from barchan.wind.records.reading import SUFFIXES
 
 UPLOADS = "studio-uploads"
+
+QUOTA = 1 << 30
+"""Bytes of all uploaded files."""
 
 LONGEST_STEM = 60
 """Characters of an uploaded file's name, without its suffix, that are kept."""
@@ -57,7 +59,13 @@ class Workspace:
         plain = plain_file_name(name)
         if Path(plain).suffix not in KINDS:
             raise BarchanError(f"'{name}' is of an unknown kind; allowed: {', '.join(KINDS)}")
-        path = self.folder / UPLOADS / plain
+        uploads = self.folder / UPLOADS
+        held = sum(file.stat().st_size for file in uploads.iterdir()) if uploads.is_dir() else 0
+        if held + len(content) > QUOTA:
+            raise BarchanError(
+                f"{uploads} would hold more than {QUOTA >> 20} MB; allowed: less. Delete what is not used"
+            )
+        path = uploads / plain
         path.parent.mkdir(parents=True, exist_ok=True)
         number = 1
         while path.exists() and path.read_bytes() != content:
@@ -70,10 +78,14 @@ class Workspace:
         """The folder of the run of that name; raises BarchanError for any other than a plain name."""
         if not is_plain_name(name):
             raise BarchanError(f"'{name}' cannot be a run's name; allowed: letters, digits, dots, dashes")
+        if is_reserved(name):
+            raise BarchanError(f"'{name}' cannot be a run's name: it is reserved; allowed: any other")
         return self.folder / name
 
     def runs(self) -> list[str]:
         """Names of the runs that can be opened."""
+        from barchan.archive.folder import CHECKPOINT, SCENARIO  # brings zarr, which no first page needs
+
         if not self.folder.is_dir():
             return []
         found = [path for path in self.folder.iterdir() if (path / SCENARIO).is_file()]

@@ -1,0 +1,1 @@
+"""Results that others published, set up again and compared with what they reported."""
