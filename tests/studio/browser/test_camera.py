@@ -44,7 +44,7 @@ def assert_filled(studio):
     assert max(max(across) - min(across), 1.25 * (max(up) - min(up))) > 1.5
 
 
-@pytest.mark.parametrize("rows, columns", [(48, 64), (12, 96), (96, 12)])
+@pytest.mark.parametrize(("rows", "columns"), [(48, 64), (12, 96), (96, 12)])
 def test_a_field_of_any_shape_fills_the_view_from_everywhere(studio, rows, columns):
     begin(studio, rows=rows, columns=columns)
     for viewpoint in ("oblique", "top", "side"):

@@ -82,7 +82,7 @@ def open_run(session: "Session", request: Request) -> None:
 
 
 def with_value(scenario: dict[str, Any], key: str, value: Any) -> dict[str, Any]:
-    """A copy of a scenario's data in which a dotted key has another value; BarchanError where it has no such key."""
+    """Data of a scenario with another value at a dotted key; raises BarchanError where it has no such key."""
     first, _, rest = key.partition(".")
     if first not in scenario:
         raise BarchanError(f"the scenario has no '{first}'")

@@ -15,7 +15,7 @@ class RunSpeed:
     """Steps per second: measured, and limited where the user wants to watch."""
 
     def __init__(self, chunk_seconds: float) -> None:
-        """A limit that lets one watch, nothing measured; without a limit steps are done in chunks of this duration."""
+        """Nothing measured, a limit that lets one watch; without a limit chunks take this duration."""
         self.limit: float | None = WATCHABLE
         """Most steps per second."""
         self.rate = 0.0
