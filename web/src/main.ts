@@ -6,7 +6,8 @@ import "./messages.css";
 import "./first_minute.css";
 import { App } from "./core/app";
 import { takeToken } from "./core/token";
-import { Stage } from "./scene/stage";
+import { sceneIn } from "./scene/scene_view";
+import type { Stage } from "./scene/stage";
 import { Bar } from "./ui/bar";
 import { Compare } from "./ui/compare";
 import { Dock } from "./ui/dock";
@@ -49,7 +50,7 @@ matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
 });
 
 const scene = h("div", { className: "scene" });
-const stage = new Stage(app, scene);
+const stage = sceneIn(scene, app);
 const hud = new Hud(app, stage);
 scene.append(hud.element);
 
@@ -63,8 +64,8 @@ const series = new SeriesView(app);
 const dock = new Dock([section, series, new SpaceTimeView(app, section), log]);
 const timeline = new Timeline(app);
 const tabs = new Tabs([
-  ["Scenario", new Panel(app).element],
-  ["Wind", new WindPanel(app).element],
+  ["Scenario", new Panel(app, () => files.ask("ground")).element],
+  ["Wind", new WindPanel(app, () => files.ask("wind")).element],
   ["Paint", paint.element],
   ["View", new ViewPanel(app, stage).element],
 ]);

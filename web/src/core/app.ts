@@ -19,6 +19,8 @@ export class App {
   colours: Record<string, [number, number, number][]> = {};
   /** Suffixes of the files that can be uploaded, as ground and as a wind record. */
   files: { heights: string[]; records: string[] } = { heights: [], records: [] };
+  /** Whether the surface is shown as a map, because the browser has no WebGL. */
+  flat = false;
   /** Whether two runs that are led together run; null where there is one. */
   pairRuns: boolean | null = null;
   /** The step that the server kept last of all runs, after one was lost; null where there is none. */
@@ -101,9 +103,20 @@ export class App {
     }
   }
 
-  /** Start a scenario; returns whether it runs. What is refused leaves the run as it was. */
+  /** Start a scenario; returns whether it runs. What is refused is said, and leaves the run as it was. */
   async create(scenario: JsonObject, running = true): Promise<boolean> {
-    return (await this.ask({ command: "create", scenario, running, run: this.selected })) !== null;
+    try {
+      await this.begin(scenario, running);
+      return true;
+    } catch (error) {
+      this.refused(error);
+      return false;
+    }
+  }
+
+  /** Start a scenario; throws where it is refused. */
+  async begin(scenario: JsonObject, running = true): Promise<void> {
+    await this.connection.ask({ command: "create", scenario, running, run: this.selected });
   }
 
   /** Say why something was refused, at the places that it concerns. */

@@ -34,14 +34,15 @@ def create(session: "Session", request: Request) -> None:
 
 @SESSION.handles("compare")
 def compare(session: "Session", request: Request) -> None:
-    """Run another model, or another value of a parameter, beside: the same ground, wind and seed."""
+    """Run another model, or another value of a parameter, beside: the same ground, wind and seed.
+
+    The model that runs already begins with the values that it has; any other with its defaults.
+    """
     first = session.scenarios[FIRST]
     if "key" in request:
         second = validate(with_value(first, str(request["key"]), request["value"])).data()
-    elif request["model"] in models():
-        second = validate({**first, "model": {"name": request["model"]}}).data()
     else:
-        raise BarchanError(f"no model '{request['model']}'; allowed: {', '.join(models())}")
+        second = validate({**first, "model": _model_beside(first, request["model"])}).data()
     session.begin({FIRST: first, SECOND: second}, True, _answer_of(SECOND, request))
     session.report_runs()
 
@@ -66,7 +67,7 @@ def revive(session: "Session", request: Request) -> None:
 @SESSION.handles("save")
 def save(session: "Session", request: Request) -> None:
     """Save a run as an archive in the session's folder."""
-    folder = session.workspace.run(str(request["name"]))
+    folder = session.workspace.new_run(str(request["name"]))
     worker = session.workers[request.get("run") or FIRST]
     worker.send("save_folder", folder=str(folder), id=request.get("id"))
 
@@ -79,6 +80,13 @@ def open_run(session: "Session", request: Request) -> None:
         raise BarchanError(f"no run '{folder.name}' in {session.workspace.folder}")
     session.end_second()
     session.start_run(FIRST, {"command": "open_folder", "folder": str(folder), "id": request.get("id")})
+
+
+def _model_beside(scenario: dict[str, Any], name: Any) -> dict[str, Any]:
+    if name not in models():
+        raise BarchanError(f"no model '{name}'; allowed: {', '.join(models())}")
+    own: dict[str, Any] = scenario["model"]
+    return own if own["name"] == name else {"name": name}
 
 
 def with_value(scenario: dict[str, Any], key: str, value: Any) -> dict[str, Any]:

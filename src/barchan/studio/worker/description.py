@@ -41,6 +41,7 @@ def description(simulation: Simulation) -> dict[str, Any]:
         "paths": follows_grains(model),
         "measures": declared_measures(simulation),
         "repose": math.degrees(math.atan(limits[0] * lattice.aspect)) if limits else None,
+        "repose_slabs": float(limits[0]) if limits else None,
         "facts": {**sound.facts(), **sound.forecast()},
         "remarks": sound.remarks(simulation.bed.ground),
         "events": len(simulation.events),
