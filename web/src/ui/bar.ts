@@ -77,7 +77,7 @@ export class Bar {
 
   restart(): void {
     const scenario = this.app.current?.description?.scenario;
-    if (scenario && this.app.runs.length > 1) void this.app.create(scenario, this.app.running);
+    if (scenario && this.app.runs.length > 1) void this.app.create(scenario, this.app.running, true);
     else this.app.send({ command: "restart" });
   }
 

@@ -151,7 +151,7 @@ export class Files {
       image ? `white ${heights.highest} m above black` : "",
       codes.length ? `${codes.join(", ")} taken as cells without a height` : "",
     ];
-    await this.app.begin({ ...scenario, ...this.lattice(scenario, kept), ground });
+    await this.app.begin({ ...scenario, ...this.lattice(scenario, kept), ground }, true, true);
     this.app.note("info", `${said.filter(Boolean).join(", ")}; see Ground in the panel.`);
   }
 

@@ -2,10 +2,11 @@
 
 import type { App } from "../core/app";
 import type { Json, JsonObject } from "../core/protocol";
-import { type Schema, entryOf, replaced } from "../core/schema";
+import { type Schema, at, entryOf, replaced } from "../core/schema";
 import { nameBeside } from "../core/run";
 import { h, id, later } from "./dom";
 import { type FormContext, type Path, field, group, restartMark, variantField } from "./form";
+import { changeList, same } from "./changes";
 import { RefreshGuard } from "./refresh_guard";
 
 /** The key of the loose layer at the start, which is named after the model's material. */
@@ -46,7 +47,7 @@ export class Panel {
   private show(): void {
     const description = this.app.current?.description;
     if (!description || !this.app.schema.properties || this.guard.busy || this.unsent.length) return;
-    const text = JSON.stringify([description.scenario, description.materials, description.facts, this.app.selected, this.app.runs.map((run) => run.description?.model.title)]);
+    const text = JSON.stringify([description.scenario, description.changes, description.materials, description.facts, this.app.selected, this.app.runs.map((run) => run.description?.model.title)]);
     if (text === this.shown) return;
     this.shown = text;
     this.scenario = description.scenario;
@@ -90,6 +91,7 @@ export class Panel {
       ...Object.keys(root.properties ?? {})
         .filter((name) => !ELSEWHERE.has(name))
         .map((name) => this.group(context, name)),
+      this.changes(),
       action("put all defaults back", () => void this.putDefaultsBack()),
       h("p", { className: "hint" }, restartMark(), " restarts the run; everything else changes at once. Point at a row to read what it means."),
     ];
@@ -196,8 +198,20 @@ export class Panel {
     const accepted = this.app.current?.description?.scenario;
     if (!accepted || !changes.length) return;
     const scenario = changes.reduce<Json>((data, [path, value]) => replaced(data, path, value), accepted);
-    if (await this.app.create(scenario as JsonObject)) this.app.notices.settle(changes.map(([path]) => path.join(".")));
+    if (await this.app.create(scenario as JsonObject, true, true)) {
+      this.app.notices.settle(changes.map(([path]) => path.join(".")));
+      this.app.restarts.push(...changes.map(([path, value]) => ({ path, before: at(accepted, path) ?? null, value })));
+    }
     this.shown = "";
+  }
+
+  private changes(): HTMLElement {
+    const restart = (path: Path, value: Json) => {
+      this.unsent.push([path, value]);
+      this.submit();
+    };
+    const list = changeList(this.app, this.app.restarts.filter(({ path, value }) => same(at(this.scenario, path), value)), restart);
+    return details("changes", "Changes", list);
   }
 
   /** The defaults of every group, under the same model, kinds of ground and sand, and seed. */

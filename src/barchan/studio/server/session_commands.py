@@ -24,7 +24,8 @@ def create(session: "Session", request: Request) -> None:
     data = validate(request["scenario"]).seeded().data()
     name = SECOND if session.lockstep is not None and request.get("run") == SECOND else FIRST
     begun = {name: data}
-    answering = _answer_of(name, request)
+    answering: dict[str, Request] = {run: {"changed": bool(request.get("changed"))} for run in "ab"}
+    answering[name] |= _id_of(request)
     if session.lockstep is not None:
         other = FIRST if name == SECOND else SECOND
         newest = session.starts.scenario(other) or session.scenarios[other]
@@ -43,7 +44,8 @@ def compare(session: "Session", request: Request) -> None:
         second = validate(with_value(first, str(request["key"]), request["value"])).data()
     else:
         second = validate({**first, "model": _model_beside(first, request["model"])}).data()
-    session.begin({FIRST: first, SECOND: second}, True, _answer_of(SECOND, request))
+    beside = {SECOND: {"origin": first, **_id_of(request)}, FIRST: {"changed": True}}
+    session.begin({FIRST: first, SECOND: second}, True, beside)
     session.report_runs()
 
 
@@ -102,6 +104,6 @@ def with_value(scenario: dict[str, Any], key: str, value: Any) -> dict[str, Any]
     return {**scenario, first: with_value(group, rest, value)}
 
 
-def _answer_of(name: str, request: Request) -> dict[str, Request]:
-    """The id of a request that a worker answers when it has begun, by the worker's name."""
-    return {name: {"id": request["id"]}} if request.get("id") is not None else {}
+def _id_of(request: Request) -> Request:
+    """The id of a request, for the worker that answers it when it has begun."""
+    return {"id": request["id"]} if request.get("id") is not None else {}
