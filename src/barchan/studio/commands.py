@@ -51,7 +51,7 @@ COMMANDS = _table(
     Command("restart", "worker", "Start again with the same scenario and seed."),
     Command("set", "worker", "Give a live parameter a new value."),
     Command("wind", "worker", "Replace the wind."),
-    Command("rose", "worker", "Ask for the roses of a recorded wind."),
+    Command("rose", "worker", "Ask for the roses of the wind."),
     Command("stroke", "worker", "Paint with a brush."),
     Command("undo", "worker", "Undo the last gesture of the brush."),
     Command("redo", "worker", "Repeat the gesture that was undone last."),

@@ -21,7 +21,7 @@ export type CommandName =
   | "set"
   /** Replace the wind. */
   | "wind"
-  /** Ask for the roses of a recorded wind. */
+  /** Ask for the roses of the wind. */
   | "rose"
   /** Paint with a brush. */
   | "stroke"

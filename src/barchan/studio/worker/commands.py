@@ -182,7 +182,7 @@ class RunCommands:
 
     @WORKER.handles("rose")
     def rose(self, _: Request) -> Answer:
-        """The roses of the wind, where it is a record."""
+        """The roses of the wind."""
         return {"rose": rose_of(self.current.live)}
 
     @WORKER.handles("stroke")
