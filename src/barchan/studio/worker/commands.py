@@ -5,7 +5,8 @@ from pathlib import Path
 from typing import Any
 
 from barchan.errors import BarchanError
-from barchan.scenario import validate
+from barchan.scenario import Scenario, validate
+from barchan.scenario.changes import changed_from
 from barchan.simulation import AnyStroke, BrushStroke, SetParameter, SetWind, event_from
 from barchan.studio.commands import Handlers, command_of
 from barchan.studio.protocol import Request
@@ -42,6 +43,8 @@ class RunCommands:
         """No run yet; ``send`` sends control messages, ``send_bytes`` the state that the server keeps."""
         self.frames = frames
         self.run: StudioRun | None = None
+        self.origin: Scenario | None = None
+        """The scenario that was loaded, whose words name what was changed on the page since."""
         self.number = 0
         """The number of the start that the run goes back to."""
         self._send = send
@@ -102,14 +105,20 @@ class RunCommands:
 
     @WORKER.handles("start")
     def start(self, request: Request) -> None:
-        """Start a scenario."""
-        self._take(started(validate(request["scenario"], "scenario")), bool(request.get("running")))
+        """Start a scenario; ``changed`` where it came of the last one by changes on the page."""
+        scenario = validate(request["scenario"], "scenario")
+        origin = scenario
+        if "origin" in request:
+            origin = validate(request["origin"], "scenario")
+        elif request.get("changed") and self.origin is not None:
+            origin = self.origin
+        self._take(started(changed_from(scenario, origin)), bool(request.get("running")), origin)
 
     @WORKER.handles("restart")
     def restart(self, request: Request) -> None:
         """Start again with the same scenario and seed."""
         running = bool(request.get("running", self.current.running))
-        self._take(started(self.current.live.scenario), running)
+        self._take(started(self.current.live.scenario), running, self.origin)
 
     @WORKER.handles("open_folder")
     def open_folder(self, request: Request) -> None:
@@ -173,7 +182,7 @@ class RunCommands:
 
     @WORKER.handles("rose")
     def rose(self, _: Request) -> Answer:
-        """The roses of the wind, where it is a record."""
+        """The roses of the wind."""
         return {"rose": rose_of(self.current.live)}
 
     @WORKER.handles("stroke")
@@ -233,13 +242,18 @@ class RunCommands:
         line = [float(place) for place in request["line"]]
         return layers_along(self.current.shown, line, str(request["by"]))
 
-    def _take(self, run: StudioRun, running: bool) -> None:
-        """Continue with another run, under the same speed limit."""
-        run.speed.limit = self.run.speed.limit if self.run else None
+    def _take(self, run: StudioRun, running: bool, origin: Scenario | None = None) -> None:
+        """Continue with another run, under the same speed limit, up to its scenario's end.
+
+        Without an origin it is one of its own.
+        """
+        self.origin = origin or run.live.scenario
+        if self.run:
+            run.speed.limit = self.run.speed.limit
         self.run = run
         self._announce()
         if running:
-            run.run()
+            run.run_to_its_end()
 
     def _announce(self) -> None:
         """Send everything again: the run's past is another one."""
@@ -251,7 +265,12 @@ class RunCommands:
         """Send what the run consists of."""
         run = self.current
         branches = run.branches.listing(run.live.steps_done)
-        self._send("scenario", **description(run.live), branches=branches, branch=run.branches.current)
+        self._send(
+            "scenario",
+            **description(run.live, self.origin or run.live.scenario),
+            branches=branches,
+            branch=run.branches.current,
+        )
 
 
 def _places(request: Request) -> list[dict[str, Any]]:
