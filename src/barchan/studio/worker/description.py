@@ -9,7 +9,7 @@ from barchan.scenario import validate
 from barchan.simulation import Simulation
 from barchan.studio.worker.brushes import brushes
 from barchan.studio.worker.frame_fields import fields_of
-from barchan.studio.worker.live_measures import declared_measures
+from barchan.studio.worker.live_measures import FINEST, ROWS, declared_measures
 from barchan.studio.worker.strata import declared_strata
 
 
@@ -40,6 +40,8 @@ def description(simulation: Simulation) -> dict[str, Any]:
         "strata": declared_strata(simulation),
         "paths": follows_grains(model),
         "measures": declared_measures(simulation),
+        "measured_every": min(simulation.scenario.run.save_every, FINEST),
+        "measured_rows": ROWS,
         "repose": math.degrees(math.atan(limits[0] * lattice.aspect)) if limits else None,
         "facts": {**sound.facts(), **sound.forecast()},
         "remarks": sound.remarks(simulation.bed.ground),
