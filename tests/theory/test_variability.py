@@ -17,6 +17,31 @@ def spread(*winds, width=12.0):
     return drift_of([*zip(degrees, amount, strict=True)])
 
 
+def two_lobes(width):
+    """Two winds 115 degrees apart, 60 to 40, each spread over its neighbours."""
+    return spread((240.0, 6.0), (355.0, 4.0), width=width)
+
+
+@pytest.mark.parametrize("width", [15.0, 25.0, 30.0, 35.0])
+def test_two_wide_lobes_that_a_clear_saddle_parts_are_bimodal(width):
+    """At 35 degrees the saddle, 57.5 degrees off both, stands 0.65 as high as the lower peak."""
+    saddle, lower = np.exp(-0.5 * (57.5 / 35.0) ** 2) * 10.0, 4.0 + 6.0 * np.exp(-0.5 * (115.0 / 35.0) ** 2)
+    assert saddle / lower == pytest.approx(0.65, abs=0.01)
+    found = variability(two_lobes(width))
+    assert found.name == "obtuse bimodal"
+    assert list(found.modes) == pytest.approx([240.0, 355.0], abs=8)
+
+
+def test_two_lobes_so_wide_that_the_lower_one_is_a_shoulder_are_one():
+    assert variability(two_lobes(50.0)).name == "wide unimodal"
+
+
+@pytest.mark.parametrize("sectors", [12, 16, 36])
+def test_an_even_wind_known_by_sectors_has_no_modes(sectors):
+    even = drift_of([(360.0 * sector / sectors, 1.0) for sector in range(sectors)])
+    assert variability(even).modes == ()
+
+
 @pytest.mark.parametrize(
     ("drift", "name", "modes"),
     [

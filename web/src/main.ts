@@ -1,6 +1,7 @@
 /** Puts the page together. */
 
 import "./style.css";
+import "./layout.css";
 import "./messages.css";
 import { App } from "./core/app";
 import { takeToken } from "./core/token";
@@ -13,9 +14,11 @@ import { Files } from "./ui/files";
 import { gallery } from "./ui/gallery";
 import { type Shortcut, control, help, key, listen } from "./ui/help";
 import { Hud } from "./ui/hud";
+import { icon } from "./ui/icons";
 import { Paint } from "./ui/paint";
 import { Panel } from "./ui/panel";
 import { Pointer } from "./ui/pointer";
+import { Side } from "./ui/side";
 import { StateNotice } from "./ui/state_notice";
 import { Tabs } from "./ui/tabs";
 import { Toasts, leadTo } from "./ui/toasts";
@@ -54,20 +57,25 @@ const pointer = new Pointer(stage, hud, paint, section);
 const log = new LogView(app);
 const dock = new Dock([section, new SeriesView(app), new SpaceTimeView(app, section), log]);
 const timeline = new Timeline(app);
-const bar = new Bar(app, [
-  button("Presets (G)", "Presets", () => void gallery(app)),
-  files.menu,
-  new Compare(app).element,
-  button("Keys and mouse (?)", "?", () => help(shortcuts)),
-]);
 const tabs = new Tabs([
   ["Scenario", new Panel(app).element],
   ["Wind", new WindPanel(app).element],
   ["Paint", paint.element],
   ["View", new ViewPanel(app, stage).element],
 ]);
+const side = new Side(tabs.elements);
+const fullScreen = () => void (document.fullscreenElement ? document.exitFullscreen() : document.documentElement.requestFullscreen());
+const bar = new Bar(app, [
+  button("Presets (G)", "Presets", () => void gallery(app)),
+  files.menu,
+  new Compare(app).element,
+  button("Keys and mouse (?)", "?", () => help(shortcuts)),
+  button("Full screen (F)", icon("full"), fullScreen),
+  side.button,
+]);
 
 const toasts = new Toasts(app, (key) => {
+  side.unfold();
   tabs.choose(key === "wind" || key.startsWith("wind.") ? 1 : 0);
   leadTo(key);
 });
@@ -102,6 +110,8 @@ const shortcuts: Shortcut[] = [
   key("PageDown", "look on", () => timeline.nudge(1), "Page down"),
   key("End", "return to now", () => timeline.live()),
   key("p", "save a picture", () => void files.savePicture(), "P"),
+  key("n", "panel: fold or draw out", () => side.toggle(), "N"),
+  key("f", "full screen", fullScreen, "F"),
   key("w", "wireframe", () => app.view.set({ wireframe: !app.view.look.wireframe }), "W"),
   key("?", "this list", () => help(shortcuts)),
 ];
@@ -115,7 +125,7 @@ listen([...shortcuts, ...quiet]);
 
 document.getElementById("app")!.append(
   bar.element,
-  h("main", {}, h("div", { className: "stage-column" }, scene, timeline.element, dock.element), tabs.element),
+  h("main", {}, h("div", { className: "stage-column" }, scene, timeline.element, dock.element), side.element),
 );
 
 app.start();

@@ -5,6 +5,7 @@ are NaN are voids and count for nothing. Nothing here knows of simulations, mode
 """
 
 from barchan.measures.amounts import bare_fraction, flux, highest_stack, stack_volume
+from barchan.measures.arms import Arms, arms
 from barchan.measures.bedform_surface import bedform_surface
 from barchan.measures.change import Budget, Displacement, Estimate, budget, displacement_between
 from barchan.measures.crest_lines import CrestLine, crest_length, crest_lines, defect_density, mean_direction
@@ -29,6 +30,7 @@ from barchan.measures.stars import Summit, summits
 from barchan.measures.trends import Steadiness, coarsening, steadiness
 
 __all__ = [
+    "Arms",
     "Budget",
     "CrestLine",
     "CrestSpacing",
@@ -51,6 +53,7 @@ __all__ = [
     "Summit",
     "Track",
     "Tracks",
+    "arms",
     "bare_fraction",
     "bedform_height",
     "bedform_index",

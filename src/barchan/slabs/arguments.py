@@ -28,6 +28,7 @@ from barchan.kernels.slabs.state import (
     CELL,
     MOBILE,
     AxisShadow,
+    BoxShadow,
     ObstacleRule,
     RayShadow,
     Schedule,
@@ -86,6 +87,7 @@ def build(
         repose=repose,
         axis=axis,
         ray=ray,
+        box=_box_shadow(frame.angle, fall, flat) if parameters.shadow_from == "place" else None,
         orders=orders,
         relaxation_orders=_relaxation_orders(parameters, orders),
         interruption=new_interruption(),
@@ -189,6 +191,12 @@ def _axis_shadow(cols: int, fall: float, start: float, flat: bool) -> tuple[Axis
     reach = math.ceil(2**16 / fall)
     address = falls.ctypes.data + SIMD_WIDTH * falls.itemsize
     return AxisShadow(address, size, shift, reach, falls.itemsize), (falls,)
+
+
+def _box_shadow(angle: float, fall: float, flat: bool) -> BoxShadow:
+    fall *= 1.0 if flat else 2.0**FRACTION_BITS
+    row_fall = fall / abs(math.sin(angle)) if angle else math.inf
+    return BoxShadow(fall / math.cos(angle), row_fall, 1 if angle < 0.0 else -1, 4 if flat else 8)
 
 
 def _ray_shadow(

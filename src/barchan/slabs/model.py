@@ -212,7 +212,7 @@ class SlabModel(Model):
         arguments, stacks = self._enter(bed, frame, self.parameters.hop_length, None)
         rules = arguments.rules
         zone = np.zeros(self.lattice.cells, np.bool_)
-        shadow_zone(stacks.surface, rules.grid, rules.axis, rules.ray, zone)
+        shadow_zone(stacks.surface, rules.grid, rules.axis, rules.ray, rules.box, zone)
         return frame.leave(zone.reshape(rules.grid.rows, rules.grid.cols)).copy()
 
     def unsheltered(self, field: NDArray[np.float64], bed: Bed, direction: float) -> NDArray[np.float64]:

@@ -67,14 +67,15 @@ class SlabParameters(Parameters):
         meaning="Angle at which the shadow line falls behind whatever stands upwind.",
         source="Werner 1995",
     )
-    shadow_from: Literal["centre", "edge"] = parameter(
+    shadow_from: Literal["centre", "edge", "place"] = parameter(
         "centre",
         unit="-",
         live=True,
         group="shadow",
-        meaning="Where the line starts: at the upwind cell's centre, or at its downwind edge so that a "
-        "cell is sheltered when more than half of its top lies under the line.",
-        source="centre: Prague thesis, Alg. 6; edge: Elder 2009, Fig. 2",
+        meaning="Where the line starts: at the upwind cell's centre; at its downwind edge so that a cell is "
+        "sheltered when more than half of its top lies under the line; or at that edge, with each slab "
+        "sheltered or not at its own place in its cell, which treats every wind direction alike.",
+        source="centre: Prague thesis, Alg. 6; edge: Elder 2009, Fig. 2; place: ours",
     )
     lee_erosion: bool = parameter(
         False,

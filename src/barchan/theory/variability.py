@@ -10,11 +10,17 @@ from barchan.theory.drift import Drift
 NARROW = (45, 0.9)
 """Degrees within which a narrow wind has at least this share of its drift."""
 
-SMOOTHING = 15.0
-"""Standard deviation (degrees) over which directions are smoothed before modes are counted; ours."""
+SMOOTHING = 12.0
+"""Standard deviation (degrees) over which directions are smoothed before modes are counted; ours.
+
+Wide enough for winds that are known by sectors of 30 degrees.
+"""
 
 PROMINENCE = 0.2
-"""A mode rises above the saddles beside it by at least this share of the highest mode; ours."""
+"""A mode rises above the saddles beside it by at least this share of its own height; ours."""
+
+LEAST = 0.2
+"""A mode is at least this share as high as the highest one; ours."""
 
 
 @dataclass(frozen=True)
@@ -67,6 +73,7 @@ def _modes(density: NDArray) -> tuple[float, ...]:
 
     lowest = int(np.argmin(density))
     turned = np.roll(density, -lowest)
-    peaks, _ = find_peaks(np.append(turned, turned[0]), prominence=PROMINENCE * density.max())
+    peaks, found = find_peaks(np.append(turned, turned[0]), height=LEAST * density.max(), prominence=0.0)
+    peaks = peaks[found["prominences"] >= PROMINENCE * turned[peaks]]
     strongest = peaks[np.argsort(-turned[peaks], kind="stable")]
     return tuple(float((peak + lowest) % 360) for peak in strongest)

@@ -84,6 +84,7 @@ class Field:
         self.base = [[g - lowest for g in row] for row in base]
         self.near = None
         self.aside = []
+        self.start = None
         self.begin()
 
     def height(self, row, col):
@@ -104,7 +105,10 @@ class Field:
 
     # --- the shadow zone ---------------------------------------------------------------------------
 
-    def in_shadow(self, row, col):
+    def in_shadow(self, row, col, place=None):
+        """Whether a cell lies in shadow, or a place (fixed-point cells, x and y) in it."""
+        if self.rules.shadow_from == "place":
+            return self.in_shadow_of_boxes(row, col, *place)
         fall = math.tan(math.radians(self.rules.shadow_angle)) / self.aspect
         start = 0.5 if self.rules.shadow_from == "edge" else 0.0
         here = self.height(row, col)
@@ -119,6 +123,33 @@ class Field:
             if height - here > distance * fall * SCALE:
                 return True
         return False
+
+    def in_shadow_of_boxes(self, row, col, x, y):
+        """Walk upwind from a place, edge by edge, and look at the box behind each edge."""
+        fall = math.tan(math.radians(self.rules.shadow_angle)) / self.aspect * SCALE
+        column_fall = fall / math.cos(self.angle)
+        row_fall = fall / abs(math.sin(self.angle)) if self.angle else math.inf
+        upwind = 1 if self.angle < 0.0 else -1
+        to_column = x % CELL / CELL * column_fall
+        to_row = (y % CELL if upwind < 0 else CELL - y % CELL) / CELL * row_fall
+        here, highest = self.height(row, col), max(map(max, self.heights()))
+        r, c = row, col
+        while min(to_column, to_row) < highest - here:
+            if to_column <= to_row:
+                edge, to_column, c = to_column, to_column + column_fall, c - 1
+            else:
+                edge, to_row, r = to_row, to_row + row_fall, r + upwind
+            if (c < 0 and not self.wrap_along) or (not 0 <= r < self.rows and not self.wrap_across):
+                return False
+            seen = self.height if self.sees(row, r - row) else self.height_before
+            if seen(r % self.rows, c % self.cols) - here > edge:
+                return True
+        return False
+
+    def heights(self):
+        """Height of the surface, row by row; what was there when the round began counts too."""
+        now = [[self.height(row, col) for col in range(self.cols)] for row in range(self.rows)]
+        return now + self.before
 
     def height_at(self, row, k, col):
         """Height where the ray crosses a column ``k`` upwind, interpolated between two cells."""
@@ -250,6 +281,9 @@ class Field:
     # --- one poll ----------------------------------------------------------------------------------
 
     def gives(self, row, col, draws):
+        if self.rules.shadow_from == "place":
+            draw = draws.next()
+            self.start = col * CELL + high(draw), row * CELL + low(draw)
         chance = high(draws.next()) if self.mobile is not None else 0
         if self.sand[row][col] == 0:
             return False
@@ -260,7 +294,7 @@ class Field:
                 return False
         if self.extra.hop is not None and self.hop_from(row, col) == 0:
             return False
-        return self.rules.lee_erosion or not self.in_shadow(row, col)
+        return self.rules.lee_erosion or not self.in_shadow(row, col, self.start)
 
     def begin(self):
         """Look at the surface, as at the beginning of each round."""
@@ -308,7 +342,9 @@ class Field:
     def take_off(self, row, col, hop, draws):
         dx, dy = self.fixed(hop)
         x, y = col * CELL, row * CELL
-        if dx % CELL or dy % CELL or (self.extra.hop is not None and not self.extra.hop.whole):
+        if self.rules.shadow_from == "place":
+            x, y = self.start
+        elif dx % CELL or dy % CELL or (self.extra.hop is not None and not self.extra.hop.whole):
             draw = draws.next()
             x, y = x + high(draw), y + low(draw)
         return x, y, dx, dy, 0, draws
@@ -324,7 +360,7 @@ class Field:
                 return None
             row, col = y // CELL, x // CELL
             chance = high(draws.next())
-            if stopped or chance < self.chance_to_settle(row, col) or self.in_shadow(row, col):
+            if stopped or chance < self.chance_to_settle(row, col) or self.in_shadow(row, col, (x, y)):
                 return row, col
             if self.extra.hop is not None and self.extra.hop.every_hop:
                 hop = self.hop_from(row, col)

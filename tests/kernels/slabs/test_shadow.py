@@ -39,7 +39,7 @@ def line_of_sight(elevation, lattice, angle, start):
     st.integers(0, 2**32),
     st.integers(8, 70),
     st.sampled_from(["periodic", "open"]),
-    st.sampled_from(["centre", "edge"]),
+    st.sampled_from(["centre", "edge", "place"]),
     st.sampled_from([4.0, 15.0, 27.3]),
     st.sampled_from([1 / 3, 0.1, 0.51]),
     st.booleans(),
@@ -48,7 +48,7 @@ def test_shadow_along_an_axis_equals_lines_of_sight(seed, columns, boundary, rul
     lattice = Lattice(rows=3, columns=columns, boundary_x=boundary, slab_aspect=aspect, cell_size=2.0)
     sand = rough_bed(lattice, seed)
     ground = np.random.default_rng(seed).random(lattice.shape) * 3 if uneven else np.zeros(lattice.shape)
-    start = 0.5 if rule == "edge" else 0.0
+    start = 0.0 if rule == "centre" else 0.5
     expected = line_of_sight(ground + sand * lattice.thickness, lattice, angle, start)
     shaded = zone(lattice, sand, ground, shadow_angle=angle, shadow_from=rule)
     np.testing.assert_array_equal(shaded, expected)
@@ -95,6 +95,23 @@ def test_oblique_shadow_equals_rays_marched_column_by_column(direction, rule):
             line = upwind - slope * (k / math.cos(towards) - start)
             expected[row, col] |= line > elevation[row, col] + 1e-9
     np.testing.assert_array_equal(zone(lattice, sand, direction=direction, shadow_from=rule), expected)
+
+
+@pytest.mark.parametrize("direction", [255.0, 225.5, 287.0])
+def test_oblique_shadow_from_a_place_equals_lines_marched_finely_over_boxes(direction):
+    """From the middle of each cell the box under each point of the line is looked up, 50 a cell."""
+    lattice = Lattice(rows=9, columns=13)
+    sand = rough_bed(lattice, 3, top=6)
+    towards = math.radians(270.0 - direction)
+    slope = math.tan(math.radians(15)) / lattice.aspect
+    distances = np.arange(0.01, 30.0, 0.02)
+    for row, col in np.ndindex(lattice.shape):
+        rows = np.floor(row + 0.5 - distances * math.sin(towards)).astype(int) % lattice.rows
+        cols = np.floor(col + 0.5 - distances * math.cos(towards)).astype(int) % lattice.columns
+        above = sand[rows, cols] - slope * distances - sand[row, col]
+        shaded = zone(lattice, sand, direction=direction, shadow_from="place")[row, col]
+        assert shaded if above.max() > 0.0 else True
+        assert not shaded if above.max() < -0.02 * slope else True
 
 
 HEIGHT, RADIUS = 8.0, 12.0

@@ -27,7 +27,7 @@ VARIANTS = {
     "polling": ["repeated", "non_repeated"],
     "forced_erosion": [True, False],
     "repose_test": ["before", "after"],
-    "shadow_from": ["centre", "edge"],
+    "shadow_from": ["centre", "edge", "place"],
 }
 EVERY_COMBINATION = [dict(zip(VARIANTS, v, strict=True)) for v in itertools.product(*VARIANTS.values())]
 

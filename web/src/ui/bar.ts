@@ -2,6 +2,7 @@
 
 import type { App } from "../core/app";
 import { button, duration, h, metres, short } from "./dom";
+import { icon } from "./icons";
 
 const LIMITS: [string, number | null][] = [
   ["no limit", null],
@@ -14,7 +15,7 @@ const LIMITS: [string, number | null][] = [
 
 export class Bar {
   readonly element: HTMLElement;
-  private readonly title = h("strong", { className: "title" });
+  private readonly title = h("h1", { className: "title" });
   private readonly model = h("span", { className: "model" });
   private readonly play: HTMLButtonElement;
   private readonly count = h("input", {
@@ -31,7 +32,7 @@ export class Bar {
     private readonly app: App,
     extras: HTMLElement[],
   ) {
-    this.play = button("Run (space)", "▶", () => this.toggle(), { className: "primary" });
+    this.play = button("Run (space)", icon("run"), () => this.toggle(), { className: "primary" });
     const limit = h(
       "select",
       {
@@ -52,11 +53,11 @@ export class Bar {
         "div",
         { className: "controls", role: "group", "aria-label": "Run" },
         this.play,
-        button("One step (.)", "▸❘", () => this.step(1)),
+        button("One step (.)", icon("step"), () => this.step(1)),
         this.count,
-        button("Do these steps", "go", () => this.step(Number(this.count.value) || 1)),
+        button("do these steps", "do", () => this.step(Number(this.count.value) || 1)),
         limit,
-        button("Restart with the same seed (R)", "↺", () => this.restart()),
+        button("Restart with the same seed (R)", icon("restart"), () => this.restart()),
       ),
       h("dl", { className: "status", "aria-label": "Status" }, ...this.status()),
       h("div", { className: "extras" }, ...extras),
@@ -94,6 +95,15 @@ export class Bar {
     });
   }
 
+  private showRunning(running: boolean): void {
+    const label = running ? "Pause (space)" : "Run (space)";
+    this.play.setAttribute("aria-pressed", String(running));
+    if (this.play.title === label) return;
+    this.play.replaceChildren(icon(running ? "pause" : "run"));
+    this.play.title = label;
+    this.play.setAttribute("aria-label", label);
+  }
+
   private show(): void {
     const run = this.app.current;
     const { description, status } = run ?? {};
@@ -103,10 +113,7 @@ export class Bar {
     this.model.textContent = titles.join("  ·  ");
     document.title = `${title} – Barchan studio`;
     const running = this.app.running;
-    this.play.textContent = running ? "❚❚" : "▶";
-    this.play.title = running ? "Pause (space)" : "Run (space)";
-    this.play.setAttribute("aria-label", this.play.title);
-    this.play.setAttribute("aria-pressed", String(running));
+    this.showRunning(running);
     if (!status || !description) return;
     this.numbers.volume!.previousElementSibling!.textContent = run!.material;
     const texts: Record<string, string> = {

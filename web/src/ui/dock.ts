@@ -1,6 +1,7 @@
 /** The drawer below the scene: section, measures, space–time, log. */
 
 import { h } from "./dom";
+import { roving } from "./roving";
 
 export interface DockView {
   title: string;
@@ -28,7 +29,9 @@ export class Dock {
       view.element.setAttribute("aria-labelledby", `tab-${at}`);
     });
     const body = h("div", { className: "dock-body" }, ...views.map((view) => view.element));
-    this.element = h("section", { className: "dock", "aria-label": "Views" }, h("div", { className: "tabs", role: "tablist" }, ...this.tabs), body);
+    const list = h("div", { className: "tabs", role: "tablist", "aria-label": "Views" }, ...this.tabs);
+    roving(list, this.tabs);
+    this.element = h("section", { className: "dock", "aria-label": "Views" }, list, body);
   }
 
   /** Open a view, or close it where it is open. */

@@ -42,9 +42,9 @@ export function id(prefix: string): string {
   return `${prefix}-${++numbered}`;
 }
 
-/** A button that shows a sign and is called by its label. */
-export function button(label: string, text: string, action: () => void, props: Props = {}): HTMLButtonElement {
-  return h("button", { type: "button", title: label, "aria-label": label, onclick: action, ...props }, text);
+/** A button that shows a sign or a word and is called by its label. */
+export function button(label: string, sign: Child, action: () => void, props: Props = {}): HTMLButtonElement {
+  return h("button", { type: "button", title: label, "aria-label": label, onclick: action, ...props }, sign);
 }
 
 /** A number in few digits. */

@@ -3,6 +3,7 @@
 import type { Json, JsonObject } from "../core/protocol";
 import { type Schema, bounds, entryOf, initial } from "../core/schema";
 import { h, id, short } from "./dom";
+import { icon } from "./icons";
 import { numberControl } from "./number";
 import { labelOf } from "./labels";
 import { isCurve, isRamp, rampEditor } from "./ramp";
@@ -40,7 +41,7 @@ export function group(context: FormContext, schema: Schema, value: JsonObject, p
     rows.push(ramp ? rampField(context, name, schema, value, path) : field(context, name, property, value[name] ?? null, [...path, name]));
     gathered.set(under, rows);
   }
-  return [...gathered].flatMap(([heading, rows]) => (heading ? [h("h4", {}, heading), ...rows] : rows));
+  return [...gathered].flatMap(([heading, rows]) => (heading ? [h("h2", {}, heading), ...rows] : rows));
 }
 
 /** A change in time as a curve between the values that stand beside it. */
@@ -111,10 +112,10 @@ function listField(context: FormContext, name: string, schema: Schema, value: Js
       put(moved);
     };
     const tools = [
-      number > 0 && h("button", { type: "button", title: "Up", "aria-label": "Up", onclick: () => move(-1) }, "↑"),
+      number > 0 && h("button", { type: "button", title: "Up", "aria-label": "Up", onclick: () => move(-1) }, icon("up")),
       number < value.length - 1 &&
-        h("button", { type: "button", title: "Down", "aria-label": "Down", onclick: () => move(1) }, "↓"),
-      h("button", { type: "button", title: "Remove", "aria-label": "Remove", onclick: () => put(value.toSpliced(number, 1)) }, "×"),
+        h("button", { type: "button", title: "Down", "aria-label": "Down", onclick: () => move(1) }, icon("down")),
+      h("button", { type: "button", title: "Remove", "aria-label": "Remove", onclick: () => put(value.toSpliced(number, 1)) }, icon("remove")),
     ];
     const inner = field(context, `${name} ${number + 1}`, schema.items ?? {}, item, [...path, number]);
     return h("div", { className: "item" }, inner, h("div", { className: "tools" }, ...tools));
@@ -150,16 +151,20 @@ function row(context: FormContext, name: string, given: Schema, value: Json, pat
       "aria-label": `Reset ${labelOf(name)} to ${shown(schema.default ?? null)}`,
       onclick: () => take(schema.default ?? null),
     },
-    "↶",
+    icon("back"),
   );
-  const restarts = live ? "" : "↺";
   return h(
     "div",
     { className: "row", title: explained(schema, live) },
-    h("label", { for: label }, labelOf(name), restarts && h("span", { className: "restarts", "aria-label": "restarts the run" }, restarts)),
-    h("div", { className: "control" }, ...controls, unit && h("span", { className: "unit" }, unit), reset),
+    h("label", { for: label }, labelOf(name), unit && h("span", { className: "unit" }, unit), !live && restartMark()),
+    h("div", { className: "control" }, ...controls, reset),
     trouble(context, path),
   );
+}
+
+/** The mark of what restarts the run when it is changed. */
+export function restartMark(): HTMLElement {
+  return h("span", { className: "restarts", role: "img", "aria-label": "restarts the run" }, icon("restart"));
 }
 
 /** The place where it stands why a value was refused. */

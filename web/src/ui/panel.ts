@@ -4,7 +4,7 @@ import type { App } from "../core/app";
 import type { Json, JsonObject } from "../core/protocol";
 import { type Schema, entryOf, replaced } from "../core/schema";
 import { h, id, later } from "./dom";
-import { type FormContext, type Path, field, group, variantField } from "./form";
+import { type FormContext, type Path, field, group, restartMark, variantField } from "./form";
 import { RefreshGuard } from "./refresh_guard";
 
 /** The key of the loose layer at the start, which is named after the model's material. */
@@ -80,7 +80,7 @@ export class Panel {
       ...Object.keys(root.properties ?? {})
         .filter((name) => !ELSEWHERE.has(name))
         .map((name) => this.group(context, name)),
-      h("p", { className: "hint" }, "↺ restarts the run; everything else changes at once. Point at a row to read what it means."),
+      h("p", { className: "hint" }, restartMark(), " restarts the run; everything else changes at once. Point at a row to read what it means."),
     ];
   }
 
@@ -120,7 +120,7 @@ export class Panel {
       "model",
       "Model",
       this.material(material, materials),
-      h("div", { className: "row" }, h("label", { for: label }, "model", h("span", { className: "restarts" }, "↺")), h("div", { className: "control" }, choice)),
+      h("div", { className: "row" }, h("label", { for: label }, "model", restartMark()), h("div", { className: "control" }, choice)),
       h("p", { className: "source" }, own.citation),
       ...group(context, entry.variants[String(model.name)] ?? {}, model, ["model"]),
       known.length > 0 && h("dl", { className: "facts" }, ...known),

@@ -1,25 +1,33 @@
 /** The panel at the right: one page at a time. */
 
 import { h } from "./dom";
+import { roving } from "./roving";
 
 export class Tabs {
-  readonly element: HTMLElement;
-  /** Show the page at a place. */
-  readonly choose: (chosen: number) => void;
+  /** The row of tabs, and the pages below it. */
+  readonly elements: HTMLElement[];
+  private readonly buttons: HTMLButtonElement[];
+  private readonly sheets: HTMLElement[];
 
   constructor(pages: [string, HTMLElement][]) {
-    const buttons = pages.map(([name], at) =>
-      h("button", { type: "button", role: "tab", id: `page-tab-${at}`, "aria-controls": `page-${at}`, onclick: () => choose(at) }, name),
+    this.buttons = pages.map(([name], at) =>
+      h("button", { type: "button", role: "tab", id: `page-tab-${at}`, "aria-controls": `page-${at}`, onclick: () => this.choose(at) }, name),
     );
-    const sheets = pages.map(([, content], at) =>
+    this.sheets = pages.map(([, content], at) =>
       h("div", { className: "page", role: "tabpanel", id: `page-${at}`, "aria-labelledby": `page-tab-${at}` }, content),
     );
-    const choose = (chosen: number) => {
-      buttons.forEach((button, at) => button.setAttribute("aria-selected", String(at === chosen)));
-      sheets.forEach((sheet, at) => (sheet.hidden = at !== chosen));
-    };
-    this.element = h("aside", { className: "panel", "aria-label": "Panel" }, h("div", { className: "tabs", role: "tablist" }, ...buttons), ...sheets);
-    this.choose = choose;
-    choose(0);
+    const list = h("div", { className: "tabs", role: "tablist", "aria-label": "Pages of the panel" }, ...this.buttons);
+    roving(list, this.buttons, (at) => this.choose(at));
+    this.elements = [list, ...this.sheets];
+    this.choose(0);
+  }
+
+  /** Show the page at a place. */
+  choose(chosen: number): void {
+    this.buttons.forEach((button, at) => {
+      button.setAttribute("aria-selected", String(at === chosen));
+      button.tabIndex = at === chosen ? 0 : -1;
+    });
+    this.sheets.forEach((sheet, at) => (sheet.hidden = at !== chosen));
   }
 }

@@ -22,8 +22,8 @@ export class Timeline {
   private waiting = false;
 
   constructor(private readonly app: App) {
-    this.play = button("Play from here", "play", () => this.togglePlay());
-    this.now = button("Return to now (End)", "now ⏵❘", () => this.live());
+    this.play = button("replay from here", "replay", () => this.togglePlay());
+    this.now = button("Return to now (End)", "now", () => this.live());
     this.branch = button("Go on from here; what came later stays as a branch", "go on from here", () => this.goOn());
     this.slider.addEventListener("input", () => this.look(Number(this.slider.value)));
     this.element = h("div", { className: "timeline" }, this.play, this.slider, this.label, this.branches, this.branch, this.now);
@@ -89,7 +89,7 @@ export class Timeline {
   private stop(): void {
     if (this.playing !== null) clearInterval(this.playing);
     this.playing = null;
-    this.play.textContent = "play";
+    this.play.textContent = "replay";
   }
 
   private show(): void {

@@ -6,6 +6,7 @@ import { entryOf, replaced } from "../core/schema";
 import { Dial } from "./dial";
 import { h, later } from "./dom";
 import { type FormContext, group } from "./form";
+import { type Icon, icon } from "./icons";
 import { RefreshGuard } from "./refresh_guard";
 import { roses } from "./rose";
 import { labelOf } from "./labels";
@@ -132,8 +133,8 @@ export class WindPanel {
 
   private summary(regime: JsonObject, number: number, list: JsonObject[]): HTMLElement {
     // Buttons take the list as it is when they are pressed: curves change it without redrawing it.
-    const tool = (label: string, sign: string, change: (now: JsonObject[]) => JsonObject[], enabled: boolean) =>
-      h("button", { type: "button", title: label, "aria-label": `${label}: regime ${number + 1}`, disabled: !enabled, onclick: () => this.reorder(change(this.wind.regimes as JsonObject[])) }, sign);
+    const tool = (label: string, sign: Icon, change: (now: JsonObject[]) => JsonObject[], enabled: boolean) =>
+      h("button", { type: "button", title: label, "aria-label": `${label}: regime ${number + 1}`, disabled: !enabled, onclick: () => this.reorder(change(this.wind.regimes as JsonObject[])) }, icon(sign));
     const moved = (by: number) => (now: JsonObject[]) => {
       const order = now.toSpliced(number, 1);
       order.splice(number + by, 0, now[number]!);
@@ -155,12 +156,12 @@ export class WindPanel {
             this.draw();
           },
         },
-        h("span", { className: "way", style: `transform: rotate(${Number(regime.direction)}deg)` }, "↓"),
+        h("span", { className: "way", style: `transform: rotate(${Number(regime.direction)}deg)` }, icon("down")),
         ` ${regime.direction}°, ${lasting(regime)}${speed}`,
       ),
-      tool("Up", "↑", moved(-1), number > 0),
-      tool("Down", "↓", moved(1), number < list.length - 1),
-      tool("Remove", "×", (now) => now.toSpliced(number, 1), list.length > 1),
+      tool("Up", "up", moved(-1), number > 0),
+      tool("Down", "down", moved(1), number < list.length - 1),
+      tool("Remove", "remove", (now) => now.toSpliced(number, 1), list.length > 1),
     );
   }
 

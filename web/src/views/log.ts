@@ -9,7 +9,9 @@ const LEVELS: Level[] = ["info", "warning", "error"];
 export class LogView {
   readonly title = "Log";
   readonly element: HTMLElement;
-  private readonly list = h("ol", { className: "log", role: "log", "aria-live": "polite" });
+  private readonly list = h("ol", {});
+  /** What is said aloud is said over the scene, whether or not the log is open. */
+  private readonly scroll = h("div", { className: "log", role: "log", "aria-live": "off", tabIndex: 0, "aria-label": "Log" }, this.list);
   private least: Level = "info";
 
   constructor(private readonly app: App) {
@@ -38,12 +40,12 @@ export class LogView {
       },
       "clear",
     );
-    this.element = h("div", { className: "view" }, h("div", { className: "tools" }, level, clear), this.list);
+    this.element = h("div", { className: "view" }, h("div", { className: "tools" }, level, clear), this.scroll);
     app.notices.logged.watch(() => this.draw());
   }
 
   show(_visible: boolean): void {
-    this.list.scrollTop = this.list.scrollHeight;
+    this.scroll.scrollTop = this.scroll.scrollHeight;
   }
 
   private draw(): void {
@@ -53,6 +55,6 @@ export class LogView {
         h("li", { className: entry.level }, h("time", {}, entry.time.toTimeString().slice(0, 8)), h("b", {}, entry.level), h("span", {}, entry.text)),
       ),
     );
-    this.list.scrollTop = this.list.scrollHeight;
+    this.scroll.scrollTop = this.scroll.scrollHeight;
   }
 }

@@ -13,7 +13,7 @@ const PAUSE = 200;
 export class SeriesView {
   readonly title = "Measures";
   readonly element: HTMLElement;
-  private readonly plots = h("div", { className: "plots" });
+  private readonly plots = h("div", { className: "plots", tabIndex: 0, role: "group", "aria-label": "Measures over the steps" });
   private readonly choice = h("div", { className: "choices", role: "group", "aria-label": "Measures shown" });
   private chosen = new Set(FIRST);
   private charts: { measure: Measure; chart: uPlot; box: HTMLElement; value: HTMLElement }[] = [];

@@ -80,27 +80,26 @@ def sticks_by_chance(mobility, sandy, wind, cell, chance):
 
 
 @internal(forceinline=True)
-def sticks_in_shadow(axis, ray, grid, sticks, view, row, col, here, peak):
+def sticks_in_shadow(axis, ray, box, grid, sticks, view, along, across, here, peak):
     """Whether a slab stays where it landed, by chance or because it landed in shadow.
 
     The test along an axis is so short that it is made in any case: there is no branch to mispredict.
     """
-    if axis is None:
+    if axis is None or box is not None:
         if sticks:
             return True
-    return sticks | in_shadow(view, row, col, here, peak, grid, axis, ray)
+    return sticks | in_shadow(view, along, across, here, peak, grid, axis, ray, box)
 
 
 @internal(forceinline=True)
-def take_off(speedup, row, col, hop_along, hop_across, state):
-    """Where in its cell a slab starts, in 1/``CELL`` cells, and the random state."""
-    along = col << 32
-    across = row << 32
-    if has_fractions(speedup, hop_along, hop_across):
-        state += GOLDEN
-        draw = mix(state)
-        along |= np.int64(high(draw))
-        across |= np.int64(low(draw))
+def take_off(box, speedup, along, across, hop_along, hop_across, state):
+    """Where a slab starts, in 1/``CELL`` cells, and the random state; without a place yet it draws one."""
+    if box is None:
+        if has_fractions(speedup, hop_along, hop_across):
+            state += GOLDEN
+            draw = mix(state)
+            along |= np.int64(high(draw))
+            across |= np.int64(low(draw))
     return along, across, state
 
 
@@ -150,7 +149,9 @@ def carry(stacks, rules, view, along, across, hop_along, hop_across, state, hops
         here = surface[cell]
         sandy = has_sand(surface, sand, cell)
         stays = sticks_by_chance(stacks.mobility, sandy, wind, cell, high(mix(state))) | stopped
-        stays = sticks_in_shadow(rules.axis, rules.ray, grid, stays, view, row, col, here, peak)
+        stays = sticks_in_shadow(
+            rules.axis, rules.ray, rules.box, grid, stays, view, along, across, here, peak
+        )
         hop_along, hop_across, stays = next_hop(
             rules.speedup, stacks.levels, wind, here, hop_along, hop_across, stays
         )

@@ -37,19 +37,36 @@ def _hop_is_not_zero(speedup, levels, height):
 
 
 @internal(forceinline=True)
-def _erodes_outside_shadow(ray, axis, grid, wind, erodes, view, row, col, here, peak):
+def _erodes_outside_shadow(ray, axis, box, grid, wind, erodes, view, along, across, here, peak):
     """Whether a cell that would erode lies outside the shadow zone, where that matters."""
     if wind.lee_erosion:
         return erodes
     if ray is not None:
         if not erodes:
             return False
-    return not in_shadow(view, row, col, here, peak, grid, axis, ray) and erodes
+    return not in_shadow(view, along, across, here, peak, grid, axis, ray, box) and erodes
+
+
+@internal(forceinline=True)
+def place_in_cell(box, row, col, state):
+    """Where in a cell its topmost slab lies (fixed-point cells), and the random state.
+
+    It is drawn where shadow lines ask for it; otherwise it is the cell's corner, which stands for the cell.
+    """
+    along = col << 32
+    across = row << 32
+    if box is not None:
+        state += GOLDEN
+        draw = mix(state)
+        along |= np.int64(high(draw))
+        across |= np.int64(low(draw))
+    return along, across, state
 
 
 @internal(forceinline=True)
 def may_erode(stacks, rules, view, row, col, state, peak):
-    """Whether a polled cell gives a slab, and the random state after it was asked."""
+    """Whether a polled cell gives a slab, where in the cell that lies, and the random state afterwards."""
+    along, across, state = place_in_cell(rules.box, row, col, state)
     cell = np.uint64(row * rules.grid.cols + col)
     here = stacks.surface[cell]
     erodes = has_sand(stacks.surface, stacks.sand, cell)
@@ -57,16 +74,17 @@ def may_erode(stacks, rules, view, row, col, state, peak):
     erodes &= allowed
     erodes &= _hop_is_not_zero(rules.speedup, stacks.levels, here)
     erodes = _erodes_outside_shadow(
-        rules.ray, rules.axis, rules.grid, rules.wind, erodes, view, row, col, here, peak
+        *(rules.ray, rules.axis, rules.box, rules.grid, rules.wind, erodes),
+        *(view, along, across, here, peak),
     )
-    return erodes, state
+    return erodes, along, across, state
 
 
 @internal()
 def find_eroding_cell(stacks, rules, view, band, row, col, state, peak):
     """Look for a cell that may erode: at random within the band, then onwards through the lattice.
 
-    Returns its row (negative where none is left), column and the advanced random state.
+    Returns the place of its slab (negative where none is left) and the advanced random state.
     """
     stacks, rules = borrowed((stacks, rules))
     grid = rules.grid
@@ -83,7 +101,7 @@ def find_eroding_cell(stacks, rules, view, band, row, col, state, peak):
                 row = row + 1 if row + 1 < grid.rows else 0
                 if rules.interruption[0] != 0:
                     break
-        erodes, state = may_erode(stacks, rules, view, row, col, state, peak)
+        erodes, along, across, state = may_erode(stacks, rules, view, row, col, state, peak)
         if erodes:
-            return row, col, state
-    return -1, col, state
+            return along, across, state
+    return np.int64(-1), np.int64(-1), state

@@ -45,7 +45,9 @@ def _bring_in(stacks, rules, work, along, across, state, peak, tally):
         here = surface[cell]
         sandy = has_sand(surface, sand, cell)
         stays = sticks_by_chance(stacks.mobility, sandy, wind, cell, high(state)) | stopped
-        stays = sticks_in_shadow(rules.axis, rules.ray, grid, stays, view, row, col, here, peak)
+        stays = sticks_in_shadow(
+            rules.axis, rules.ray, rules.box, grid, stays, view, along, across, here, peak
+        )
         hop_along, hop_across, stays = next_hop(
             rules.speedup, stacks.levels, wind, here, hop_along, hop_across, stays
         )
@@ -72,7 +74,7 @@ def first_landing(edge, cell, state, rules):
     along = np.int64(inside * wind.hop_along)
     across = np.int64(inside * wind.hop_across)
     place = np.int64(0)
-    if has_fractions(rules.speedup, wind.hop_along, wind.hop_across):
+    if rules.box is not None or has_fractions(rules.speedup, wind.hop_along, wind.hop_across):
         place = np.int64(draw(state, 2) * CELL)
     if edge == _ALONG:
         along = wrapped(along, grid.cols, False)

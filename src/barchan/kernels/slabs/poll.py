@@ -121,14 +121,15 @@ def run_polls(stacks, rules, work, band, count, redraw, target, peak, tally):
         # 1 choose a cell
         row, col, state = polls.rows[np.uint64(k)], polls.cols[np.uint64(k)], polls.states[np.uint64(k)]
         # 2 may it erode?
-        erodes, state = may_erode(stacks, rules, view, row, col, state, peak)
+        erodes, along, across, state = may_erode(stacks, rules, view, row, col, state, peak)
         if not erodes:
             if not redraw:
                 continue
-            row, col, state = find_eroding_cell(stacks, rules, view, band, row, col, state, peak)
-            if row < 0:
+            along, across, state = find_eroding_cell(stacks, rules, view, band, row, col, state, peak)
+            if across < 0:
                 tally[EXHAUSTED] += 1
                 break
+            row, col = across >> 32, along >> 32
         moved += 1
         height = stacks.surface[np.uint64(row * grid.cols + col)]
         hop_along, hop_across = first_hop(rules.speedup, stacks.levels, rules.wind, height)
@@ -141,7 +142,7 @@ def run_polls(stacks, rules, work, band, count, redraw, target, peak, tally):
         _change(stacks, stacks.sand, np.uint64(r * grid.cols + c), rules.repose.slab, -1)
         state = _relax_after(unstable, stacks, rules, UPSLOPE, r, c, state, 1)
         # 4 hop, 5 settle?
-        along, across, state = take_off(rules.speedup, row, col, hop_along, hop_across, state)
+        along, across, state = take_off(rules.box, rules.speedup, along, across, hop_along, hop_across, state)
         along, across, hop_along, hop_across, state, hops, fate, way_along, way_across = carry(
             stacks, rules, view, along, across, hop_along, hop_across, state, 0, peak
         )

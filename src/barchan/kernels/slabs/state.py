@@ -90,6 +90,19 @@ class RayShadow(NamedTuple):
     width: int
 
 
+class BoxShadow(NamedTuple):
+    """Shadow lines over stacks that are boxes, from a slab's own place in its cell."""
+
+    column_fall: float
+    """How far a line falls from one column's upwind edge to the next."""
+    row_fall: float
+    """How far it falls from one row's upwind edge to the next; infinite along an axis."""
+    upwind: int
+    """Upwind across the rows: -1 or 1."""
+    width: int
+    """Bytes of one height."""
+
+
 class ObstacleRule(NamedTuple):
     """Which steps stop a slab in flight."""
 
@@ -118,6 +131,8 @@ class SlabRules(NamedTuple):
     axis: AxisShadow | None
     """Shadow lines of a wind along a lattice axis; one of ``axis`` and ``ray`` is None."""
     ray: RayShadow | None
+    box: BoxShadow | None
+    """Shadow lines from a slab's own place, in place of those of ``axis`` or ``ray``."""
     orders: NDArray[np.int64]
     """Neighbour orders for slabs that slide: rows ``DOWNSLOPE``, ``UPSLOPE`` and ``SHUFFLED`` (scratch)."""
     relaxation_orders: NDArray[np.int64]

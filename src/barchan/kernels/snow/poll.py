@@ -23,7 +23,8 @@ from barchan.kernels.core.borrow import borrowed
 from barchan.kernels.core.inlining import never_inline
 from barchan.kernels.core.internal import internal
 from barchan.kernels.core.random import GOLDEN, below, high, low, mix
-from barchan.kernels.slabs.carry import has_fractions
+from barchan.kernels.slabs.carry import take_off
+from barchan.kernels.slabs.erosion import place_in_cell
 from barchan.kernels.slabs.hop import wrapped
 from barchan.kernels.slabs.shadow import in_shadow, whole_view
 from barchan.kernels.slabs.state import CAPPED, LEFT, MOVED, TRAVEL_ACROSS, TRAVEL_ALONG
@@ -91,15 +92,18 @@ def _chance_allows(giving, stress, pack, rules, row, col, cell, here, state):
 
 @internal(forceinline=True)
 def may_give(pack, rules, view, row, col, state, peak):
-    """Whether a polled cell gives a quantum, and the random state after it was asked."""
+    """Whether a polled cell gives a quantum, where in the cell that lies, and the random state afterwards."""
     slabs = rules.slabs
+    along, across, state = place_in_cell(slabs.box, row, col, state)
     cell = np.uint64(row * slabs.grid.cols + col)
     here = pack.surface[cell]
     gives = pack.quanta[cell] > 0
     if gives:
         allowed, state = _chance_allows(rules.giving, rules.stress, pack, rules, row, col, cell, here, state)
-        gives = allowed and not in_shadow(view, row, col, here, peak, slabs.grid, slabs.axis, slabs.ray)
-    return gives, state
+        gives = allowed and not in_shadow(
+            view, along, across, here, peak, slabs.grid, slabs.axis, slabs.ray, slabs.box
+        )
+    return gives, along, across, state
 
 
 @internal(forceinline=True)
@@ -145,7 +149,7 @@ def carry(pack, rules, view, along, across, travelled, state, peak):
         state += GOLDEN
         cell = np.uint64(row * grid.cols + col)
         here = pack.surface[cell]
-        sheltered = in_shadow(view, row, col, here, peak, grid, slabs.axis, slabs.ray)
+        sheltered = in_shadow(view, along, across, here, peak, grid, slabs.axis, slabs.ray, slabs.box)
         stays = sheltered or _stays_by_chance(rules.stress, pack, rules, cell, high(mix(state)))
     return row, col, state, True, stays, sheltered, way_along, way_across
 
@@ -212,12 +216,11 @@ def run_polls(pack, rules, work, count, peak, tally):
     pack, rules, work = borrowed((pack, rules, work))
     view = whole_view(pack.surface.ctypes.data, rules.slabs.grid)
     grid, wind, polls = rules.slabs.grid, rules.slabs.wind, work.polls
-    fractions = has_fractions(None, wind.hop_along, wind.hop_across)
     for k in range(count):
         # 1 choose a cell
         row, col, state = polls.rows[np.uint64(k)], polls.cols[np.uint64(k)], polls.states[np.uint64(k)]
         # 2 does it give a quantum?
-        gives, state = may_give(pack, rules, view, row, col, state, peak)
+        gives, along, across, state = may_give(pack, rules, view, row, col, state, peak)
         if not gives:
             continue
         tally[MOVED] += 1
@@ -225,12 +228,9 @@ def run_polls(pack, rules, work, count, peak, tally):
         pop(pack, rules.tables.thickness, np.uint64(row * grid.cols + col))
         feed(pack, rules, row, col)
         # 4 hop, 5 rest?
-        along, across = col << 32, row << 32
-        if fractions:
-            state += GOLDEN
-            draw = mix(state)
-            along |= np.int64(high(draw))
-            across |= np.int64(low(draw))
+        along, across, state = take_off(
+            rules.slabs.box, None, along, across, wind.hop_along, wind.hop_across, state
+        )
         row, col, state, inside, stays, sheltered, way_along, way_across = carry(
             pack, rules, view, along, across, False, state, peak
         )

@@ -1,0 +1,136 @@
+"""The page for eyes, keys, fingers and screen readers: contrast, names, order, sizes of windows."""
+
+from importlib.resources import files
+
+import pytest
+
+AXE = files("axe_playwright_python").joinpath("axe.min.js")
+STATES = ("no token", "wrong token", "replaced", "too much", "other version", "no answer", "connecting")
+RULES = "{ runOnly: ['wcag2a', 'wcag2aa', 'wcag21aa', 'best-practice'], resultTypes: ['violations'] }"
+
+
+@pytest.fixture
+def faults(studio):
+    """What axe-core finds wrong with the page, or a part of it, as it is now."""
+    pytest.importorskip("axe_playwright_python")
+
+    def found(part: str = "html") -> list[str]:
+        if not studio.ask("'axe' in window"):
+            studio.ask(f"void (() => {{ {AXE.read_text('utf-8')} }})()")
+        results = studio.ask(f"axe.run('{part}', {RULES})")
+        nodes = [(one["id"], node["html"]) for one in results["violations"] for node in one["nodes"]]
+        return [f"{rule}: {html[:150]}" for rule, html in nodes]
+
+    return found
+
+
+@pytest.mark.parametrize("theme", ["light", "dark"])
+def test_every_state_can_be_read_and_is_named(studio, faults, theme):
+    page = studio.page
+    studio.ask(f"window.barchan.app.view.set({{ theme: '{theme}' }})")
+    studio.pause()
+    assert faults() == []
+    for tab in ("Wind", "Paint", "View"):
+        page.get_by_role("tab", name=tab).click()
+        assert faults(".panel") == []
+    for view in ("Section", "Measures", "Space–time", "Log"):
+        page.get_by_role("tab", name=view).click()
+        assert faults(".dock") == []
+    page.locator("summary", has_text="File").click()
+    assert faults(".bar") == []
+    page.keyboard.press("Escape")
+    page.keyboard.press("?")
+    assert faults("dialog") == []
+
+
+@pytest.mark.parametrize("theme", ["light", "dark"])
+def test_notices_and_refusals_can_be_read_in_every_state(studio, faults, theme):
+    studio.ask(f"window.barchan.app.view.set({{ theme: '{theme}' }})")
+    studio.pause()
+    studio.ask("window.barchan.app.notices.note('error', 'model › p_s: is 5', 'model.p_s')")
+    studio.ask("Object.assign(window.barchan.app.runs[0], { lost: true })")
+    studio.ask("window.barchan.app.changed.send()")
+    studio.page.get_by_role("button", name="restart the run").wait_for()
+    assert faults(".messages") == []
+    for state in STATES:
+        studio.ask(f"window.barchan.app.connection.state.send('{state}')")
+        assert faults(".messages") == []
+    studio.ask("window.barchan.app.connection.state.send('open')")
+    studio.page.keyboard.press("g")
+    studio.page.locator(".card").first.wait_for()
+    assert faults(".gallery") == []
+
+
+def focused(studio) -> str:
+    return studio.ask("document.activeElement.textContent")
+
+
+def test_arrow_keys_move_between_tabs_and_in_menus_and_escape_closes_them(studio):
+    page = studio.page
+    page.get_by_role("tab", name="Scenario").focus()
+    page.keyboard.press("ArrowRight")
+    assert focused(studio) == "Wind"
+    assert page.locator("[data-path='wind.kind']").is_visible()
+    page.keyboard.press("End")
+    assert focused(studio) == "View"
+    assert page.locator("[role=tab][tabindex='0']").count() == 2  # one of the panel, one of the drawer
+    page.locator("summary", has_text="File").focus()
+    page.keyboard.press("Enter")
+    page.keyboard.press("ArrowUp")
+    assert focused(studio).startswith("Save a picture")
+    page.keyboard.press("Escape")
+    assert page.locator(".menu[open]").count() == 0
+    assert focused(studio) == "File"
+
+
+def box(studio, selector: str) -> dict:
+    return studio.page.locator(selector).first.bounding_box()
+
+
+def test_rows_show_their_numbers_whole_beside_sliders_wide_enough_to_drag(studio):
+    page = studio.page
+    page.set_viewport_size({"width": 1280, "height": 720})
+    for details in page.locator(".panel details").all():
+        details.evaluate("(one) => (one.open = true)")
+    cut = """[...document.querySelectorAll('.panel .control input[type=number]')]
+        .filter((one) => one.clientWidth > 0 && one.scrollWidth > one.clientWidth)
+        .map((one) => one.dataset.path)"""
+    assert studio.ask(cut) == []
+    edge = box(studio, ".panel")["x"] + box(studio, ".panel")["width"]
+    beyond = f"""[...document.querySelectorAll('.panel .page:not([hidden]) .row *')]
+        .filter((one) => one.getBoundingClientRect().right > {edge})
+        .map((one) => one.outerHTML.slice(0, 100))"""
+    assert studio.ask(beyond) == []
+    sliders = "[...document.querySelectorAll('.panel input[type=range]')]"
+    assert studio.ask(f"Math.min(...{sliders}.map((one) => one.clientWidth || 99))") >= 56
+
+
+def test_the_panel_folds_widens_and_is_remembered(studio):
+    page = studio.page
+    page.set_viewport_size({"width": 1280, "height": 720})
+    page.get_by_role("button", name="Panel (N)").click()
+    studio.until("document.querySelector('.panel').clientWidth === 0")
+    assert box(studio, ".scene")["width"] == 1280
+    page.keyboard.press("n")
+    edge = page.get_by_role("separator", name="Width of the panel")
+    wide = box(studio, ".panel")["width"]
+    edge.focus()
+    page.keyboard.press("ArrowLeft")
+    assert box(studio, ".panel")["width"] == wide + 20
+    page.reload()
+    studio.step_beyond(-1)
+    assert box(studio, ".panel")["width"] == wide + 20
+
+
+@pytest.mark.parametrize(("width", "height"), [(1024, 700), (820, 1100), (390, 800)])
+def test_the_scene_keeps_its_room_on_small_screens(studio, width, height):
+    page = studio.page
+    page.set_viewport_size({"width": width, "height": height})
+    scene = box(studio, ".scene")
+    assert scene["width"] >= min(width, 640)
+    assert scene["height"] >= height / 2
+    assert studio.ask("document.documentElement.scrollWidth") == width
+    if width < 1000:
+        page.get_by_role("button", name="Panel (N)").click()
+        assert box(studio, ".scene") == scene  # the panel lies over it
+    page.locator("[data-path='model.hop_length']").wait_for()
