@@ -10,7 +10,7 @@ from barchan.errors import ScenarioError
 from barchan.studio.protocol import ANSWERED, Request, is_state, message, read_request, state_head
 
 if TYPE_CHECKING:
-    from barchan.studio.worker.commands import Answer
+    from barchan.studio.worker.handlers import Answer
     from barchan.studio.worker.run import StudioRun
 
 LOOK_AGAIN = 0.05
