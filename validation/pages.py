@@ -75,6 +75,12 @@ THEMES = (
         ("snow_ranges", "snow_arrest", "snow_diagram", "snow_sintering"),
     ),
     Theme(
+        "nature",
+        "Against nature",
+        "Ratios and angles of simulated dunes beside those of dunes in the field.",
+        ("against_nature",),
+    ),
+    Theme(
         "lattice",
         "Artefacts of the lattice",
         "Effects of the lattice: its axes, its neighbourhoods, and the order in which cells are polled.",

@@ -139,7 +139,7 @@ def test_the_weather_of_a_run_reaches_its_segments():
         ),
         (
             {"weather": {"snowfall": {"first": 0.0, "last": 1e-3, "seconds": 60.0}}},
-            r'weather\.snowfall\.seconds: is 60 s, which needs a clock; add "clock": \{\} or state it in',
+            r"weather\.snowfall\.seconds: is 60 s, which needs a clock; give the scenario a clock",
         ),
         ({"weather": {"snowfall": {"first": -1e-3}}}, r"weather\.snowfall\.first: is -0\.001; allowed"),
         ({"weather": {"temperature": {"first": 70.0}}}, r"weather\.temperature\.first: is 70\.0?; allowed"),

@@ -58,8 +58,8 @@ const log = new LogView(app);
 const dock = new Dock([section, new SeriesView(app), new SpaceTimeView(app, section), log]);
 const timeline = new Timeline(app);
 const tabs = new Tabs([
-  ["Scenario", new Panel(app).element],
-  ["Wind", new WindPanel(app).element],
+  ["Scenario", new Panel(app, () => files.ask("ground")).element],
+  ["Wind", new WindPanel(app, () => files.ask("wind")).element],
   ["Paint", paint.element],
   ["View", new ViewPanel(app, stage).element],
 ]);

@@ -22,6 +22,7 @@ from barchan.measures.landform import Landform, landform
 from barchan.measures.lee_side import LeeSide, lee_side
 from barchan.measures.migration import Migration, migration
 from barchan.measures.orientation import Orientation, crest_orientation
+from barchan.measures.positions import Position, mean_by_position, positions
 from barchan.measures.relief import bedform_height, bedform_index
 from barchan.measures.roughness import frontal_area_index, roughness
 from barchan.measures.slopes import Slopes, slip_face_angle, streamwise_slopes
@@ -46,6 +47,7 @@ __all__ = [
     "LeeSide",
     "Migration",
     "Orientation",
+    "Position",
     "PowerLaw",
     "Slopes",
     "SpeedSizeLaw",
@@ -80,9 +82,11 @@ __all__ = [
     "horns",
     "landform",
     "lee_side",
+    "mean_by_position",
     "mean_direction",
     "migration",
     "outline",
+    "positions",
     "power_law",
     "roughness",
     "slip_face_angle",

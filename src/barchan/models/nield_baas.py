@@ -12,6 +12,7 @@ from barchan.fields import FieldInfo
 from barchan.model import Curve, Derived, ModelMeasure, Overlay
 from barchan.parameters import parameter, redeclared
 from barchan.plants.layouts import UniformPlants, Vegetation
+from barchan.plants.positions import COVER_BY_POSITION
 from barchan.plants.species import SPECIES, Grass, Mesquite, Shrub, Species
 from barchan.slabs.model import SlabModel
 from barchan.slabs.parameters import SlabParameters
@@ -140,7 +141,7 @@ class NieldBaas(SlabModel):
             lambda model, bed, _: model.effectiveness(bed),
         ),
     )
-    measures = tuple(map(_mean_of, SPECIES))
+    measures = (*map(_mean_of, SPECIES), *COVER_BY_POSITION)
     overlays = (Overlay("effectiveness", "plants", "Greens", SPECIES),)
 
     def initialise(self, bed: Bed, seed: int) -> None:

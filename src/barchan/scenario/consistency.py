@@ -129,7 +129,7 @@ def _unclocked(scenario: "Scenario", model: Model) -> list[Found]:
         return found
     for path, seconds in _durations(scenario):
         text = f"is {seconds:g} s, which needs a clock"
-        found.append((path, f'{text}; add "clock": {{}} or state it in steps'))
+        found.append((path, f"{text}; give the scenario a clock (key clock), or state it in steps"))
     return found
 
 
@@ -140,8 +140,10 @@ def _unclocked_speeds(scenario: "Scenario", model: Model, own_steps: bool) -> It
         series, speed = f"whose winds {text}", f"is m/s; speeds {text}"
     else:
         needs = "a clock for its number of polls"
-        series = 'whose winds need a clock for their number of polls; add "clock": {}'
-        speed = f'is m/s, which needs {needs}; add "clock": {{}} or state the speed in cells'
+        series = "whose winds need a clock for their number of polls; give the scenario a clock (key clock)"
+        speed = (
+            f"is m/s, which needs {needs}; give the scenario a clock (key clock), or state the speed in cells"
+        )
     if isinstance(scenario.wind, SeriesWind):
         kind = "a record" if isinstance(scenario.wind, Recorded) else scenario.wind.kind
         yield ("wind", "kind"), f"is {kind}, {series}"

@@ -356,3 +356,37 @@ def test_a_scenario_can_start_with_a_ground_of_its_own_file(tmp_path):
         message = browser.until_message("scenario")
         browser.send("create", scenario=message["scenario"], id=1)
         browser.until_message("scenario")
+
+
+def test_the_same_model_beside_begins_with_the_values_of_the_first(tmp_path):
+    scenario = small(model={"name": "werner", "p_s": 0.3})
+    with serving(tmp_path, scenario) as served, served.browser() as browser:
+        browser.until_frame()
+        browser.send("compare", model="werner", id=3)
+        browser.until(lambda message, _: message.get("run") == "b" and message.get("type") == "scenario")
+        second = browser.messages[-1]["scenario"]
+        assert second["model"]["p_s"] == 0.3
+
+
+def test_a_stroke_stamps_every_one_of_its_places(served):
+    with served.browser() as browser:
+        message = browser.until_message("scenario")
+        browser.send("pause")
+        before = browser.until_frame(lambda status: not status["running"])[0]["status"]["volume"]
+        sand = {**message["brushes"][0]["stroke"], "radius": 0.6, "amount": 4, "falloff": "none"}
+        browser.send("stroke", begin=True, end=True, stroke=sand, places=[[10.5, 8.5], [30.5, 20.5]], id=5)
+        status = browser.until_frame(lambda status: status["undo"] == 1)[0]["status"]
+    assert status["volume"] - before == pytest.approx(
+        2 * 4 / 3
+    )  # two cells of 1 m², slabs of a third of a metre
+
+
+def test_a_run_is_not_saved_under_a_name_in_use(served):
+    (served.folder / "mine").mkdir()
+    (served.folder / "mine" / "notes.txt").write_text("kept")
+    with served.browser() as browser:
+        browser.until_frame()
+        browser.send("save", name="mine", id=5)
+        refused = browser.until_message("refused", id=5)["text"]
+    assert "'mine' is in use" in refused
+    assert "--" not in refused

@@ -101,9 +101,20 @@ export class App {
     }
   }
 
-  /** Start a scenario; returns whether it runs. What is refused leaves the run as it was. */
+  /** Start a scenario; returns whether it runs. What is refused is said, and leaves the run as it was. */
   async create(scenario: JsonObject, running = true): Promise<boolean> {
-    return (await this.ask({ command: "create", scenario, running, run: this.selected })) !== null;
+    try {
+      await this.begin(scenario, running);
+      return true;
+    } catch (error) {
+      this.refused(error);
+      return false;
+    }
+  }
+
+  /** Start a scenario; throws where it is refused. */
+  async begin(scenario: JsonObject, running = true): Promise<void> {
+    await this.connection.ask({ command: "create", scenario, running, run: this.selected });
   }
 
   /** Say why something was refused, at the places that it concerns. */

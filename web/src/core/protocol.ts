@@ -111,6 +111,8 @@ export interface Description {
   /** Whether the model follows grains, whose paths can be shown. */
   paths: boolean;
   repose: number | null;
+  /** The same as a difference of two neighbouring cells, in slabs. */
+  repose_slabs: number | null;
   facts: Record<string, string>;
   remarks: string[];
   /** The branches of the run; the step where each began, and its last one. */

@@ -1,6 +1,7 @@
 /** The settings of the view; kept in the browser from one visit to the next. */
 
 import { Signal } from "./signal";
+import { keep, stored } from "./stored";
 
 export type Theme = "system" | "light" | "dark";
 
@@ -50,6 +51,13 @@ export const LOOK: Look = {
   theme: "system",
 };
 
+const CHOICES = {
+  map: ["perceptual", "grey", "red-green"],
+  contours: ["off", "interval", "count"],
+  side: ["surface", "difference"],
+  theme: ["system", "light", "dark"],
+} as const;
+
 export class View {
   readonly look: Look;
   readonly changed = new Signal<void>();
@@ -57,16 +65,12 @@ export class View {
   readonly needed = new Set<string>();
 
   constructor() {
-    this.look = { ...LOOK, ...stored() };
+    this.look = stored(KEY, LOOK, CHOICES);
   }
 
   set(change: Partial<Look>): void {
     Object.assign(this.look, change);
-    try {
-      localStorage.setItem(KEY, JSON.stringify(this.look));
-    } catch {
-      // private windows keep nothing
-    }
+    keep(KEY, this.look);
     this.changed.send();
   }
 
@@ -80,13 +84,5 @@ export class View {
 
   fields(): string[] {
     return [...new Set([this.look.field, ...this.look.overlays, ...this.needed])].sort();
-  }
-}
-
-function stored(): Partial<Look> {
-  try {
-    return JSON.parse(localStorage.getItem(KEY) ?? "{}") as Partial<Look>;
-  } catch {
-    return {};
   }
 }

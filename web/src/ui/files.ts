@@ -57,7 +57,7 @@ export class Files {
   async take(file: File): Promise<void> {
     const { heights, records } = this.app.files;
     if (ends(file.name, [".json"])) await this.load(file.name, await file.text());
-    else if (ends(file.name, [...heights, ...records])) await this.keep(file);
+    else if (ends(file.name, [...heights, ...records])) await this.keep(file).catch((error) => this.app.refused(error));
     else {
       const kinds = [["scenarios", ".json"], ["grounds", heights.join(", ")], ["records of wind", records.join(", ")]];
       this.app.note("error", `${file.name} is of an unknown kind. Allowed: ${kinds.map((kind) => kind.join(" ")).join("; ")}.`);
@@ -106,6 +106,19 @@ export class Files {
     );
   }
 
+  /** Ask for a file of heights, or of winds, and use it. */
+  ask(purpose: "ground" | "wind"): void {
+    const { heights, records } = this.app.files;
+    const [title, suffixes] = purpose === "ground" ? ["Ground from a file", heights] : ["Wind from a record", records];
+    const input = h("input", { type: "file", accept: suffixes.join(), required: true, "aria-label": title });
+    const use = async () => {
+      const file = input.files?.[0];
+      if (file) await this.keep(file);
+    };
+    const text = `One of ${suffixes.join(", ")}. Files can be dropped onto the scene as well.`;
+    formDialog(title, "use it", use, h("p", {}, text), input);
+  }
+
   private choose(): void {
     const input = h("input", {
       type: "file",
@@ -118,15 +131,11 @@ export class Files {
     input.click();
   }
 
-  /** Use a file as ground, or as a record of winds where it holds no heights. */
+  /** Use a file as ground, or as a record of winds where it holds no heights; a refusal is thrown. */
   private async keep(file: File): Promise<void> {
-    try {
-      const kept = await this.upload(file);
-      if (ends(file.name, this.app.files.records) && !kept.heights) await this.record(file, kept);
-      else await this.ground(file, kept);
-    } catch (error) {
-      this.app.refused(error);
-    }
+    const kept = await this.upload(file);
+    if (ends(file.name, this.app.files.records) && !kept.heights) await this.record(file, kept);
+    else await this.ground(file, kept);
   }
 
   private async ground(file: File, kept: Kept): Promise<void> {
@@ -143,9 +152,8 @@ export class Files {
       image ? `white ${heights.highest} m above black` : "",
       codes.length ? `${codes.join(", ")} taken as cells without a height` : "",
     ];
-    if (await this.app.create({ ...scenario, ...this.lattice(scenario, kept), ground })) {
-      this.app.note("info", `${said.filter(Boolean).join(", ")}; see Ground in the panel.`);
-    }
+    await this.app.begin({ ...scenario, ...this.lattice(scenario, kept), ground });
+    this.app.note("info", `${said.filter(Boolean).join(", ")}; see Ground in the panel.`);
   }
 
   /** The lattice over a whole elevation model: its own cells, or larger ones where there are too many. */
@@ -163,8 +171,8 @@ export class Files {
 
   /** Let the winds of a record blow. */
   private async record(file: File, kept: Kept): Promise<void> {
-    const answer = await this.app.ask({ command: "wind", wind: { kind: "record", path: kept.path }, run: this.app.selected });
-    if (answer) this.app.note("info", `The winds of ${file.name} blow now.`);
+    await this.app.connection.ask({ command: "wind", wind: { kind: "record", path: kept.path }, run: this.app.selected });
+    this.app.note("info", `The winds of ${file.name} blow now.`);
   }
 
   private saveRun(): void {

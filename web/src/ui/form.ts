@@ -26,6 +26,9 @@ export interface FormContext {
   live: (path: Path, schema: Schema) => boolean;
 }
 
+/** What it means that a text is left out, by its key. */
+const NOTHING: Record<string, string> = { path: "bundled example" };
+
 const HIDDEN = new Set(["note", "barchan"]);
 
 /** The rows of a group of parameters, gathered under the headings that they declare. */
@@ -203,6 +206,7 @@ function control(
   const text = h("input", {
     type: "text",
     value: value === null ? "" : String(value),
+    placeholder: entry.nullable ? (NOTHING[String(path.at(-1))] ?? "none") : "",
     onchange: () => take(readText(text.value, entry.nullable, entry.choices.length > 0)),
   });
   if (!entry.choices.length) return [mark(text)];

@@ -6,6 +6,23 @@ import type { Run } from "../core/run";
 import type { Place } from "../scene/pick";
 import { button, h, id } from "./dom";
 
+/** Metres from the south-west corner. */
+type Point = [number, number];
+
+/** Distance of two stamps, as a share of the radius: so far apart smooth and linear ones add up to an even band. */
+const STAMP = 0.5;
+
+/** Stamps of one message at most; a longer way is drawn with wider gaps. */
+const MOST_STAMPS = 400;
+
+/** Points every `step` on the way from one to another, the first one left out. */
+export function between([x0, y0]: Point, [x1, y1]: Point, step: number): Point[] {
+  const length = Math.hypot(x1 - x0, y1 - y0);
+  const count = Math.min(Math.floor(length / step), MOST_STAMPS);
+  const share = Math.max(step, length / MOST_STAMPS) / length;
+  return Array.from({ length: count }, (_, at) => [x0 + (x1 - x0) * share * (at + 1), y0 + (y1 - y0) * share * (at + 1)]);
+}
+
 export class Paint {
   readonly element: HTMLElement;
   active = false;
@@ -17,6 +34,8 @@ export class Paint {
   private readonly strengths = new Map<string, number>();
   private falloff = "smooth";
   private pressed: Run | null = null;
+  /** The last stamp of the gesture. */
+  private last: Point = [0, 0];
   private readonly toggle: HTMLButtonElement;
   private readonly undo: HTMLButtonElement;
   private readonly redo: HTMLButtonElement;
@@ -87,11 +106,17 @@ export class Paint {
 
   press(run: Run, place: Place): void {
     this.pressed = run;
-    this.send(place, { begin: true });
+    this.last = [place.x, place.y];
+    this.send([this.last], { begin: true });
   }
 
+  /** Draw on to a place, with stamps as close to each other as their radius asks for. */
   move(place: Place): void {
-    if (this.pressed) this.send(place, {});
+    if (!this.pressed) return;
+    const stamps = between(this.last, [place.x, place.y], STAMP * this.radius);
+    if (!stamps.length) return;
+    this.last = stamps.at(-1)!;
+    this.send(stamps, {});
   }
 
   release(): void {
@@ -145,13 +170,12 @@ export class Paint {
     this.strength.value = String(strength);
   }
 
-  private send(place: Place, when: { begin?: boolean }): void {
+  private send(places: Point[], when: { begin?: boolean }): void {
     const { brush } = this;
     if (!brush) return;
     const amount = (this.erases ? -1 : 1) * this.strengths.get(this.painted)!;
-    const { x, y } = place;
     const numbers = Object.fromEntries(brush.numbers.map(({ key }) => [key, this.chosen.get(`${brush.title}.${key}`)!]));
-    this.app.send({ command: "stroke", ...when, stroke: { ...brush.stroke, ...numbers, x, y, radius: this.radius, amount, falloff: this.falloff } });
+    this.app.send({ command: "stroke", ...when, places, stroke: { ...brush.stroke, ...numbers, radius: this.radius, amount, falloff: this.falloff } });
   }
 
   private show(): void {

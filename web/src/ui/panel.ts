@@ -9,6 +9,8 @@ import { RefreshGuard } from "./refresh_guard";
 
 /** The key of the loose layer at the start, which is named after the model's material. */
 const LOOSE = "sand";
+/** Groups that keep their values when all defaults are put back: the wind has a page of its own, the run its seed. */
+const KEPT = new Set(["wind", "run", "weather"]);
 /** Keys of a scenario that are shown elsewhere, or are no groups. */
 const ELSEWHERE = new Set(["barchan", "note", "title", "citation", "look_for", "wind", "model"]);
 
@@ -23,7 +25,11 @@ export class Panel {
   private readonly create = later(350, () => this.submit());
   private readonly guard: RefreshGuard;
 
-  constructor(private readonly app: App) {
+  /** ``fromFile`` asks for a file of heights. */
+  constructor(
+    private readonly app: App,
+    private readonly fromFile: () => void,
+  ) {
     this.guard = new RefreshGuard(this.element, () => this.show());
     app.described.watch(() => this.show());
     app.changed.watch(() => this.show());
@@ -80,6 +86,7 @@ export class Panel {
       ...Object.keys(root.properties ?? {})
         .filter((name) => !ELSEWHERE.has(name))
         .map((name) => this.group(context, name)),
+      action("put all defaults back", () => void this.putDefaultsBack()),
       h("p", { className: "hint" }, restartMark(), " restarts the run; everything else changes at once. Point at a row to read what it means."),
     ];
   }
@@ -149,7 +156,8 @@ export class Panel {
     const value = (this.scenario[name] ?? {}) as JsonObject;
     const title = name === LOOSE ? `${capital(this.app.current!.material)} at the start` : capital(name);
     if (entry.nullable) return details(name, title, field(context, name, schema, this.scenario[name] ?? null, [name]));
-    if (entry.kind === "variant") return details(name, title, ...unwrapped(variantField(context, name, schema, value, [name])));
+    const another = value.kind === "file" && name === "ground" && action("use another file …", this.fromFile);
+    if (entry.kind === "variant") return details(name, title, another, ...unwrapped(variantField(context, name, schema, value, [name])));
     return details(name, title, ...group(context, entry.schema, value, [name]));
   }
 
@@ -181,20 +189,37 @@ export class Panel {
     this.shown = "";
   }
 
+  /** The defaults of every group, under the same model, kinds of ground and sand, and seed. */
+  private async putDefaultsBack(): Promise<void> {
+    const own = ["kind", "name", "path", "lowest", "highest"]; // what makes a group what it is
+    const { model, wind, clock, weather } = this.scenario;
+    for (const [group, value] of Object.entries(this.scenario)) {
+      if (KEPT.has(group) || value === null || typeof value !== "object" || Array.isArray(value)) continue;
+      const kind = Object.fromEntries(Object.entries(value).filter(([key]) => own.includes(key)));
+      const beside = { model: model ?? null, wind: wind ?? null, clock: clock ?? null, weather: weather ?? null };
+      const answer = await this.app.ask({ command: "variant", group, value: kind, beside });
+      if (answer) this.unsent.push([[group], answer.value as Json]);
+    }
+    this.submit();
+  }
+
   private async variant(path: Path, key: string, name: string): Promise<void> {
     const whole = replaced(this.scenario, path, { [key]: name }) as JsonObject;
     const group = String(path[0]);
     const needsFile = name === "file";
     if (needsFile) {
-      this.app.note("info", "Drop an image, an array or an elevation model onto the scene to use it as ground.");
       this.refresh();
-      return;
+      return this.fromFile();
     }
     const answer = await this.app.ask({ command: "variant", group, value: whole[group] ?? null });
     if (!answer) return this.refresh();
     this.unsent.push([[group], answer.value as Json]);
     this.submit();
   }
+}
+
+function action(text: string, act: () => void): HTMLElement {
+  return h("button", { type: "button", className: "quiet", onclick: act }, text);
 }
 
 function details(name: string, title: string, ...children: (Node | false | null)[]): HTMLElement {

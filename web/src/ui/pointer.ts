@@ -11,6 +11,8 @@ export class Pointer {
   private drawing = false;
   private from: [number, number] | null = null;
   private last = 0;
+  /** Where the mouse was while painting, since it was followed last. */
+  private trail: PointerEvent[] = [];
 
   constructor(
     private readonly stage: Stage,
@@ -55,6 +57,7 @@ export class Pointer {
   }
 
   private move(event: PointerEvent): void {
+    if (this.paint.active && event.buttons & 1) this.trail.push(...(event.getCoalescedEvents?.() ?? []), event);
     if (event.timeStamp - this.last < PAUSE) return;
     this.last = event.timeStamp;
     this.hud.pointAt(event);
@@ -63,15 +66,24 @@ export class Pointer {
       const [width, depth] = found ? this.stage.terrain(found.run)!.extent : [1, 1];
       if (found) this.stage.showBrush(found.place.x / width, found.place.y / depth, this.paint.size);
       else this.stage.showBrush(0, 0, 0);
-      if (found && event.buttons & 1) this.paint.move(found.place);
+      this.follow();
     } else if (found && this.from) {
       const { x, y } = found.place;
       if (Math.hypot(x - this.from[0], y - this.from[1]) > 0) this.section.put([...this.from, x, y]);
     }
   }
 
+  /** Paint along all places where the mouse was since it was followed last. */
+  private follow(): void {
+    for (const event of this.trail.splice(0)) {
+      const found = this.stage.pick(event);
+      if (found) this.paint.move(found.place);
+    }
+  }
+
   private release(event: PointerEvent): void {
     this.stage.controls.enabled = true;
+    this.follow();
     if (this.paint.active) this.paint.release();
     if (this.from) {
       this.from = null;

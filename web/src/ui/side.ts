@@ -1,5 +1,6 @@
 /** The side panel: folded and drawn out by a button or a key, made wider by its edge; where there is little room it lies over the scene. */
 
+import { keep, stored } from "../core/stored";
 import { h } from "./dom";
 import { icon } from "./icons";
 
@@ -13,11 +14,6 @@ const STEP = 20;
 /** Where the panel lies over the scene, and is folded at first; the style sheet says the same. */
 const NARROW = "(max-width: 999px)";
 
-interface Stored {
-  width: number;
-  folded: boolean;
-}
-
 export class Side {
   readonly element: HTMLElement;
   readonly button: HTMLButtonElement;
@@ -26,7 +22,7 @@ export class Side {
   private folded = false;
 
   constructor(content: HTMLElement[]) {
-    const { width, folded } = stored();
+    const { width, folded } = stored(KEY, { width: USUAL, folded: false });
     this.edge = h("div", { className: "edge", role: "separator", tabIndex: 0, "aria-orientation": "vertical", "aria-label": "Width of the panel", "aria-valuemin": LEAST, "aria-valuemax": MOST });
     this.element = h("aside", { className: "panel", id: "panel", "aria-label": "Panel" }, this.edge, ...content);
     this.button = h("button", { type: "button", title: "Panel (N)", "aria-label": "Panel (N)", "aria-controls": "panel", onclick: () => this.toggle() }, icon("panel"));
@@ -72,19 +68,6 @@ export class Side {
   }
 
   private keep(): void {
-    try {
-      localStorage.setItem(KEY, JSON.stringify({ width: this.width, folded: this.folded }));
-    } catch {
-      // private windows keep nothing
-    }
-  }
-}
-
-function stored(): Stored {
-  try {
-    const found = JSON.parse(localStorage.getItem(KEY) ?? "{}") as Partial<Record<keyof Stored, unknown>> | null;
-    return { width: typeof found?.width === "number" && Number.isFinite(found.width) ? found.width : USUAL, folded: found?.folded === true };
-  } catch {
-    return { width: USUAL, folded: false };
+    keep(KEY, { width: this.width, folded: this.folded });
   }
 }

@@ -24,7 +24,7 @@ export class Timeline {
   constructor(private readonly app: App) {
     this.play = button("replay from here", "replay", () => this.togglePlay());
     this.now = button("Return to now (End)", "now", () => this.live());
-    this.branch = button("Go on from here; what came later stays as a branch", "go on from here", () => this.goOn());
+    this.branch = button("Go on from here; what came later stays as a branch", "go on from here", () => void this.goOn());
     this.slider.addEventListener("input", () => this.look(Number(this.slider.value)));
     this.element = h("div", { className: "timeline" }, this.play, this.slider, this.label, this.branches, this.branch, this.now);
     app.framed.watch(() => this.show());
@@ -43,11 +43,10 @@ export class Timeline {
     this.look(Math.min(Math.max(at + by, 0), history.length - 1));
   }
 
-  private goOn(): void {
+  private async goOn(): Promise<void> {
     this.stop();
-    const step = this.app.current?.status?.step;
-    this.app.send({ command: "branch" });
-    this.app.note("info", `Going on from step ${step} as a new branch.`);
+    const answer = await this.app.ask({ command: "branch" });
+    if (answer) this.app.note("info", `A new branch begins at step ${answer.step}.`);
   }
 
   private offer(): void {

@@ -25,7 +25,11 @@ export class WindPanel {
     void this.guard.during(this.tell());
   });
 
-  constructor(private readonly app: App) {
+  /** ``fromFile`` asks for a record. */
+  constructor(
+    private readonly app: App,
+    private readonly fromFile: () => void,
+  ) {
     this.guard = new RefreshGuard(this.element, () => this.follow());
     app.described.watch(() => this.follow());
     app.changed.watch(() => this.follow());
@@ -74,11 +78,13 @@ export class WindPanel {
       "regimes" in this.wind ? this.regimes() : "direction" in this.wind ? this.steady() : this.form(this.kind, []);
     const rose = h("div", { "data-rose": "" }, ...(this.element.querySelector("[data-rose]")?.children ?? []));
     const open = new Set([...this.element.querySelectorAll("details[open]")].map((one) => one.id));
+    const another = this.kind === "record" ? [h("button", { type: "button", className: "quiet", onclick: this.fromFile }, "use another record …")] : [];
     this.element.replaceChildren(
       h("div", { className: "row" }, h("span", {}, "kind"), h("div", { className: "control" }, kinds)),
+      ...another,
       rose,
       ...body,
-      h("p", { className: "hint" }, "Changes blow at once. Drag the dial’s head to where the wind comes from; shift turns it freely."),
+      h("p", { className: "hint" }, `Changes blow at once.${"regimes" in this.wind || "direction" in this.wind ? " Drag the dial’s head to where the wind comes from; with Shift it turns by less than 5°." : ""}`),
     );
     for (const details of this.element.querySelectorAll("details")) details.open = open.has(details.id);
   }

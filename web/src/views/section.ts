@@ -1,6 +1,7 @@
 /** The cross-section along a line: profile, shadow zones, slopes; it follows the run. */
 
 import type { App } from "../core/app";
+import type { Description } from "../core/protocol";
 import type { Run } from "../core/run";
 import { type Profile, ends, profile } from "../core/profile";
 import { type SectionLine, alongWind } from "../core/section";
@@ -131,7 +132,7 @@ export class SectionView {
     area(p.ground, themeColour("rock"));
     if (!layered) this.crest(c, p, x, y, run.description!.repose);
     if (second) drawSecond(c, second, x, y);
-    this.legend(c, width, p.shadow !== null, run.description!.repose, second?.run.description!.model.title);
+    this.legend(c, width, p.shadow !== null, run.description!, second?.run.description!.model.title);
     if (layered) this.layers.legend(c, run, MARGIN.left + 60, MARGIN.top);
     this.point(c, p, x, y, length, width, run);
   }
@@ -202,11 +203,11 @@ export class SectionView {
     if (repose !== null) stroke(themeColour("steep"), 3, (i) => Math.abs(p.slope[i]!) >= 0.85 * repose);
   }
 
-  private legend(c: CanvasRenderingContext2D, width: number, shadow: boolean, repose: number | null, second?: string): void {
+  private legend(c: CanvasRenderingContext2D, width: number, shadow: boolean, { repose, repose_slabs: slabs }: Description, second?: string): void {
     const items: [string, string][] = [];
     if (second) items.push(["second", second]);
     if (shadow) items.push(["shadow", "shadow zone"]);
-    if (repose !== null) items.push(["steep", `near repose (${repose.toFixed(1)}°)`]);
+    if (repose !== null) items.push(["steep", `near the effective angle of repose, ${repose.toFixed(1)}°${slabs === null ? "" : ` (${short(slabs, 3)} slabs a cell)`}`]);
     let right = width - MARGIN.right - 4;
     const wide = items.reduce((sum, [, text]) => sum + c.measureText(text).width + 30, 0);
     c.globalAlpha = 0.85;

@@ -34,11 +34,15 @@ def create(session: "Session", request: Request) -> None:
 
 @SESSION.handles("compare")
 def compare(session: "Session", request: Request) -> None:
-    """Run another model beside, on the same ground, under the same wind, from the same seed."""
-    first = session.scenarios[FIRST]
-    if request["model"] not in models():
-        raise BarchanError(f"no model '{request['model']}'; allowed: {', '.join(models())}")
-    second = validate({**first, "model": {"name": request["model"]}}).data()
+    """Run another model beside, on the same ground, under the same wind, from the same seed.
+
+    The model that runs already begins with the values that it has; any other with its defaults.
+    """
+    first, name = session.scenarios[FIRST], request["model"]
+    if name not in models():
+        raise BarchanError(f"no model '{name}'; allowed: {', '.join(models())}")
+    model = first["model"] if first["model"]["name"] == name else {"name": name}
+    second = validate({**first, "model": model}).data()
     session.begin({FIRST: first, SECOND: second}, True, _answer_of(SECOND, request))
     session.report_runs()
 
@@ -63,7 +67,7 @@ def revive(session: "Session", request: Request) -> None:
 @SESSION.handles("save")
 def save(session: "Session", request: Request) -> None:
     """Save a run as an archive in the session's folder."""
-    folder = session.workspace.run(str(request["name"]))
+    folder = session.workspace.new_run(str(request["name"]))
     worker = session.workers[request.get("run") or FIRST]
     worker.send("save_folder", folder=str(folder), id=request.get("id"))
 

@@ -82,6 +82,13 @@ class Workspace:
             raise BarchanError(f"'{name}' cannot be a run's name: it is reserved; allowed: any other")
         return self.folder / name
 
+    def new_run(self, name: str) -> Path:
+        """The folder for a run to be saved under a name; raises BarchanError where it is in use."""
+        folder = self.run(name)
+        if folder.is_file() or (folder.is_dir() and any(folder.iterdir())):
+            raise BarchanError(f"'{name}' is in use in {self.folder}; choose another name")
+        return folder
+
     def runs(self) -> list[str]:
         """Names of the runs that can be opened."""
         from barchan.archive.folder import CHECKPOINT, SCENARIO  # brings zarr, which no first page needs

@@ -157,7 +157,7 @@ class RunCommands:
 
     @WORKER.handles("stroke")
     def stroke(self, request: Request) -> None:
-        """Paint; ``start`` and ``end`` mark the first and the last stroke of a gesture."""
+        """Paint at every one of ``places``; ``begin`` and ``end`` mark the limits of a gesture."""
         run = self.current
         run.look_now()
         if request.get("begin"):
@@ -165,7 +165,8 @@ class RunCommands:
         elif not run.painting.done:
             raise BarchanError("a stroke without a beginning")
         if "stroke" in request:
-            run.painting.stroke(run.live, _stroke(request["stroke"]))
+            for place in _places(request):
+                run.painting.stroke(run.live, _stroke({**request["stroke"], **place}))
         if request.get("end"):
             run.painting.end(run.live)
 
@@ -188,10 +189,11 @@ class RunCommands:
             self.current.look(int(request["step"]))
 
     @WORKER.handles("branch")
-    def branch(self, _: Request) -> None:
+    def branch(self, _: Request) -> Answer:
         """Continue from the state that is looked at."""
         self.current.branch()
         self._announce()
+        return {"step": self.current.live.steps_done}
 
     @WORKER.handles("switch")
     def switch(self, request: Request) -> None:
@@ -219,6 +221,12 @@ class RunCommands:
         run = self.current
         branches = run.branches.listing(run.live.steps_done)
         self._send("scenario", **description(run.live), branches=branches, branch=run.branches.current)
+
+
+def _places(request: Request) -> list[dict[str, Any]]:
+    """Where a stroke is made: the places beside it, or its own one."""
+    places = request.get("places")
+    return [{}] if places is None else [{"x": x, "y": y} for x, y in places]
 
 
 def _stroke(data: Any) -> AnyStroke:

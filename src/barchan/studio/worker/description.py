@@ -43,6 +43,7 @@ def description(simulation: Simulation) -> dict[str, Any]:
         "measured_every": min(simulation.scenario.run.save_every, FINEST),
         "measured_rows": ROWS,
         "repose": math.degrees(math.atan(limits[0] * lattice.aspect)) if limits else None,
+        "repose_slabs": float(limits[0]) if limits else None,
         "facts": {**sound.facts(), **sound.forecast()},
         "remarks": sound.remarks(simulation.bed.ground),
         "events": len(simulation.events),

@@ -1,0 +1,124 @@
+"""Work on the page: brushes, files, defaults, comparisons, what was stored by another version."""
+
+import io
+import json
+
+import numpy as np
+from PIL import Image
+
+from tests.studio.browser.test_messages import fill
+
+RUN = "window.barchan.app.runs[0]"
+SCENARIO = f"{RUN}.description.scenario"
+
+
+def test_a_quick_stroke_of_the_brush_leaves_one_even_ridge(studio):
+    page = studio.page
+    flat = {
+        "barchan": 2,
+        "lattice": {"rows": 48, "columns": 64},
+        "sand": {"kind": "flat", "mean": 0},
+        "run": {"seed": 1},
+    }
+    studio.ask(f"window.barchan.app.create({json.dumps(flat)}, false)")
+    studio.until(f"{SCENARIO}.sand.mean === 0 && {RUN}.status?.volume === 0")
+    studio.ask("window.barchan.stage.look('top')")
+    page.get_by_role("tab", name="Paint").click()
+    page.get_by_label("radius").fill("3")
+    page.get_by_label("radius").press("Enter")
+    page.locator("[data-paint=strength]").fill("3")
+    page.locator("[data-paint=strength]").press("Enter")
+    page.get_by_text("paint (B)").click()
+    scene = page.locator(".scene canvas").first.bounding_box()
+    middle = scene["y"] + scene["height"] / 2
+    page.mouse.move(scene["x"] + 0.4 * scene["width"], middle)
+    page.mouse.down()
+    page.mouse.move(scene["x"] + 0.6 * scene["width"], middle)  # one event for the whole way
+    page.mouse.up()
+    studio.until(f"{RUN}.status.undo === 1")
+    studio.catch_up()
+    depth = np.array(studio.ask(f"[...{RUN}.depth]")).reshape(48, 64)
+    along = depth[np.argmax(depth.sum(axis=1))]
+    painted = along[np.flatnonzero(along)[0] + 2 : np.flatnonzero(along)[-1] - 1]
+    assert painted.size > 6
+    assert painted.min() > 0.5 * painted.max()
+
+
+def test_a_stored_look_of_another_shape_is_replaced_where_it_does_not_fit(studio):
+    page = studio.page
+    odd = {
+        "smoothing": "much",
+        "limits": 3,
+        "overlays": "plants",
+        "theme": "sepia",
+        "contours": "count",
+        "count": 5,
+    }
+    studio.ask(f"localStorage.setItem('barchan-look', JSON.stringify({json.dumps(odd)}))")
+    studio.ask("localStorage.setItem('barchan-panel', '[1')")
+    page.reload()
+    studio.step_beyond(-1)
+    look = studio.ask("window.barchan.app.view.look")
+    assert (look["contours"], look["count"]) == ("count", 5)
+    assert look["limits"] is None
+    assert look["theme"] == "system"
+    assert isinstance(look["smoothing"], float | int)
+    page.get_by_role("tab", name="View").click()
+    assert page.get_by_label("smoothing").is_visible()
+
+
+def picture() -> bytes:
+    content = io.BytesIO()
+    Image.fromarray(np.tile(np.linspace(0, 255, 32).astype(np.uint8), (24, 1))).save(content, "PNG")
+    return content.getvalue()
+
+
+def test_grounds_and_records_are_chosen_in_the_panel(studio):
+    page = studio.page
+    page.locator("summary", has_text="Ground").click()
+    page.locator("[data-path='ground']").select_option("file")
+    sheet = page.get_by_role("dialog")
+    sheet.get_by_label("Ground from a file").set_input_files(
+        {"name": "plan b.png", "mimeType": "image/png", "buffer": picture()}
+    )
+    sheet.get_by_role("button", name="use it").click()
+    studio.until(f"{SCENARIO}.ground.path?.endsWith('plan-b.png')")
+    sheet.wait_for(state="detached")
+    page.get_by_role("button", name="use another file").wait_for()
+    scenario = {**studio.ask(SCENARIO), "clock": {}, "ground": {"kind": "flat"}}
+    studio.ask(f"window.barchan.app.create({json.dumps(scenario)}, false)")
+    page.get_by_role("tab", name="Wind").click()
+    page.locator("[data-path='wind.kind']").select_option("record")
+    studio.until(f"{SCENARIO}.wind.kind === 'record'")
+    assert page.locator("[data-path='path']").get_attribute("placeholder") == "bundled example"
+    page.get_by_role("button", name="use another record").click()
+    sheet.get_by_label("Wind from a record").set_input_files(
+        {"name": "my winds.csv", "mimeType": "text/csv", "buffer": b"seconds,speed\n0,1\n"}
+    )
+    sheet.get_by_role("button", name="use it").click()
+    sheet.get_by_role("alert").filter(has_text="no column for the direction").wait_for()
+
+
+def test_all_defaults_come_back_at_once(studio):
+    page = studio.page
+    fill(studio, "model.p_s", "0.3")
+    studio.until(f"{SCENARIO}.model.p_s === 0.3")
+    rows = studio.ask(f"{SCENARIO}.lattice.rows")
+    assert rows == 48
+    page.get_by_role("button", name="put all defaults back").click()
+    studio.until(f"{SCENARIO}.model.p_s === 0.6")
+    studio.until(f"{SCENARIO}.lattice.rows !== 48")
+    assert studio.ask(f"{SCENARIO}.run.seed") == 3
+
+
+def test_a_branch_is_noted_with_the_step_at_which_it_begins(studio):
+    page = studio.page
+    studio.step_beyond(60)
+    studio.pause()
+    page.keyboard.press("PageUp")
+    page.keyboard.press("PageUp")
+    studio.until(f"{RUN}.status.looking")
+    page.get_by_role("button", name="Go on from here").click()
+    studio.until_logged("A new branch begins at step")
+    began = studio.ask(f"{RUN}.description.branches.at(-1).began")
+    assert f"begins at step {began}." in studio.log()
