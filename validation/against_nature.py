@@ -1,18 +1,18 @@
 """Dimensions of simulated dunes beside those of dunes in nature, by the measures of `barchan measure`.
 
 Last frames of presets, 3 seeds each. Height over width is the median over single dunes that stand apart and
-are at least eight cells wide; side slopes are the slopes across the wind, each weighted with itself; the slip face
-is the 95th percentile of lee slopes. Models have no size of their own: a cell may be one metre or five, so
-ratios and angles are compared, not lengths. A slab is a third of a cell high unless a preset says otherwise,
-and relief grows in proportion to it.
+are at least eight cells wide; side slopes are the slopes across the wind, each weighted with itself; the
+slip face is the 95th percentile of lee slopes. Models have no size of their own: a cell may be one metre or
+five, so ratios and angles are compared, not lengths. A slab is a third of a cell high unless a preset says
+otherwise, and relief grows in proportion to it.
 """
 
 import numpy as np
 
 import barchan
 from barchan.measures.slopes import streamwise_slopes
-from barchan.survey.measuring import Survey
 from barchan.survey.height_field import HeightField
+from barchan.survey.measuring import Survey
 from validation.study import Row, over_seeds, spread
 
 TITLE = "Proportions of dunes"
@@ -76,15 +76,16 @@ def _between(what, low, high, values, stated=None):
 
 
 READING = """
-The height of a barchan is a tenth of its width, and its sides slope by 11° (Hesp & Hastings 1998, abstract). Slip
-faces of 30 to 34° are those of the Prague thesis and of continuum models; windward slopes of 5 to 15° and a height
-of at most a tenth of the spacing are quoted from memory, no source was found.
+The height of a barchan is a tenth of its width, and its sides slope by 11° (Hesp & Hastings 1998,
+abstract). Slip faces of 30 to 34° are those of the Prague thesis and of continuum models; windward slopes
+of 5 to 15° and a height of at most a tenth of the spacing are quoted from memory, no source was found.
 
-Dunes of models whose wind speeds up are too steep: slip faces of 39 to 46° where 30 to 34° are wanted, sides of
-19 to 21°. Slip faces exceed the repose angle that the scenarios state, 33.7°, because an avalanche looks at four
-neighbours: two slabs of a third of a cell stand towards each face, which is 33.7° along an axis, but a face that lies
-obliquely to both axes then has a slope of up to √2 · 2/3, 43.3°; what is measured beyond that are single slabs.
-The option `neighbourhood` `moore` looks at corners too. Werner's dunes with erosion in the lee are too flat towards
-the lee, 27 to 29°. The proportions of barchans come out: height over width of 0.11 to 0.14 with wind that speeds up,
-0.11 for stretched barchans, 0.07 for those of Table 6.1, whose tops are low and whose bodies touch others.
+Dunes of models whose wind speeds up are too steep: slip faces of 39 to 46° where 30 to 34° are wanted,
+sides of 19 to 21°. Slip faces exceed the repose angle that the scenarios state, 33.7°, because an avalanche
+looks at four neighbours: two slabs of a third of a cell stand towards each face, which is 33.7° along an
+axis, but a face that lies obliquely to both axes then has a slope of up to √2 · 2/3, 43.3°; what is
+measured beyond that are single slabs. The option `neighbourhood` `moore` looks at corners too. Werner's
+dunes with erosion in the lee are too flat towards the lee, 27 to 29°. The proportions of barchans come out:
+height over width of 0.11 to 0.14 with wind that speeds up, 0.11 for stretched barchans, 0.07 for those of
+Table 6.1, whose tops are low and whose bodies touch others.
 """

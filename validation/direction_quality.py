@@ -63,8 +63,9 @@ def rows():
 
 
 READING = """
-Hops and shadows are exact at every angle (the mean hop, and the shadow of a cone to within a cell, are
-tested), and yet the lattice shows, through avalanches that know only four or eight ways. Crests lean
+Hops and shadows are exact at every angle (the mean hop, and the shadow of a cone of thin slabs to within a
+cell, are tested), and yet the lattice shows, through shadow lines over slabs as thick as these
+([found since](#which-rules-let-the-lattice-steer-crests)). Crests lean
 towards the diagonal, most at 11° to an axis: by up to 18° with von Neumann neighbours and with Moore
 neighbours and limits 2 and 3, in either order of neighbours, so the fixed order is not the cause. Moore
 neighbours with one limit for faces and corners (`--model.neighbourhood moore`, its default corners) are the

@@ -31,7 +31,7 @@ LAG = 10
 """Steps over which migration is measured, from ``EARLY`` on."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Variant:
     """A model with its options, on a lattice with options of its own."""
 

@@ -84,7 +84,7 @@ THEMES = (
         "lattice",
         "Artefacts of the lattice",
         "Effects of the lattice: its axes, its neighbourhoods, and the order in which cells are polled.",
-        ("direction_quality", "horn_symmetry", "bands"),
+        ("isotropy", "direction_quality", "horn_symmetry", "bands"),
     ),
 )
 

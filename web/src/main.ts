@@ -5,7 +5,8 @@ import "./layout.css";
 import "./messages.css";
 import { App } from "./core/app";
 import { takeToken } from "./core/token";
-import { Stage } from "./scene/stage";
+import { sceneIn } from "./scene/scene_view";
+import type { Stage } from "./scene/stage";
 import { Bar } from "./ui/bar";
 import { Compare } from "./ui/compare";
 import { Dock } from "./ui/dock";
@@ -45,7 +46,7 @@ matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
 });
 
 const scene = h("div", { className: "scene" });
-const stage = new Stage(app, scene);
+const stage = sceneIn(scene, app);
 const hud = new Hud(app, stage);
 scene.append(hud.element);
 

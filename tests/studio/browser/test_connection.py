@@ -1,8 +1,11 @@
 """Every way in which the connection can fail has its own words and its own way out."""
 
+import io
 import re
 
+import numpy as np
 import pytest
+from PIL import Image
 
 from tests.studio.conftest import serving, small
 
@@ -29,7 +32,7 @@ def says(page, words: str) -> None:
 
 
 def running(page) -> None:
-    page.locator("[data-status=step]").filter(has_text=re.compile(r"\d")).wait_for()
+    page.locator("[data-status=step]").filter(has_text=re.compile(r"\d")).wait_for(timeout=60_000)
     page.locator(NOTICE).wait_for(state="hidden")
 
 
@@ -91,3 +94,34 @@ def test_a_page_of_another_version_offers_to_load_it_again(visit, server):
     page.get_by_role("button", name="load the page again").click()
     page.wait_for_load_state()
     running(page)
+
+
+NO_WEBGL = """const usual = HTMLCanvasElement.prototype.getContext;
+HTMLCanvasElement.prototype.getContext = function (kind, ...rest) {
+  return kind.startsWith("webgl") ? null : usual.call(this, kind, ...rest);
+};"""
+
+
+def test_without_webgl_the_surface_is_shown_from_above_and_can_be_painted(chromium, server):
+    page = chromium.new_page(viewport={"width": 1000, "height": 640})
+    try:
+        page.add_init_script(NO_WEBGL)
+        page.goto(server[1])
+        says(page, "WebGL is off or missing")
+        page.get_by_role("button", name="go on with the map").click()
+        page.locator(NOTICE).wait_for(state="hidden")
+        canvas = page.locator(".scene canvas").first
+        shot = np.asarray(Image.open(io.BytesIO(canvas.screenshot())).convert("RGB")).astype(float)
+        assert len(np.unique(shot.reshape(-1, 3), axis=0)) > 200  # lit slopes, no single colour
+        page.mouse.move(470, 280)
+        page.locator(".under", has_text="elevation").wait_for()
+        page.get_by_role("tab", name="Paint").click()
+        page.get_by_text("paint (B)").click()
+        page.mouse.move(300, 280)
+        page.mouse.down()
+        page.mouse.move(330, 290)
+        page.mouse.up()
+        page.get_by_role("button", name="Undo").and_(page.locator(":enabled")).wait_for()
+        page.get_by_role("button", name="Undo").click()
+    finally:
+        page.close()

@@ -19,6 +19,8 @@ export class App {
   colours: Record<string, [number, number, number][]> = {};
   /** Suffixes of the files that can be uploaded, as ground and as a wind record. */
   files: { heights: string[]; records: string[] } = { heights: [], records: [] };
+  /** Whether the surface is shown as a map, because the browser has no WebGL. */
+  flat = false;
   /** Whether two runs that are led together run; null where there is one. */
   pairRuns: boolean | null = null;
   /** The step that the server kept last of all runs, after one was lost; null where there is none. */

@@ -16,6 +16,8 @@ export class StateNotice {
   private connection: ConnectionState = "connecting";
   private compiling = false;
   private shown = "";
+  /** Whether it was read that there is no WebGL. */
+  private read = false;
 
   constructor(private readonly app: App) {
     app.connection.state.watch((state) => {
@@ -31,6 +33,11 @@ export class StateNotice {
       this.show();
     });
     app.changed.watch(() => this.show());
+  }
+
+  private dismiss(): void {
+    this.read = true;
+    this.show();
   }
 
   private show(): void {
@@ -68,6 +75,12 @@ export class StateNotice {
     if (this.compiling) return { text: "Translating the model into machine code; that is kept, so it happens once …", calm: true };
     if (!runs.some((run) => run.ready)) return { text: "Starting …", calm: true };
     const finished = current?.status?.finished;
+    if (this.app.flat && !this.read) {
+      return {
+        text: "This browser draws no three-dimensional pictures: WebGL is off or missing. The surface is shown from above; all else works. Another browser, or hardware acceleration in this one’s settings, brings the third dimension back.",
+        way: () => action("go on with the map", () => this.dismiss()),
+      };
+    }
     return finished ? { text: `The run ended: ${finished}.`, calm: true } : null;
   }
 

@@ -1,0 +1,183 @@
+/** The scene without WebGL: shaded maps from above, drawn by the processor. */
+
+import type { App } from "../core/app";
+import type { Run } from "../core/run";
+import { type Colouring, colouring } from "./colouring";
+import { hillShade } from "./hill_shade";
+import type { Place } from "./pick";
+import { smoothed } from "./smooth";
+
+/** Times that heights are drawn as steep as they are, unless chosen. */
+const STEEPER = 2;
+/** Where the sun stands (degrees), unless chosen: as on maps. */
+const SUN = { azimuth: 315, height: 40 };
+/** Pixels around a map. */
+const MARGIN = 24;
+
+interface Map {
+  run: Run;
+  /** One pixel a cell, north at the top. */
+  picture: HTMLCanvasElement;
+  extent: [number, number];
+  exaggeration: number;
+  colouring: Colouring | undefined;
+}
+
+/** What the page asks of its scene; answered as ``Stage`` does. */
+export class FlatStage {
+  readonly canvas = document.createElement("canvas");
+  readonly controls = { enabled: true };
+  onDrawn: () => void = () => {};
+  drawn = 0;
+  private maps: Map[] = [];
+  private dirty = true;
+  private zoom = 1;
+  private section: [number, number, number, number] | null = null;
+  private brush: [number, number, number] = [0, 0, 0];
+
+  constructor(
+    private readonly app: App,
+    readonly host: HTMLElement,
+  ) {
+    this.canvas.className = "flat";
+    this.canvas.tabIndex = 0;
+    this.canvas.setAttribute("role", "img");
+    this.canvas.setAttribute("aria-label", "The surface from above, shaded. + and − zoom.");
+    host.prepend(this.canvas);
+    this.canvas.addEventListener("wheel", (event) => {
+      event.preventDefault();
+      this.turn(0, 0, event.deltaY > 0 ? 1.1 : 0.9);
+    });
+    new ResizeObserver(() => this.redraw()).observe(host);
+    app.framed.watch(() => this.redraw());
+    app.changed.watch(() => this.redraw());
+    app.view.changed.watch(() => this.redraw());
+    const tick = () => {
+      if (this.dirty) this.draw();
+      requestAnimationFrame(tick);
+    };
+    tick();
+  }
+
+  look(_from: string): void {
+    this.zoom = 1;
+    this.redraw();
+  }
+
+  /** Come nearer by a factor; a map cannot be turned. */
+  turn(_around: number, _up: number, nearer = 1): void {
+    this.zoom = Math.min(Math.max(this.zoom / nearer, 1), 16);
+    this.redraw();
+  }
+
+  redraw(): void {
+    this.dirty = true;
+  }
+
+  terrain(run: Run): Map | undefined {
+    return this.maps.find((map) => map.run === run);
+  }
+
+  showSection(line: [number, number, number, number] | null): void {
+    this.section = line;
+    this.redraw();
+  }
+
+  showBrush(x: number, y: number, radius: number): void {
+    this.brush = [x, y, radius];
+    this.redraw();
+  }
+
+  pick(event: { clientX: number; clientY: number }): { run: Run; place: Place } | null {
+    const box = this.canvas.getBoundingClientRect();
+    for (const [at, map] of this.maps.entries()) {
+      const { left, top, perMetre } = this.frame(at);
+      const x = (event.clientX - box.left - left) / perMetre;
+      const y = map.extent[1] - (event.clientY - box.top - top) / perMetre;
+      if (x < 0 || y < 0 || x >= map.extent[0] || y >= map.extent[1]) continue;
+      const { rows, columns } = map.run;
+      const row = Math.floor((y / map.extent[1]) * rows);
+      return { run: map.run, place: { x, y, row, column: Math.floor((x / map.extent[0]) * columns) } };
+    }
+    return null;
+  }
+
+  picture(): Promise<Blob> {
+    this.draw();
+    return new Promise((done) => this.canvas.toBlob((blob) => done(blob!), "image/png"));
+  }
+
+  metresPerPixel(): number {
+    return this.maps.length ? 1 / this.frame(0).perMetre : Number.NaN;
+  }
+
+  sun(): { azimuth: number; height: number } {
+    const { sunAzimuth, sunHeight } = this.app.view.look;
+    return { azimuth: sunAzimuth ?? SUN.azimuth, height: sunHeight ?? SUN.height };
+  }
+
+  heading(): number {
+    return 0;
+  }
+
+  /** Place and scale (pixels a metre) of a map: side by side where there are two. */
+  private frame(at: number): { left: number; top: number; perMetre: number } {
+    const [width, height] = this.maps[at]!.extent;
+    const share = this.canvas.clientWidth / this.maps.length;
+    const perMetre = this.zoom * Math.min((share - 2 * MARGIN) / width, (this.canvas.clientHeight - 2 * MARGIN) / height);
+    return { left: share * (at + 0.5) - (width * perMetre) / 2, top: (this.canvas.clientHeight - height * perMetre) / 2, perMetre };
+  }
+
+  private draw(): void {
+    this.dirty = false;
+    this.maps = this.app.runs.filter((run) => run.ready).map((run) => this.update(run));
+    const ratio = window.devicePixelRatio || 1;
+    [this.canvas.width, this.canvas.height] = [this.host.clientWidth * ratio, this.host.clientHeight * ratio];
+    [this.canvas.style.width, this.canvas.style.height] = [`${this.host.clientWidth}px`, `${this.host.clientHeight}px`];
+    const context = this.canvas.getContext("2d")!;
+    context.setTransform(ratio, 0, 0, ratio, 0, 0);
+    this.maps.forEach((_, at) => this.drawMap(context, at));
+    this.app.confirm();
+    this.drawn++;
+    this.onDrawn();
+  }
+
+  private update(run: Run): Map {
+    const { lattice } = run.description!;
+    const { look } = this.app.view;
+    const picture = this.terrain(run)?.picture ?? document.createElement("canvas");
+    [picture.width, picture.height] = [run.columns, run.rows];
+    const surface = smoothed(run.surface, run.rows, run.columns, look.smoothing, lattice.periodic);
+    const exaggeration = look.exaggeration ?? STEEPER;
+    const colours = colouring(this.app, run, surface);
+    picture.getContext("2d")!.putImageData(hillShade(this.app, run, surface, colours, exaggeration, this.sun()), 0, 0);
+    return { run, picture, exaggeration, colouring: colours, extent: [run.columns * lattice.cell_size, run.rows * lattice.cell_size] };
+  }
+
+  private drawMap(context: CanvasRenderingContext2D, at: number): void {
+    const { picture, extent } = this.maps[at]!;
+    const { left, top, perMetre } = this.frame(at);
+    const [width, height] = [extent[0] * perMetre, extent[1] * perMetre];
+    context.save();
+    context.beginPath();
+    context.rect((this.canvas.clientWidth / this.maps.length) * at, 0, this.canvas.clientWidth / this.maps.length, this.canvas.clientHeight);
+    context.clip();
+    context.drawImage(picture, left, top, width, height);
+    const on = (x: number, y: number): [number, number] => [left + x * width, top + (1 - y) * height];
+    context.lineWidth = 2;
+    context.strokeStyle = "#2f6d8c";
+    context.beginPath();
+    if (this.section) {
+      const [x0, y0, x1, y1] = this.section;
+      context.moveTo(...on(x0, y0));
+      context.lineTo(...on(x1, y1));
+    }
+    const [x, y, radius] = this.brush;
+    if (radius > 0) {
+      context.moveTo(on(x, y)[0] + radius * perMetre, on(x, y)[1]);
+      context.arc(...on(x, y), radius * perMetre, 0, 2 * Math.PI);
+    }
+    context.stroke();
+    context.restore();
+  }
+}
