@@ -39,7 +39,9 @@ def test_the_measures_of_both_runs_are_saved_at_the_same_fixed_steps(studio):
 def test_saving_shows_how_far_it_is_while_the_run_goes_on(studio):
     studio.ask("window.barchan.app.send({ command: 'limit', rate: 30 })")  # few states, and quickly written
     studio.ask("window.barchan.app.send({ command: 'restart' })")
-    studio.until("window.barchan.app.runs[0].history.length < 9 && window.barchan.app.runs[0].status.step > 30")
+    studio.until(
+        "window.barchan.app.runs[0].history.length < 9 && window.barchan.app.runs[0].status.step > 30"
+    )
     studio.ask(
         """window.seen = [];
         window.barchan.app.connection.ask(
