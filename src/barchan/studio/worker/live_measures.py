@@ -63,6 +63,10 @@ class LiveMeasures:
             self._submit(state)
             self._past = ()
 
+    def begin_after(self, step: int) -> None:
+        """Measure at the fixed steps after this one; those before it are past."""
+        self.due = max(self.due, next_step(step, self.first))
+
     def take_extra(self, simulation: Simulation) -> None:
         """Measure a simulation that is paused, at whatever step."""
         step = simulation.steps_done
@@ -111,7 +115,7 @@ class LiveMeasures:
         for state in states:
             if done < state.step <= step:
                 earlier.take_state(state)
-        earlier.due = next_step(step, self.first)
+        earlier.begin_after(step)
         earlier.resend()
         return earlier
 

@@ -186,5 +186,6 @@ def resumed(state: State, history: History, desk: Desk | None = None) -> StudioR
     run.begin(run.live, history, LiveMeasures(every, run.desk))
     for known in history.states:
         run.measures.take_state(known)
+    run.measures.begin_after(state.step)
     run.branches = Branches(run.live, history, run.measures)
     return run
