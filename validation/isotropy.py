@@ -75,6 +75,7 @@ GROWN = {
     variant("momiji", "as it is"): FEW,
     variant("momiji", "shadow from the place"): FEW,
     variant("momiji", "shadow from the place, Moore, two limits, random order"): SEEDS,
+    variant("werner", "as it is"): FEW,
     variant("werner", "shadow from the place, Moore, two limits, random order"): SEEDS,
 }
 """Variants whose fields grow out of noise, and their seeds."""
@@ -133,7 +134,7 @@ def draw(results):
     panels = figure.subplots(1, 2, sharey=True)
     for axes, model in zip(panels, ("momiji", "werner"), strict=True):
         shown = [(variant, found) for variant, found in results.items() if variant.model == model]
-        colours = ("#b5651d", "#8a8a8a", "#35507a")[-len(shown) :]
+        colours = ("#b5651d", "#8a8a8a", "#35507a") if len(shown) == 3 else ("#b5651d", "#35507a")
         for (variant, found), colour in zip(shown, colours, strict=True):
             wrong = {angle: errors(result, angle) for angle, result in found.items()}
             means = [np.mean(values) for values in wrong.values()]

@@ -15,14 +15,18 @@ _UNCHANGED = "(without these changes) "
 _LONGEST = 2000
 """Characters of what to look for at most."""
 
-_OWN_WORDS = ("title", "citation", "look_for", "note", "run")
+_WORDS = (("title", ", ", 200), ("citation", "; ", 1000))
+"""Keys of the words that list what was changed, what stands before the list, and their longest length."""
+
+_OWN_WORDS = ("title", "citation", "look_for", "question", "note", "run")
 """Keys whose values do not make another scenario: its own words, and how long it runs."""
 
 
 def with_changes_told(scenario: Scenario, before: Scenario) -> Scenario:
     """The scenario with the given values that differ from those of ``before`` in its title and citation.
 
-    ``look_for`` is marked as that of the scenario before, and left out where the model is another one.
+    ``look_for`` is marked as that of the scenario before; it and ``question`` are left out where the model is
+    another one.
     Words that were given themselves stay, and so do empty ones.
     """
     told = _told(scenario, before)
@@ -30,12 +34,42 @@ def with_changes_told(scenario: Scenario, before: Scenario) -> Scenario:
         return scenario
     words = {
         name: _longer(getattr(scenario, name), told, separator, limit)
-        for name, separator, limit in (("title", ", ", 200), ("citation", "; ", 1000))
+        for name, separator, limit in _WORDS
         if getattr(scenario, name) and (name,) not in scenario.source_map.given
     }
     if scenario.look_for and ("look_for",) not in scenario.source_map.given:
         words["look_for"] = _expected(scenario, before)
+    if scenario.model.name != before.model.name and ("question",) not in scenario.source_map.given:
+        words["question"] = ""
     return scenario.model_copy(update=words)
+
+
+def changed_from(scenario: Scenario, before: Scenario) -> Scenario:
+    """The scenario with the words of ``before``, and every value in which it differs told in them.
+
+    Without a difference the words are those of ``before``. Empty words stay empty.
+    """
+    told = _listed(scenario, _different(scenario.data(), before.data()))
+    words = {
+        name: _longer(getattr(before, name), told, separator, limit) if told else getattr(before, name)
+        for name, separator, limit in _WORDS
+        if getattr(before, name)
+    }
+    named = scenario.model_copy(update={**words, "look_for": before.look_for})
+    return (
+        named.model_copy(update={"look_for": _expected(named, before)}) if told and before.look_for else named
+    )
+
+
+def _different(now: Any, then: Any, at: Path = ()) -> list[Path]:
+    """Paths at which data differ; of a group that became one of another kind only that."""
+    if not isinstance(now, dict) or not isinstance(then, dict):
+        return [at] if now != then else []
+    kind = next((key for key in ("kind", "name") if key in now and now[key] != then.get(key)), None)
+    if kind is not None:
+        return [(*at, kind)]
+    keys = [key for key in now if at or key not in _OWN_WORDS]
+    return [path for key in keys for path in _different(now[key], then.get(key), (*at, key))]
 
 
 def _expected(scenario: Scenario, before: Scenario) -> str:
@@ -50,7 +84,13 @@ def _told(scenario: Scenario, before: Scenario) -> str:
     now, then = scenario.data(), before.data()
     given = sorted(scenario.source_map.given, key=str)
     different = [path for path in given if path[0] not in _OWN_WORDS and _at(now, path) != _at(then, path)]
-    return ", ".join(f"{dotted(path)}{_shown(path, _at(now, path))}" for path in different)
+    return _listed(scenario, different)
+
+
+def _listed(scenario: Scenario, paths: list[Path]) -> str:
+    """Keys with their values."""
+    now = scenario.data()
+    return ", ".join(f"{dotted(path)}{_shown(path, _at(now, path))}" for path in paths)
 
 
 def _at(data: Any, path: Path) -> Any:

@@ -51,7 +51,7 @@ COMMANDS = _table(
     Command("restart", "worker", "Start again with the same scenario and seed."),
     Command("set", "worker", "Give a live parameter a new value."),
     Command("wind", "worker", "Replace the wind."),
-    Command("rose", "worker", "Ask for the roses of a recorded wind."),
+    Command("rose", "worker", "Ask for the roses of the wind."),
     Command("stroke", "worker", "Paint with a brush."),
     Command("undo", "worker", "Undo the last gesture of the brush."),
     Command("redo", "worker", "Repeat the gesture that was undone last."),
@@ -62,7 +62,7 @@ COMMANDS = _table(
     Command("space_time", "worker", "Ask for the section along a line over the whole run."),
     Command("strata", "worker", "Ask for the layers of the bed along a line, as it is looked at."),
     Command("create", "session", "Start a scenario, in both runs where two are compared.", needs_run=False),
-    Command("compare", "session", "Start a second run with another model."),
+    Command("compare", "session", "Start a second run with another model, or another value of one key."),
     Command("alone", "session", "End the second run.", needs_run=False),
     Command(
         "revive",

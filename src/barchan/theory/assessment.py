@@ -5,6 +5,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from barchan.aeolian.saltation import Saltation
 from barchan.scenario import Scenario
@@ -181,6 +182,22 @@ def _winds(scenario: Scenario) -> Iterator[tuple[int, int, list[WindInterval]]]:
     """The winds of a run, of a long one those of its first steps; see ``Forcing.constant_intervals``."""
     steps = min(max(scenario.run.steps, 1), MOST_STEPS)
     return scenario.seeded().forcing().constant_intervals(0, steps)
+
+
+def time_by_direction(scenario: Scenario) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Directions (degrees) of a scenario's winds, and the shares of its steps for which each blows.
+
+    Calms are left out, so that the shares sum to less than 1 where there are any. Of a long run those of
+    the first 10,000 steps.
+    """
+    times: dict[float, float] = {}
+    total = 0
+    for _, count, intervals in _winds(scenario):
+        total += count
+        for s in intervals:
+            if s.strength > 0.0 or s.speed:
+                times[s.direction] = times.get(s.direction, 0.0) + count * s.share
+    return np.array(list(times)), np.array(list(times.values())) / max(total, 1)
 
 
 def scenario_drift(scenario: Scenario) -> Drift:

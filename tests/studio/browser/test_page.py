@@ -168,7 +168,7 @@ def test_a_recorded_wind_shows_its_roses(studio):
     studio.until("document.querySelectorAll('.roses .speed-2').length >= 16")
     assert "calm" in studio.page.locator(".roses").inner_text()
     studio.page.locator("[data-path='wind.kind']").select_option("steady")
-    studio.until("!document.querySelector('.roses')")
+    studio.until("document.querySelector('.roses') && !document.querySelector('.roses .speed-2')")
 
 
 def test_painting_and_undoing(studio):

@@ -122,3 +122,22 @@ def test_a_branch_is_noted_with_the_step_at_which_it_begins(studio):
     studio.until_logged("A new branch begins at step")
     began = studio.ask(f"{RUN}.description.branches.at(-1).began")
     assert f"begins at step {began}." in studio.log()
+
+
+def test_changes_of_parameters_are_undone_from_their_list(studio):
+    page = studio.page
+    before = studio.ask(f"{SCENARIO}.model.p_s")
+    mean = studio.ask(f"{SCENARIO}.sand.mean")
+    studio.step_beyond(10)
+    page.locator("summary", has_text="Sand at the start").click()
+    fill(studio, "sand.mean", "5")
+    studio.until(f"{SCENARIO}.sand.mean === 5")
+    fill(studio, "model.p_s", "0.25")
+    studio.until(f"{SCENARIO}.model.p_s === 0.25")
+    assert "sand.mean 5, model.p_s 0.25" in studio.ask(f"{SCENARIO}.title")
+    page.locator("summary", has_text="Changes").click()
+    page.get_by_role("button", name="undo step").click()
+    studio.until(f"{SCENARIO}.model.p_s === {before}")
+    page.get_by_role("button", name="undo from the start: sand").click()
+    studio.until(f"{SCENARIO}.sand.mean === {mean}")
+    assert "sand.mean" not in studio.ask(f"{SCENARIO}.title")

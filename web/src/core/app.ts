@@ -3,11 +3,18 @@
 import type { MessageType } from "./commands";
 import { Connection, type ConnectionState, Refused } from "./connection";
 import { type Level, Notices, problemText } from "./notices";
-import { type Command, type Description, type JsonObject, type Message, type RunName, readFrame } from "./protocol";
+import { type Command, type Description, type Json, type JsonObject, type Message, type RunName, readFrame } from "./protocol";
 import { Run } from "./run";
 import { Signal } from "./signal";
 import { type Schema } from "./schema";
 import { View } from "./view";
+
+/** A change of a value on the page that restarted the run. */
+export interface Restart {
+  path: (string | number)[];
+  before: Json;
+  value: Json;
+}
 
 export class App {
   readonly connection: Connection;
@@ -19,6 +26,8 @@ export class App {
   colours: Record<string, [number, number, number][]> = {};
   /** Suffixes of the files that can be uploaded, as ground and as a wind record. */
   files: { heights: string[]; records: string[] } = { heights: [], records: [] };
+  /** What was changed since the scenario was loaded, and restarted the run. */
+  readonly restarts: Restart[] = [];
   /** Whether the surface is shown as a map, because the browser has no WebGL. */
   flat = false;
   /** Whether two runs that are led together run; null where there is one. */
@@ -104,9 +113,9 @@ export class App {
   }
 
   /** Start a scenario; returns whether it runs. What is refused is said, and leaves the run as it was. */
-  async create(scenario: JsonObject, running = true): Promise<boolean> {
+  async create(scenario: JsonObject, running = true, changed = false): Promise<boolean> {
     try {
-      await this.begin(scenario, running);
+      await this.begin(scenario, running, changed);
       return true;
     } catch (error) {
       this.refused(error);
@@ -114,9 +123,10 @@ export class App {
     }
   }
 
-  /** Start a scenario; throws where it is refused. */
-  async begin(scenario: JsonObject, running = true): Promise<void> {
-    await this.connection.ask({ command: "create", scenario, running, run: this.selected });
+  /** Start a scenario; ``changed`` where it came of the one that runs. Throws where it is refused. */
+  async begin(scenario: JsonObject, running = true, changed = false): Promise<void> {
+    await this.connection.ask({ command: "create", scenario, running, changed, run: this.selected });
+    if (!changed) this.restarts.length = 0;
   }
 
   /** Say why something was refused, at the places that it concerns. */

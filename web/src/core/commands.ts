@@ -21,7 +21,7 @@ export type CommandName =
   | "set"
   /** Replace the wind. */
   | "wind"
-  /** Ask for the roses of a recorded wind. */
+  /** Ask for the roses of the wind. */
   | "rose"
   /** Paint with a brush. */
   | "stroke"
@@ -43,7 +43,7 @@ export type CommandName =
   | "strata"
   /** Start a scenario, in both runs where two are compared. */
   | "create"
-  /** Start a second run with another model. */
+  /** Start a second run with another model, or another value of one key. */
   | "compare"
   /** End the second run. */
   | "alone"

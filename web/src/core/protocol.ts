@@ -16,6 +16,8 @@ export interface Status {
   looking: boolean;
   can_branch: boolean;
   rate: number;
+  /** Most steps per second; null where there is no limit. */
+  limit: number | null;
   highest: number;
   /** Depth (m) of all layers where they are deepest. */
   deepest: number;
@@ -120,6 +122,19 @@ export interface Description {
   /** The number of the present branch. */
   branch: number;
   events: number;
+  /** What was changed of the parameters and the wind during the run. */
+  changes: Change[];
+}
+
+export interface Change {
+  step: number;
+  key: string;
+  before: Json;
+  value: Json;
+  /** Whether it is the newest one of its key, and so can be undone. */
+  undo: boolean;
+  /** A wind in few words; empty for parameters. */
+  summary: string;
 }
 
 /** The measures after a step, by name, and why some of them should not be quoted. */

@@ -6,7 +6,7 @@ import type { Progress } from "../core/connection";
 import type { JsonObject, Problem } from "../core/protocol";
 import type { Stage } from "../scene/stage";
 import { dialog, formDialog } from "./dialog";
-import { download, h, themeColour } from "./dom";
+import { download, h } from "./dom";
 import { menu } from "./menu";
 
 /** Whether a file's name ends in one of some suffixes. */
@@ -66,7 +66,7 @@ export class Files {
 
   async savePicture(): Promise<void> {
     const step = this.app.current?.status?.step ?? 0;
-    download(`barchan-${step}.png`, await this.stage.picture(themeColour("paper")));
+    download(`barchan-${step}.png`, await this.stage.picture());
   }
 
   saveScenario(): void {
@@ -152,7 +152,7 @@ export class Files {
       image ? `white ${heights.highest} m above black` : "",
       codes.length ? `${codes.join(", ")} taken as cells without a height` : "",
     ];
-    await this.app.begin({ ...scenario, ...this.lattice(scenario, kept), ground });
+    await this.app.begin({ ...scenario, ...this.lattice(scenario, kept), ground }, true, true);
     this.app.note("info", `${said.filter(Boolean).join(", ")}; see Ground in the panel.`);
   }
 

@@ -2,9 +2,11 @@
 
 import type { App } from "../core/app";
 import type { Json, JsonObject } from "../core/protocol";
-import { type Schema, entryOf, replaced } from "../core/schema";
+import { type Schema, at, entryOf, replaced } from "../core/schema";
+import { nameBeside } from "../core/run";
 import { h, id, later } from "./dom";
 import { type FormContext, type Path, field, group, restartMark, variantField } from "./form";
+import { changeList, same } from "./changes";
 import { RefreshGuard } from "./refresh_guard";
 
 /** The key of the loose layer at the start, which is named after the model's material. */
@@ -12,7 +14,7 @@ const LOOSE = "sand";
 /** Groups that keep their values when all defaults are put back: the wind has a page of its own, the run its seed. */
 const KEPT = new Set(["wind", "run", "weather"]);
 /** Keys of a scenario that are shown elsewhere, or are no groups. */
-const ELSEWHERE = new Set(["barchan", "note", "title", "citation", "look_for", "wind", "model"]);
+const ELSEWHERE = new Set(["barchan", "note", "title", "citation", "look_for", "question", "wind", "model"]);
 
 export class Panel {
   readonly element = h("div", { className: "forms" });
@@ -45,7 +47,7 @@ export class Panel {
   private show(): void {
     const description = this.app.current?.description;
     if (!description || !this.app.schema.properties || this.guard.busy || this.unsent.length) return;
-    const text = JSON.stringify([description.scenario, description.materials, description.facts, this.app.selected, this.app.runs.map((run) => run.description?.model.title)]);
+    const text = JSON.stringify([description.scenario, description.changes, description.materials, description.facts, this.app.selected, this.app.runs.map((run) => run.description?.model.title)]);
     if (text === this.shown) return;
     this.shown = text;
     this.scenario = description.scenario;
@@ -70,13 +72,16 @@ export class Panel {
       variant: (path, key, name) => void this.variant(path, key, name),
       keyOf: (path) => path.join("."),
       trouble: (key) => this.app.notices.troubles.get(key) ?? "",
+      beside: this.app.runs.length > 1 ? null : (key, value) => void this.beside(key, value),
       live: (path, schema) => path[0] === "model" && !path.some(Number.isInteger) && schema.live === true,
     };
     const look = String(this.scenario.look_for ?? "");
+    const question = String(this.scenario.question ?? "");
     const about = h(
       "div",
       { className: "about" },
       look && h("p", {}, look),
+      question && h("p", { className: "question" }, question),
       h("p", { className: "source" }, String(this.scenario.citation ?? "")),
     );
     return [
@@ -86,9 +91,17 @@ export class Panel {
       ...Object.keys(root.properties ?? {})
         .filter((name) => !ELSEWHERE.has(name))
         .map((name) => this.group(context, name)),
+      this.changes(),
       action("put all defaults back", () => void this.putDefaultsBack()),
       h("p", { className: "hint" }, restartMark(), " restarts the run; everything else changes at once. Point at a row to read what it means."),
     ];
+  }
+
+  /** Run another value beside; the panel then shows the parameters of the right one. */
+  private async beside(key: string, value: Json): Promise<void> {
+    if (!(await this.app.ask({ command: "compare", key, value }))) return;
+    this.app.selected = "b";
+    this.app.changed.send();
   }
 
   private whose(): HTMLElement[] {
@@ -101,7 +114,7 @@ export class Panel {
       h(
         "button",
         { type: "button", "aria-pressed": String(run.name === this.app.selected), onclick: () => choose(run.name) },
-        `${at ? "right" : "left"}: ${run.description?.model.title ?? ""}`,
+        `${at ? "right" : "left"}: ${nameBeside(run, this.app.runs[1 - at])}`,
       ),
     );
     return [h("div", { className: "whose", role: "group", "aria-label": "Whose parameters" }, ...tabs)];
@@ -185,8 +198,20 @@ export class Panel {
     const accepted = this.app.current?.description?.scenario;
     if (!accepted || !changes.length) return;
     const scenario = changes.reduce<Json>((data, [path, value]) => replaced(data, path, value), accepted);
-    if (await this.app.create(scenario as JsonObject)) this.app.notices.settle(changes.map(([path]) => path.join(".")));
+    if (await this.app.create(scenario as JsonObject, true, true)) {
+      this.app.notices.settle(changes.map(([path]) => path.join(".")));
+      this.app.restarts.push(...changes.map(([path, value]) => ({ path, before: at(accepted, path) ?? null, value })));
+    }
     this.shown = "";
+  }
+
+  private changes(): HTMLElement {
+    const restart = (path: Path, value: Json) => {
+      this.unsent.push([path, value]);
+      this.submit();
+    };
+    const list = changeList(this.app, this.app.restarts.filter(({ path, value }) => same(at(this.scenario, path), value)), restart);
+    return details("changes", "Changes", list);
   }
 
   /** The defaults of every group, under the same model, kinds of ground and sand, and seed. */

@@ -1,19 +1,18 @@
-/** The roses of a recorded wind: how long it blows from each side, and how much sand it moves. */
+/** The roses of a wind: how long it blows from each side, and how much sand it moves. */
 
 import type { JsonObject } from "../core/protocol";
 import { h, short, svg } from "./dom";
 
-/** The roses that the server computes of a record; directions in degrees clockwise from north. */
+/** The roses that the server computes of a wind; directions in degrees clockwise from north. */
 export interface Rose {
-  source: string;
-  days: number;
-  threshold: number;
+  /** How long the wind was looked at; null where its steps have no duration. */
+  days: number | null;
+  /** Limits of the classes of speed (m/s); none where speeds are not in m/s. */
   limits: number[];
   /** Shares of the time by direction and class of speed. */
   shares: number[][];
   calms: number;
   sand: number[];
-  unit: string;
   toward: number | null;
   steadiness: number | null;
   crest: number | null;
@@ -23,7 +22,7 @@ const R = 44;
 
 export function roses(answer: JsonObject): HTMLElement {
   const rose = answer as unknown as Rose;
-  const still = `calm ${short(100 * rose.calms, 2)} % of ${short(rose.days, 3)} days`;
+  const still = `calm ${short(100 * rose.calms, 2)} %${rose.days === null ? "" : ` of ${short(rose.days, 3)} days`}`;
   const time = wheel(rose.shares, `How often the wind blows from each side; ${still}`);
   const sand = wheel(rose.sand.map((amount) => [amount]), "Sand that winds from each side move", "sand");
   if (rose.crest !== null) sand.append(svg("line", { y1: -R, y2: R, transform: `rotate(${rose.crest})`, class: "crest" }));
@@ -35,7 +34,7 @@ export function roses(answer: JsonObject): HTMLElement {
     { className: "roses" },
     h("figure", {}, time as unknown as HTMLElement, h("figcaption", {}, h("b", {}, "time "), still)),
     h("figure", {}, sand as unknown as HTMLElement, h("figcaption", {}, h("b", {}, "sand "), goes + crest)),
-    h("div", { className: "speeds" }, ...legend(rose.limits), "m/s"),
+    rose.limits.length > 0 && h("div", { className: "speeds" }, ...legend(rose.limits), "m/s"),
   );
 }
 

@@ -89,9 +89,9 @@ export class WindPanel {
     for (const details of this.element.querySelectorAll("details")) details.open = open.has(details.id);
   }
 
-  /** Show the roses of the wind that blows, where it is a record. */
+  /** Show the roses of the wind that blows. */
   private async drawRose(): Promise<void> {
-    const answer = !("columns" in this.wind) ? null : await this.app.ask({ command: "rose", run: this.app.selected });
+    const answer = await this.app.ask({ command: "rose", run: this.app.selected });
     const rose = answer?.rose as JsonObject | null | undefined;
     this.element.querySelector("[data-rose]")?.replaceChildren(...(rose ? [roses(rose)] : []));
   }
@@ -121,6 +121,7 @@ export class WindPanel {
       },
       keyOf: (path) => ["wind", ...path].join("."),
       trouble: (key) => this.app.notices.troubles.get(key) ?? "",
+      beside: null,
       live: () => true,
     };
   }

@@ -198,7 +198,10 @@ class Session:
     def begin(
         self, scenarios: dict[str, dict[str, Any]], running: bool, answering: dict[str, Request] | None = None
     ) -> None:
-        """Start these scenarios, in lockstep where there are two; the named workers answer the request."""
+        """Start these scenarios, in lockstep where there are two.
+
+        ``answering`` adds to the requests of the workers that it names.
+        """
         alone = len(scenarios) == 1
         for name, data in scenarios.items():
             answer = (answering or {}).get(name, {})
@@ -207,7 +210,7 @@ class Session:
             )
         self.lockstep = None if alone else Lockstep(self.workers, self._on_lockstep)
         if self.lockstep is not None and running:
-            self.lockstep.run()
+            self.lockstep.run(min(int(data["run"]["steps"]) for data in scenarios.values()))
 
     def resume(self, step: int) -> None:
         """Let all runs continue from the states that are kept after a step."""

@@ -5,7 +5,8 @@ from pathlib import Path
 from typing import Any
 
 from barchan.errors import BarchanError
-from barchan.scenario import validate
+from barchan.scenario import Scenario, validate
+from barchan.scenario.changes import changed_from
 from barchan.simulation import AnyStroke, BrushStroke, SetParameter, SetWind, event_from
 from barchan.studio.commands import command_of
 from barchan.studio.protocol import Request
@@ -37,6 +38,8 @@ class RunCommands:
         """No run yet; ``send`` sends control messages, ``send_bytes`` the state that the server keeps."""
         self.frames = frames
         self.run: StudioRun | None = None
+        self.origin: Scenario | None = None
+        """The scenario that was loaded, whose words name what was changed on the page since."""
         self.number = 0
         """The number of the start that the run goes back to."""
         self._send = send
@@ -98,16 +101,21 @@ class RunCommands:
 
     @WORKER.handles("start")
     def start(self, request: Request) -> None:
-        """Start a scenario."""
-        self._take(
-            started(validate(request["scenario"], "scenario"), self.desk), bool(request.get("running"))
-        )
+        """Start a scenario; ``changed`` where it came of the last one by changes on the page."""
+        scenario = validate(request["scenario"], "scenario")
+        origin = scenario
+        if "origin" in request:
+            origin = validate(request["origin"], "scenario")
+        elif request.get("changed") and self.origin is not None:
+            origin = self.origin
+        run = started(changed_from(scenario, origin), self.desk)
+        self._take(run, bool(request.get("running")), origin)
 
     @WORKER.handles("restart")
     def restart(self, request: Request) -> None:
         """Start again with the same scenario and seed."""
         running = bool(request.get("running", self.current.running))
-        self._take(started(self.current.live.scenario, self.desk), running)
+        self._take(started(self.current.live.scenario, self.desk), running, self.origin)
 
     @WORKER.handles("open_folder")
     def open_folder(self, request: Request) -> None:
@@ -201,14 +209,19 @@ class RunCommands:
         self.current.switch(int(request["branch"]))
         self._announce()
 
-    def _take(self, run: StudioRun, running: bool) -> None:
-        """Continue with another run, under the same speed limit."""
-        run.speed.limit = self.run.speed.limit if self.run else None
+    def _take(self, run: StudioRun, running: bool, origin: Scenario | None = None) -> None:
+        """Continue with another run, under the same speed limit, up to its scenario's end.
+
+        Without an origin it is one of its own.
+        """
+        self.origin = origin or run.live.scenario
+        if self.run:
+            run.speed.limit = self.run.speed.limit
         self.run = run
         self.desk.keep_only(run.measures.number)
         self._announce()
         if running:
-            run.run()
+            run.run_to_its_end()
 
     def _announce(self) -> None:
         """Send everything again: the run's past is another one."""
@@ -220,7 +233,12 @@ class RunCommands:
         """Send what the run consists of."""
         run = self.current
         branches = run.branches.listing(run.live.steps_done)
-        self._send("scenario", **description(run.live), branches=branches, branch=run.branches.current)
+        self._send(
+            "scenario",
+            **description(run.live, self.origin or run.live.scenario),
+            branches=branches,
+            branch=run.branches.current,
+        )
 
 
 def _places(request: Request) -> list[dict[str, Any]]:

@@ -5,21 +5,26 @@ from typing import Any
 
 from barchan.analysis.grain_paths import follows_grains
 from barchan.models import models
-from barchan.scenario import validate
+from barchan.scenario import Scenario, validate
+from barchan.scenario.changes import changed_from
 from barchan.simulation import Simulation
 from barchan.studio.worker.brushes import brushes
+from barchan.studio.worker.changes import changes_of
 from barchan.studio.worker.frame_fields import fields_of
 from barchan.studio.worker.live_measures import FINEST, ROWS, declared_measures
 from barchan.studio.worker.strata import declared_strata
 
 
-def description(simulation: Simulation) -> dict[str, Any]:
-    """The scenario as changes have left it, lattice, fields, measures, facts and remarks."""
+def description(simulation: Simulation, origin: Scenario) -> dict[str, Any]:
+    """The scenario as changes have left it, lattice, fields, measures, facts and remarks.
+
+    Title and citation name every value in which it differs from its ``origin``.
+    """
     lattice, model = simulation.lattice, simulation.model
     sound = validate(simulation.current_data(), "run")
     limits = model.slope_limits().get("bare", ())
     return {
-        "scenario": sound.data(),
+        "scenario": changed_from(sound, origin).data(),
         "lattice": {
             "rows": lattice.rows,
             "columns": lattice.columns,
@@ -47,4 +52,5 @@ def description(simulation: Simulation) -> dict[str, Any]:
         "facts": {**sound.facts(), **sound.forecast()},
         "remarks": sound.remarks(simulation.bed.ground),
         "events": len(simulation.events),
+        "changes": changes_of(simulation),
     }

@@ -41,7 +41,7 @@ def measured(commands: "RunCommands", _: Request) -> Answer:
 
 @WORKER.handles("rose")
 def rose(commands: "RunCommands", _: Request) -> Answer:
-    """The roses of the wind, where it is a record."""
+    """The roses of the wind."""
     return {"rose": rose_of(commands.current.live)}
 
 

@@ -1,0 +1,37 @@
+"""Roses and drift of winds of every kind."""
+
+import math
+
+import pytest
+
+from barchan.scenario import validate
+from barchan.simulation import Simulation
+from barchan.studio.worker.rose import rose_of
+
+TINY = {"barchan": 2, "lattice": {"rows": 16, "columns": 16}, "run": {"steps": 40, "seed": 1}}
+WEST, SOUTH = 12, 8  # of 16 sectors, clockwise from north
+
+
+def test_two_winds_in_turn_share_the_time_and_move_sand_between_their_ways():
+    regimes = [{"direction": 270, "steps": 10}, {"direction": 180, "steps": 10}]
+    rose = rose_of(Simulation(validate({**TINY, "wind": {"kind": "regimes", "regimes": regimes}})))
+    shares = [sum(petal) for petal in rose["shares"]]
+    assert shares[WEST] == pytest.approx(0.5)
+    assert shares[SOUTH] == pytest.approx(0.5)
+    assert rose["calms"] == pytest.approx(0.0)
+    assert (rose["days"], rose["limits"]) == (None, [])
+    # Equal amounts towards east and north: north-east, sqrt(1² + 1²) of the 2 that move.
+    assert rose["toward"] == pytest.approx(45.0)
+    assert rose["steadiness"] == pytest.approx(math.sqrt(2) / 2)
+
+
+def test_a_wind_in_metres_per_second_has_its_class_of_speed_and_its_days():
+    wind = {"kind": "steady", "direction": 270, "speed": 9.0, "unit": "m/s"}
+    scenario = validate({**TINY, "wind": wind, "clock": {}})
+    rose = rose_of(Simulation(scenario))
+    assert rose["days"] == pytest.approx(40 * scenario.step_seconds / 86_400)
+    speeds = [0.0, *rose["limits"], math.inf]
+    column = next(at for at in range(len(speeds) - 1) if speeds[at] <= 9.0 < speeds[at + 1])
+    assert rose["shares"][WEST][column] == pytest.approx(1.0)
+    assert rose["toward"] == pytest.approx(90.0)
+    assert rose["crest"] == pytest.approx(0.0)  # across the wind
