@@ -167,7 +167,7 @@ READING = """
 Shadow lines over whole slabs steer Momiji's model; neighbourhoods, orders of neighbours, exact hops and
 bands change little. Shadow from each slab's place ends it: planted trains turn no more off the axes than
 along one, where symmetry forbids a bias. Fields that grow with it have the same relief, spacing and speed
-at all angles within some per cent. Runs of Momiji's model still scatter by 8° from seed to seed on fields
+at all angles within some per cent. Runs of Momiji's model still scatter by 7° from seed to seed on fields
 of this size, along an axis as much as off it. Planted trains of Werner's model are little steered by any
 rule.
 """
