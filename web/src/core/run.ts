@@ -1,5 +1,7 @@
 /** One simulation as the browser knows it. */
 
+import { differences } from "./beside";
+import type { JsonObject } from "./protocol";
 import type { Description, Frame, Row, RunName, Status } from "./protocol";
 
 export class Run {
@@ -42,6 +44,7 @@ export class Run {
     this.lost = false;
     if (frame.history) this.history = frame.history;
     if (frame.paths) this.paths = frame.paths;
+    if (frame.measures_replaced) this.measures = [];
     if (frame.measures) this.measure(frame.measures);
     this.ground = frame.fields.get("ground") ?? this.ground;
     this.depth = frame.fields.get("depth") ?? this.depth;
@@ -53,7 +56,15 @@ export class Run {
   }
 
   private measure(rows: Row[]): void {
-    const first = rows[0]?.step ?? Number.POSITIVE_INFINITY;
-    this.measures = [...this.measures.filter((row) => row.step < first), ...rows];
+    const byStep = new Map([...this.measures, ...rows].map((row) => [row.step, row]));
+    this.measures = [...byStep.values()].sort((one, other) => one.step - other.step);
   }
+}
+
+/** How a run is named beside another: by its model, or where both have the same, by what differs. */
+export function nameBeside(run: Run, other: Run | undefined): string {
+  const [own, others] = [run.description, other?.description];
+  if (!own || !others || own.model.name !== others.model.name) return own?.model.title ?? "";
+  const differ = differences(own.scenario.model as JsonObject, others.scenario.model as JsonObject);
+  return differ.length ? differ.slice(0, 2).join(", ") : own.model.title;
 }

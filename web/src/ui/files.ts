@@ -2,10 +2,11 @@
 
 import type { App } from "../core/app";
 import { problemText } from "../core/notices";
+import type { Progress } from "../core/connection";
 import type { JsonObject, Problem } from "../core/protocol";
 import type { Stage } from "../scene/stage";
 import { dialog, formDialog } from "./dialog";
-import { download, h, themeColour } from "./dom";
+import { download, h } from "./dom";
 import { menu } from "./menu";
 
 /** Whether a file's name ends in one of some suffixes. */
@@ -65,7 +66,7 @@ export class Files {
 
   async savePicture(): Promise<void> {
     const step = this.app.current?.status?.step ?? 0;
-    download(`barchan-${step}.png`, await this.stage.picture(themeColour("paper")));
+    download(`barchan-${step}.png`, await this.stage.picture());
   }
 
   saveScenario(): void {
@@ -176,8 +177,8 @@ export class Files {
 
   private saveRun(): void {
     const name = h("input", { type: "text", value: `run-${new Date().toISOString().slice(0, 16).replaceAll(/[T:]/g, "-")}`, "aria-label": "Name of the run" });
-    const save = async () => {
-      const answer = await this.app.connection.ask({ command: "save", name: name.value, run: this.app.selected });
+    const save = async (progress: Progress) => {
+      const answer = await this.app.connection.ask({ command: "save", name: name.value, run: this.app.selected }, progress);
       this.app.note("info", `Saved ${answer.frames} frames up to step ${answer.step} as ${name.value}.`);
     };
     formDialog(

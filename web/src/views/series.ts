@@ -3,11 +3,14 @@
 import uPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
 import type { App } from "../core/app";
-import type { Measure } from "../core/protocol";
+import { centreOf, named, nearest } from "../core/crests";
+import { measuresCsv } from "../core/measures_csv";
+import type { Measure, Row } from "../core/protocol";
 import { BalanceTable } from "./balance";
 import { download, button, h, short, themeColour } from "../ui/dom";
 
 const FIRST = ["highest_stack", "spacing", "crest_azimuth", "speed", "flux"];
+const CREST = "crest_azimuth";
 const PAUSE = 200;
 
 export class SeriesView {
@@ -15,6 +18,7 @@ export class SeriesView {
   readonly element: HTMLElement;
   private readonly plots = h("div", { className: "plots", tabIndex: 0, role: "group", "aria-label": "Measures over the steps" });
   private readonly choice = h("div", { className: "choices", role: "group", "aria-label": "Measures shown" });
+  private readonly when = h("span", { className: "readout" });
   private chosen = new Set(FIRST);
   private charts: { measure: Measure; chart: uPlot; box: HTMLElement; value: HTMLElement }[] = [];
   private declared = "";
@@ -25,7 +29,7 @@ export class SeriesView {
     this.element = h(
       "div",
       { className: "view series" },
-      h("div", { className: "tools" }, h("details", { className: "picker" }, h("summary", {}, "measures shown"), this.choice), button("Save the measures as CSV", "save CSV", () => this.save())),
+      h("div", { className: "tools" }, h("details", { className: "picker" }, h("summary", {}, "measures shown"), this.choice), button("Save the measures as CSV", "save CSV", () => void this.save()), this.when),
       new BalanceTable(app).element,
       this.plots,
     );
@@ -45,12 +49,20 @@ export class SeriesView {
     return this.app.current?.description?.measures ?? [];
   }
 
-  private save(): void {
-    const names = this.measures().map((measure) => measure.name);
-    const rows = (this.app.current?.measures ?? []).map((row) =>
-      [row.step, ...names.map((name) => row.values[name] ?? "")].join(),
-    );
-    download("measures.csv", `${["step", ...names].join()}\n${rows.join("\n")}\n`);
+  /** Save the measures of all runs at every fixed step; those that are not measured yet are waited for. */
+  private async save(): Promise<void> {
+    const { runs } = this.app;
+    const answers = await Promise.all(runs.map((run) => this.app.ask({ command: "measured", run: run.name })));
+    if (answers.includes(null)) return;
+    const tables = answers.map((answer, at) => ({ run: runs[at]!, rows: answer!.rows as unknown as Row[] }));
+    download("measures.csv", measuresCsv(tables));
+  }
+
+  /** At which steps the measures are taken. */
+  private intervals(): string {
+    const { measured_every: every = 0, measured_rows: rows = 0 } = this.app.current?.description ?? {};
+    const from = every * rows;
+    return every ? `every ${every} steps; from step ${short(from, 9)} every ${2 * every}, from ${short(2 * from, 9)} every ${4 * every}, and so on` : "";
   }
 
   private update(at_once = false): void {
@@ -61,8 +73,10 @@ export class SeriesView {
       this.choices();
       this.rebuild();
     }
+    this.when.textContent = this.intervals();
     if (!at_once && performance.now() - this.drawnAt < PAUSE) return;
     this.drawnAt = performance.now();
+    this.centreCrests();
     for (const { measure, chart, value } of this.charts) {
       chart.setData(this.data(measure.name));
       const rows = this.app.current?.measures ?? [];
@@ -76,10 +90,22 @@ export class SeriesView {
   /** The steps of all runs, and each run's values there. */
   private data(name: string): uPlot.AlignedData {
     const tables = this.app.runs.map(
-      (run) => [run.measures.map((row) => row.step), run.measures.map((row) => row.values[name] ?? null)] as uPlot.AlignedData,
+      (run) => [run.measures.map((row) => row.step), run.measures.map((row) => this.plotted(name, row.values[name] ?? null))] as uPlot.AlignedData,
     );
     if (tables.length === 1) return tables[0]!;
     return uPlot.join(tables);
+  }
+
+  private centre = 90;
+
+  /** A value as it is plotted: crests on the side of their line that is nearest to the plot's middle. */
+  private plotted(name: string, value: number | null): number | null {
+    return name === CREST && value !== null ? nearest(value, this.centre) : value;
+  }
+
+  private centreCrests(): void {
+    const found = this.app.runs.flatMap((run) => run.measures.map((row) => row.values[CREST])).filter((value) => value != null);
+    this.centre = centreOf(found, this.app.current?.status?.wind ?? 0);
   }
 
   private choices(): void {
@@ -123,10 +149,10 @@ export class SeriesView {
       height: 120,
       legend: { show: false },
       cursor: { drag: { x: false, y: false }, points: { size: 6 } },
-      scales: { x: { time: false }, ...(measure.name === "crest_azimuth" ? { y: { range: [0, 180] } } : {}) },
+      scales: { x: { time: false }, ...(measure.name === CREST ? { y: { range: () => [this.centre - 90, this.centre + 90] } } : {}) },
       axes: [
         { ...axis, size: 26, space: 50, font: "10px system-ui", values: (_, marks) => marks.map((mark) => short(mark)) },
-        { ...axis, size: 48, space: 22, font: "10px system-ui", values: (_, marks) => marks.map((mark) => short(mark, 3)) },
+        { ...axis, size: 48, space: 22, font: "10px system-ui", values: (_, marks) => marks.map((mark) => short(measure.name === CREST ? named(mark) : mark, 3)) },
       ],
       series: [
         {},
