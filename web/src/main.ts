@@ -3,6 +3,7 @@
 import "./style.css";
 import "./layout.css";
 import "./messages.css";
+import "./first_minute.css";
 import { App } from "./core/app";
 import { takeToken } from "./core/token";
 import { sceneIn } from "./scene/scene_view";
@@ -12,6 +13,7 @@ import { Compare } from "./ui/compare";
 import { Dock } from "./ui/dock";
 import { button, h } from "./ui/dom";
 import { Files } from "./ui/files";
+import { FullScreen } from "./ui/fullscreen";
 import { gallery } from "./ui/gallery";
 import { type Shortcut, control, help, key, listen } from "./ui/help";
 import { Hud } from "./ui/hud";
@@ -23,6 +25,7 @@ import { Side } from "./ui/side";
 import { StateNotice } from "./ui/state_notice";
 import { Tabs } from "./ui/tabs";
 import { Toasts, leadTo } from "./ui/toasts";
+import { Tour } from "./ui/tour";
 import { Timeline } from "./ui/timeline";
 import { ViewPanel } from "./ui/viewpanel";
 import { WindPanel } from "./ui/wind";
@@ -31,6 +34,7 @@ import { SectionView } from "./views/section";
 import { SeriesView } from "./views/series";
 import { SpaceTimeView } from "./views/spacetime";
 
+const opensGallery = location.hash === "#gallery";
 const app = new App(takeToken());
 
 function themed(): void {
@@ -56,7 +60,8 @@ const paint = new Paint(app);
 const section = new SectionView(app, stage, () => pointer.drawLine());
 const pointer = new Pointer(stage, hud, paint, section);
 const log = new LogView(app);
-const dock = new Dock([section, new SeriesView(app), new SpaceTimeView(app, section), log]);
+const series = new SeriesView(app);
+const dock = new Dock([section, series, new SpaceTimeView(app, section), log]);
 const timeline = new Timeline(app);
 const tabs = new Tabs([
   ["Scenario", new Panel(app, () => files.ask("ground")).element],
@@ -65,13 +70,13 @@ const tabs = new Tabs([
   ["View", new ViewPanel(app, stage).element],
 ]);
 const side = new Side(tabs.elements);
-const fullScreen = () => void (document.fullscreenElement ? document.exitFullscreen() : document.documentElement.requestFullscreen());
+const full = new FullScreen();
 const bar = new Bar(app, [
-  button("Presets (G)", "Presets", () => void gallery(app)),
+  button("Presets (G)", "Presets", () => showGallery()),
   files.menu,
   new Compare(app).element,
   button("Keys and mouse (?)", "?", () => help(shortcuts)),
-  button("Full screen (F)", icon("full"), fullScreen),
+  button("Full screen (F)", icon("full"), () => full.toggle()),
   side.button,
 ]);
 
@@ -84,12 +89,19 @@ scene.append(h("div", { className: "messages" }, new StateNotice(app).element, t
 
 app.notices.logged.watch((entry) => entry.level !== "info" && dock.mark(3));
 
+const tour = new Tour(app, () => {
+  side.unfold();
+  tabs.choose(1);
+});
+scene.append(tour.element);
+const showGallery = () => void gallery(app, () => tour.begin()).catch((error) => app.refused(error));
+
 const turn = Math.PI / 36;
 const shortcuts: Shortcut[] = [
   key(" ", "run or pause", () => bar.toggle(), "Space"),
   key(".", "one step", () => bar.step(1)),
   key("r", "restart with the same seed", () => bar.restart(), "R"),
-  key("g", "presets", () => void gallery(app), "G"),
+  key("g", "presets", () => showGallery(), "G"),
   key("b", "brush on or off", () => paint.activate(!paint.active), "B"),
   key("[", "smaller brush", () => paint.grow(1 / 1.25)),
   key("]", "larger brush", () => paint.grow(1.25)),
@@ -110,9 +122,9 @@ const shortcuts: Shortcut[] = [
   key("PageUp", "look back", () => timeline.nudge(-1), "Page up"),
   key("PageDown", "look on", () => timeline.nudge(1), "Page down"),
   key("End", "return to now", () => timeline.live()),
+  key("f", "full screen with large type, and back", () => full.toggle(), "F"),
   key("p", "save a picture", () => void files.savePicture(), "P"),
   key("n", "panel: fold or draw out", () => side.toggle(), "N"),
-  key("f", "full screen", fullScreen, "F"),
   key("w", "wireframe", () => app.view.set({ wireframe: !app.view.look.wireframe }), "W"),
   key("?", "this list", () => help(shortcuts)),
 ];
@@ -124,7 +136,15 @@ const quiet: Shortcut[] = [
 ];
 listen([...shortcuts, ...quiet]);
 
-document.getElementById("app")!.append(
+const page = document.getElementById("app")!;
+page.classList.add("waiting");
+app.framed.watch(() => {
+  if (!app.current?.ready || !page.classList.contains("waiting")) return;
+  page.classList.remove("waiting");
+  if (location.hash === "#gallery") history.replaceState(null, "", location.pathname + location.search);
+  if (opensGallery) showGallery();
+});
+page.append(
   bar.element,
   h("main", {}, h("div", { className: "stage-column" }, scene, timeline.element, dock.element), side.element),
 );
@@ -134,7 +154,7 @@ app.start();
 /** For tests and measurements. */
 declare global {
   interface Window {
-    barchan: { app: App; stage: Stage; files: Files };
+    barchan: { app: App; stage: Stage; series: SeriesView; tour: Tour; files: Files };
   }
 }
-window.barchan = { app, stage, files };
+window.barchan = { app, stage, series, tour, files };

@@ -10,7 +10,7 @@ from barchan.cli.overrides import Tokens, pairs
 
 
 def studio(
-    scenario: str = "barchans",
+    scenario: str | None = None,
     /,
     *values: Tokens,
     folder: Path = Path(),
@@ -23,7 +23,8 @@ def studio(
     Parameters
     ----------
     scenario
-        A preset's name, a scenario file, or the folder of a run to look at and go on with.
+        A preset's name, a scenario file, or the folder of a run to look at and go on with; without it the
+        studio opens with its gallery of presets.
     folder
         Where runs are saved and opened; the current folder without it.
     host
@@ -37,15 +38,17 @@ def studio(
     """
     from barchan.cli.terminal import console, print_note
     from barchan.scenario import load_scenario, preset_names
+    from barchan.studio.server.gallery import showpiece
     from barchan.studio.server.launch import Studio, serve
     from barchan.studio.server.security import LOOPBACK
 
     overrides = pairs(values, studio)
-    folder_named = scenario not in preset_names() and Path(scenario).is_dir()
-    source, is_run = _run_at(scenario) if folder_named else (scenario, False)
+    named = scenario or showpiece()
+    folder_named = named not in preset_names() and Path(named).is_dir()
+    source, is_run = _run_at(named) if folder_named else (named, False)
     is_run = is_run and not overrides
     chosen = None if is_run else load_scenario(source, overrides)
-    archive = Path(scenario).resolve() if is_run else None
+    archive = Path(scenario).resolve() if scenario and is_run else None
     if host not in LOOPBACK:
         print_note(f"others can reach the studio at {host}; whoever has the address below can use it")
 
@@ -53,7 +56,7 @@ def studio(
         console.print(f"studio: {address}")
         console.print("Ctrl-C ends it")
 
-    serve(Studio(folder, chosen, archive, host, port), ready, browser)
+    serve(Studio(folder, chosen, archive, host, port, gallery=scenario is None), ready, browser)
 
 
 def _run_at(folder: str) -> tuple[str | Path, bool]:

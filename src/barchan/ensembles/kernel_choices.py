@@ -6,7 +6,7 @@ from typing import Any
 
 from barchan.ensembles.plan import Member
 
-_WORDS = ("title", "citation", "look_for", "note")
+_WORDS = ("title", "citation", "look_for", "question", "note")
 
 QUARTER = 90.0
 """Degrees between lattice axes; along these kernels are simpler."""

@@ -18,14 +18,15 @@ _LONGEST = 2000
 _WORDS = (("title", ", ", 200), ("citation", "; ", 1000))
 """Keys of the words that list what was changed, what stands before the list, and their longest length."""
 
-_OWN_WORDS = ("title", "citation", "look_for", "note", "run")
+_OWN_WORDS = ("title", "citation", "look_for", "question", "note", "run")
 """Keys whose values do not make another scenario: its own words, and how long it runs."""
 
 
 def with_changes_told(scenario: Scenario, before: Scenario) -> Scenario:
     """The scenario with the given values that differ from those of ``before`` in its title and citation.
 
-    ``look_for`` is marked as that of the scenario before, and left out where the model is another one.
+    ``look_for`` is marked as that of the scenario before; it and ``question`` are left out where the model is
+    another one.
     Words that were given themselves stay, and so do empty ones.
     """
     told = _told(scenario, before)
@@ -38,6 +39,8 @@ def with_changes_told(scenario: Scenario, before: Scenario) -> Scenario:
     }
     if scenario.look_for and ("look_for",) not in scenario.source_map.given:
         words["look_for"] = _expected(scenario, before)
+    if scenario.model.name != before.model.name and ("question",) not in scenario.source_map.given:
+        words["question"] = ""
     return scenario.model_copy(update=words)
 
 

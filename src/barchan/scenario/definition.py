@@ -122,6 +122,9 @@ class Scenario(Parameters):
     title: str = parameter("", unit="-", max_length=200, meaning="Name of the scenario.")
     citation: str = parameter("", unit="-", max_length=1000, meaning="Where the scenario comes from.")
     look_for: str = parameter("", unit="-", max_length=2000, meaning="Features to watch for in the run.")
+    question: str = parameter(
+        "", unit="-", max_length=500, meaning="A question that one can answer by changing the run."
+    )
     lattice: Lattice = Field(default_factory=Lattice, description="Lattice.")
     ground: Ground = Field(default_factory=FlatGround, description="Ground under the sand.")
     sand: Sand = Field(default_factory=FlatSand, description="Sand at the start.")

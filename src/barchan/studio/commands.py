@@ -61,7 +61,7 @@ COMMANDS = _table(
     Command("space_time", "worker", "Ask for the section along a line over the whole run."),
     Command("strata", "worker", "Ask for the layers of the bed along a line, as it is looked at."),
     Command("create", "session", "Start a scenario, in both runs where two are compared.", needs_run=False),
-    Command("compare", "session", "Start a second run with another model."),
+    Command("compare", "session", "Start a second run with another model, or another value of one key."),
     Command("alone", "session", "End the second run.", needs_run=False),
     Command(
         "revive",

@@ -1,62 +1,136 @@
 """The small pictures of presets in the gallery: ``python -m barchan.studio.pictures [NAME …]`` draws them.
 
-Each preset runs to its end, or for PATIENCE seconds at most; the maps are those of ``barchan show``.
+Each preset runs in a studio to its end, or for PATIENCE seconds at most; the picture is the studio's own. It
+takes the built client, a Chromium and Playwright (extra ``dev``). ``--title FILE`` draws the title picture of
+the README instead.
 """
 
+import base64
+import io
+import re
+import shutil
+import signal
+import subprocess
 import sys
 import time
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
-import numpy as np
-from matplotlib.colors import Normalize
 from PIL import Image
 
-from barchan.archive import dataset_of
-from barchan.figures.maps import shaded, surface_range
-from barchan.figures.style import SMOOTHING
-from barchan.scenario import Scenario, load_scenario, preset_names
-from barchan.simulation import Simulation
+from barchan.scenario import load_scenario, preset_names
+from barchan.studio.server.gallery import showpiece
 
 if TYPE_CHECKING:
-    import xarray as xr
+    from playwright.sync_api import Page
 
 FOLDER = Path(__file__).parents[1] / "presets" / "pictures"
 WIDTH, HEIGHT = 320, 200
+FINER = 3
+"""Times as many pixels are drawn as are kept, so that edges are smooth."""
+LARGEST = 15_000
+"""Bytes of a picture at most: it is saved with less quality where it would be larger."""
 SEED = 1
-PATIENCE = 120.0
+PATIENCE = 20.0
 """Seconds that a preset may run, at most."""
 
+FLAGS = ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
+RUN = "window.barchan.app.runs[0]"
+RENDER = """async ([width, height]) => {
+    const bytes = new Uint8Array(await (await window.barchan.stage.render({ width, height })).arrayBuffer());
+    let text = "";
+    for (let i = 0; i < bytes.length; i += 8192) text += String.fromCharCode(...bytes.subarray(i, i + 8192));
+    return btoa(text);
+}"""
 
-def last_frame(scenario: Scenario) -> "xr.Dataset":
-    """The last frame of a scenario, or that after ``PATIENCE`` seconds."""
-    simulation = Simulation(scenario)
-    began = time.monotonic()
-    while not simulation.done and time.monotonic() - began < PATIENCE:
-        simulation.advance(min(20, scenario.run.steps - simulation.steps_done))
-    return dataset_of(simulation, [simulation.frame()]).isel(step=0)
+TITLE = {"width": 3840, "height": 2160}
+TITLE_SCENARIO = ("momiji-barchans", 1000)
 
 
-def picture(frame: "xr.Dataset", scenario: Scenario) -> Image.Image:
-    """The map of a frame, cut to the gallery's format."""
-    norm = Normalize(*surface_range(frame, scenario))
-    colours = shaded(frame, scenario, norm=norm, smoothing=SMOOTHING)[::-1]
-    image = Image.fromarray((colours * 255).round().astype(np.uint8))
-    scale = max(WIDTH / image.width, HEIGHT / image.height)
-    size = (max(WIDTH, round(image.width * scale)), max(HEIGHT, round(image.height * scale)))
-    left, top = (size[0] - WIDTH) // 2, (size[1] - HEIGHT) // 2
-    resized = image.resize(size, Image.Resampling.LANCZOS)
-    return resized.crop((left, top, left + WIDTH, top + HEIGHT))
+@contextmanager
+def studio_page() -> Iterator["Page"]:
+    """The page of a studio of its own."""
+    from playwright.sync_api import sync_playwright
+
+    start = [sys.executable, "-c", "from barchan.cli import main; main()", "studio", showpiece()]
+    server = subprocess.Popen(  # noqa: S603
+        [*start, "--no-browser", "--port", "0"],
+        stdout=subprocess.PIPE,
+        text=True,
+    )
+    assert server.stdout is not None
+    address = next(found[0] for line in server.stdout if (found := re.search(r"http://\S+", line)))
+    try:
+        with sync_playwright() as engine:
+            path = shutil.which("chromium") or shutil.which("google-chrome")
+            browser = engine.chromium.launch(executable_path=path, args=FLAGS)
+            page = browser.new_page(viewport={"width": 480, "height": 360})
+            page.goto(address)
+            page.wait_for_function("window.barchan?.app.runs[0]?.ready", timeout=60_000)
+            page.evaluate("window.barchan.app.view.set({ turning: false, theme: 'light' })")
+            yield page
+            browser.close()
+    finally:
+        server.send_signal(signal.SIGINT)
+        server.wait(20)
+
+
+def run_preset(page: "Page", name: str, steps: int | None, patience: float) -> int:
+    """Run a preset to a step or its end, or for so many seconds; returns the step where it stands."""
+    data: dict[str, Any] = load_scenario(name, [("run.seed", str(SEED))]).data()
+    page.evaluate(f"void ({RUN}.status = null)")
+    page.evaluate("(scenario) => void window.barchan.app.create(scenario, true)", data)
+    page.evaluate("void window.barchan.app.send({ command: 'limit', rate: null })")
+    until = min(steps or data["run"]["steps"], data["run"]["steps"])
+    there = f"{RUN}.fits && ({RUN}.status?.step >= {until} || {RUN}.status?.finished)"
+    page.wait_for_function(f"{RUN}.fits && {RUN}.status?.step > 0", timeout=300_000)
+    end = time.monotonic() + patience
+    while not page.evaluate(there) and time.monotonic() < end:
+        time.sleep(0.1)
+    page.evaluate("void window.barchan.app.send({ command: 'pause' })")
+    page.wait_for_function("!window.barchan.app.running")
+    page.evaluate("window.barchan.stage.look('oblique')")
+    return int(page.evaluate(f"{RUN}.status.step"))
+
+
+def rendered(page: "Page", width: int, height: int) -> Image.Image:
+    """The scene as the studio draws it, in any size."""
+    data = base64.b64decode(page.evaluate(RENDER, [width, height]))
+    return Image.open(io.BytesIO(data)).convert("RGB")
+
+
+def save(image: Image.Image, path: Path, largest: int) -> None:
+    """Save as WebP, with as much quality as fits into a number of bytes."""
+    for quality in range(88, 30, -6):
+        image.save(path, quality=quality, method=6)
+        if path.stat().st_size <= largest:
+            return
 
 
 def draw(names: list[str]) -> None:
     """Draw the pictures of these presets, or of all."""
     FOLDER.mkdir(exist_ok=True)
-    for name in names or preset_names():
-        scenario = load_scenario(name, [("run.seed", str(SEED))])
-        drawn = picture(last_frame(scenario), scenario)
-        drawn.save(FOLDER / f"{name}.webp", quality=72, method=6)
+    with studio_page() as page:
+        for name in names or preset_names():
+            step = run_preset(page, name, None, PATIENCE)
+            image = rendered(page, FINER * WIDTH, FINER * HEIGHT)
+            small = image.resize((WIDTH, HEIGHT), Image.Resampling.LANCZOS)
+            save(small, FOLDER / f"{name}.webp", LARGEST)
+            sys.stdout.write(f"{name}: step {step}\n")
+            sys.stdout.flush()
+
+
+def draw_title(path: Path) -> None:
+    """Draw the title picture, at most half a megabyte."""
+    with studio_page() as page:
+        run_preset(page, *TITLE_SCENARIO, patience=300.0)
+        save(rendered(page, TITLE["width"], TITLE["height"]), path, 500_000)
 
 
 if __name__ == "__main__":
-    draw(sys.argv[1:])
+    if sys.argv[1:2] == ["--title"]:
+        draw_title(Path(sys.argv[2]))
+    else:
+        draw(sys.argv[1:])

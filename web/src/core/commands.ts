@@ -41,7 +41,7 @@ export type CommandName =
   | "strata"
   /** Start a scenario, in both runs where two are compared. */
   | "create"
-  /** Start a second run with another model. */
+  /** Start a second run with another model, or another value of one key. */
   | "compare"
   /** End the second run. */
   | "alone"

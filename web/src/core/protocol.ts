@@ -16,6 +16,8 @@ export interface Status {
   looking: boolean;
   can_branch: boolean;
   rate: number;
+  /** Most steps per second; null where there is no limit. */
+  limit: number | null;
   highest: number;
   /** Depth (m) of all layers where they are deepest. */
   deepest: number;

@@ -1,5 +1,7 @@
 /** One simulation as the browser knows it. */
 
+import { differences } from "./beside";
+import type { JsonObject } from "./protocol";
 import type { Description, Frame, Row, RunName, Status } from "./protocol";
 
 export class Run {
@@ -56,4 +58,12 @@ export class Run {
     const first = rows[0]?.step ?? Number.POSITIVE_INFINITY;
     this.measures = [...this.measures.filter((row) => row.step < first), ...rows];
   }
+}
+
+/** How a run is named beside another: by its model, or where both have the same, by what differs. */
+export function nameBeside(run: Run, other: Run | undefined): string {
+  const [own, others] = [run.description, other?.description];
+  if (!own || !others || own.model.name !== others.model.name) return own?.model.title ?? "";
+  const differ = differences(own.scenario.model as JsonObject, others.scenario.model as JsonObject);
+  return differ.length ? differ.slice(0, 2).join(", ") : own.model.title;
 }

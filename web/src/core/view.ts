@@ -16,12 +16,19 @@ export interface Look {
   count: number;
   wireframe: boolean;
   smoothing: number;
-  /** How much steeper heights are drawn; null: as the slabs of the lattice ask for. */
+  /** How much steeper heights are drawn; null: chosen from the relief. */
   exaggeration: number | null;
   bare: boolean;
   shadows: boolean;
-  sunAzimuth: number;
-  sunHeight: number;
+  /** Degrees; null: across the crests that the wind makes, in the late afternoon. */
+  sunAzimuth: number | null;
+  sunHeight: number | null;
+  /** Whether colours of data are shaded by the relief. */
+  shaded: boolean;
+  /** Whether the view turns slowly while nobody moves it. */
+  turning: boolean;
+  /** Fine detail, or a plain scene; by itself where the graphics are slow. */
+  quality: "automatic" | "full" | "plain";
   overlays: string[];
   /** Grains whose paths are shown. */
   paths: number;
@@ -39,12 +46,15 @@ export const LOOK: Look = {
   interval: 1,
   count: 8,
   wireframe: false,
-  smoothing: 0.8,
+  smoothing: 1,
   exaggeration: null,
   bare: true,
   shadows: true,
-  sunAzimuth: 315,
-  sunHeight: 32,
+  sunAzimuth: null,
+  sunHeight: null,
+  shaded: true,
+  turning: true,
+  quality: "automatic",
   overlays: ["effectiveness"],
   paths: 20,
   side: "surface",

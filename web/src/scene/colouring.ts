@@ -3,7 +3,7 @@
 import type { App } from "../core/app";
 import type { Field } from "../core/protocol";
 import type { Run } from "../core/run";
-import { slopes, smoothed } from "./smooth";
+import { slopes } from "./smooth";
 
 export interface Colouring {
   values: Float32Array;
@@ -63,11 +63,9 @@ function difference(run: Run, other: Run, app: App): Colouring {
   const [first, second] = run.name === "a" ? [run, other] : [other, run];
   const values = new Float32Array(run.surface.length);
   for (let i = 0; i < values.length; i++) values[i] = second.surface[i]! - first.surface[i]!;
-  const { rows, columns, description } = run;
-  const soft = smoothed(values, rows, columns, app.view.look.smoothing, description!.lattice.periodic);
-  return {
-    values: soft,
-    limits: app.view.look.limits ?? endsOf(soft, { centre: 0 }),
+    return {
+    values,
+    limits: app.view.look.limits ?? endsOf(values, { centre: 0 }),
     map: "centred",
     title: "elevation, right less left",
     unit: "m",

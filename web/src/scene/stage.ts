@@ -1,50 +1,65 @@
 /** The scene: one surface, or two side by side under one camera. */
 
 import * as THREE from "three";
-import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
+import type { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import type { App } from "../core/app";
 import type { Run } from "../core/run";
+import { Camera, type Viewpoint } from "./camera";
+import { type LightUniforms, lightUniforms, shine, sunOf } from "./light";
+import { lookOf } from "./looks";
 import { type Place, pick } from "./pick";
+import { Quality } from "./quality";
+import { type Ends, SectionMark } from "./section_line";
+import { Surroundings } from "./surroundings";
 import { Terrain } from "./terrain";
 
 interface Shown {
   run: Run;
   terrain: Terrain;
+  light: LightUniforms;
+  around: Surroundings;
+  section: SectionMark;
   scene: THREE.Scene;
 }
 
+/** What a picture shows and how large it is (pixels). */
+export interface PictureOptions {
+  width: number;
+  height: number;
+  /** Whether sky and plain are left out. */
+  transparent?: boolean;
+}
+
 export class Stage {
-  readonly camera = new THREE.PerspectiveCamera(30, 1, 0.05, 200);
-  readonly controls: OrbitControls;
+  readonly view: Camera;
   readonly canvas: HTMLCanvasElement;
   /** Called after every picture that was drawn. */
   onDrawn: () => void = () => {};
   /** Frames drawn, for those who measure. */
   drawn = 0;
+  readonly quality: Quality;
   private readonly renderer: THREE.WebGLRenderer;
   private shown: Shown[] = [];
   private readonly stale = new Set<Run>();
   private dirty = true;
-  private section: [number, number, number, number] | null = null;
+  private wasDirty = false;
+  private section: Ends | null = null;
+  private readonly still = matchMedia("(prefers-reduced-motion: reduce)");
 
   constructor(
     private readonly app: App,
     readonly host: HTMLElement,
   ) {
     this.renderer = new THREE.WebGLRenderer({ antialias: true, alpha: true, preserveDrawingBuffer: false });
-    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
+    this.quality = new Quality(this.renderer.getContext());
     this.canvas = this.renderer.domElement;
     this.canvas.tabIndex = 0;
     this.canvas.setAttribute("role", "img");
     this.canvas.setAttribute("aria-label", "The surface in three dimensions. Arrow keys turn it, + and − zoom.");
     host.prepend(this.canvas);
-    this.controls = new OrbitControls(this.camera, this.canvas);
-    this.controls.enableDamping = true;
-    this.controls.dampingFactor = 0.12;
-    this.controls.maxPolarAngle = Math.PI / 2 - 0.02;
-    this.controls.minDistance = 1;
-    this.controls.maxDistance = 45;
-    this.controls.addEventListener("change", () => this.redraw());
+    this.view = new Camera(this.canvas);
+    this.view.onMoved = () => this.redraw();
+    this.view.mayTurn = () => app.view.look.turning && !this.still.matches && !this.plain && this.shown.some(({ run }) => run.ready);
     new ResizeObserver(() => this.resize()).observe(host);
     app.framed.watch((run) => this.refresh(run));
     app.changed.watch(() => this.all());
@@ -53,25 +68,28 @@ export class Stage {
     this.renderer.setAnimationLoop(() => this.tick());
   }
 
+  get camera(): THREE.Camera {
+    return this.view.active;
+  }
+
+  get controls(): OrbitControls {
+    return this.view.controls;
+  }
+
+  /** Whether the scene is drawn plainly, as for software rendering. */
+  get plain(): boolean {
+    return this.quality.plain(this.app.view.look);
+  }
+
   /** Let the camera look from one of the usual places. */
-  look(from: "oblique" | "top" | "side"): void {
-    const [x, y, z] = { oblique: [-5.6, 8.3, 15.0], top: [0, 21, 0.001], side: [0, 2.2, 21] }[from] as number[];
-    this.controls.target.set(0, from === "oblique" ? 0.1 : 0, 0);
-    this.camera.position.set(x!, y!, z!);
-    this.controls.update();
+  look(from: Viewpoint): void {
+    this.view.look(from);
     this.redraw();
   }
 
   /** Turn and tilt the camera by angles (radians), and come nearer by a factor. */
   turn(around: number, up: number, nearer = 1): void {
-    const offset = this.camera.position.clone().sub(this.controls.target);
-    const sphere = new THREE.Spherical().setFromVector3(offset);
-    sphere.theta += around;
-    sphere.phi = Math.min(Math.max(sphere.phi + up, 0.01), this.controls.maxPolarAngle);
-    sphere.radius = Math.min(Math.max(sphere.radius * nearer, this.controls.minDistance), this.controls.maxDistance);
-    this.camera.position.setFromSpherical(sphere).add(this.controls.target);
-    this.controls.update();
-    this.redraw();
+    this.view.turn(around, up, nearer);
   }
 
   redraw(): void {
@@ -84,7 +102,7 @@ export class Stage {
   }
 
   /** Show the line of a section (shares of the field), or none. */
-  showSection(line: [number, number, number, number] | null): void {
+  showSection(line: Ends | null): void {
     this.section = line;
     this.redraw();
   }
@@ -108,32 +126,46 @@ export class Stage {
     return place && { run: shown.run, place };
   }
 
-  /** The picture as it is now. */
-  picture(background: string): Promise<Blob> {
-    this.paint();
-    const copy = document.createElement("canvas");
-    copy.width = this.canvas.width;
-    copy.height = this.canvas.height;
-    const context = copy.getContext("2d")!;
-    context.fillStyle = background;
-    context.fillRect(0, 0, copy.width, copy.height);
-    context.drawImage(this.canvas, 0, 0);
-    return new Promise((done) => copy.toBlob((blob) => done(blob!), "image/png"));
+  /** The picture as it is now, in the size of the page. */
+  picture(): Promise<Blob> {
+    const { width, height } = this.canvas;
+    return this.render({ width, height });
+  }
+
+  /** A picture of any size (PNG), drawn fully whatever the page shows, beside the page. */
+  async render(options: PictureOptions): Promise<Blob> {
+    const canvas = document.createElement("canvas");
+    [canvas.width, canvas.height] = [options.width, options.height];
+    const context = canvas.getContext("2d")!;
+    const ratio = this.renderer.getPixelRatio();
+    try {
+      this.renderer.setPixelRatio(1);
+      this.renderer.setSize(options.width, options.height, false);
+      this.update(true, undefined, options.width / Math.max(this.shown.length, 1) / options.height);
+      this.paint(options.width, options.height, options.transparent);
+      context.drawImage(this.canvas, 0, 0);
+    } finally {
+      this.renderer.setPixelRatio(ratio);
+      this.resize();
+      this.all();
+    }
+    return new Promise((done) => canvas.toBlob((blob) => done(blob!), "image/png"));
   }
 
   /** Metres of the field that a pixel of the page covers where the camera looks. */
   metresPerPixel(): number {
     const terrain = this.shown[0]?.terrain;
-    if (!terrain) return Number.NaN;
-    const distance = this.camera.position.distanceTo(this.controls.target);
-    const height = 2 * distance * Math.tan((this.camera.fov * Math.PI) / 360);
-    return height / this.canvas.clientHeight / terrain.scale;
+    return terrain ? this.view.unitsPerPixel(this.canvas.clientHeight) / terrain.scale : Number.NaN;
+  }
+
+  /** Where the sun stands (degrees): as chosen, or across the crests. */
+  sun(): { azimuth: number; height: number } {
+    return sunOf(this.app.view.look, this.shown[0]?.terrain.firstWind ?? 270);
   }
 
   /** Direction the camera looks at, clockwise from north (radians). */
   heading(): number {
-    const ahead = this.controls.target.clone().sub(this.camera.position);
-    return Math.atan2(ahead.x, -ahead.z);
+    return this.view.heading();
   }
 
   private all(): void {
@@ -152,41 +184,65 @@ export class Stage {
   private match(): void {
     if (sameRuns(this.shown, this.app.runs)) return;
     const linear = this.renderer.extensions.has("OES_texture_float_linear");
-    this.shown = this.app.runs.map((run) => {
-      const known = this.shown.find((one) => one.run === run);
-      if (known) return known;
-      const terrain = new Terrain(this.app, linear);
-      const scene = new THREE.Scene();
-      scene.add(terrain.group);
-      return { run, terrain, scene };
-    });
+    this.shown = this.app.runs.map((run) => this.shown.find((one) => one.run === run) ?? shownOf(this.app, run, linear));
     this.resize();
   }
 
   private tick(): void {
-    this.controls.update();
+    this.view.update();
+    const moving = this.dirty && this.wasDirty;
+    this.wasDirty = this.dirty;
     if (!this.dirty) return;
     this.dirty = false;
-    for (const { run, terrain } of this.shown) {
-      if (this.stale.has(run) && run.ready) terrain.update(run);
-    }
+    if (this.quality.drawn(performance.now(), moving)) this.resize();
+    this.update(this.plain === false, this.stale);
     this.stale.clear();
-    this.paint();
+    const { clientWidth: width, clientHeight: height } = this.canvas;
+    this.paint(width, height);
     this.app.confirm();
     this.drawn++;
     this.onDrawn();
   }
 
-  private paint(): void {
+  /** Bring the surfaces of runs up to date: of all, or of those named. */
+  private update(full: boolean, only?: Set<Run>, aspect = this.aspect()): void {
+    for (const { run, terrain, light } of this.shown) {
+      if (!run.ready || (only && !only.has(run))) continue;
+      terrain.begin(run);
+      shine(light, sunOf(this.app.view.look, terrain.firstWind!), isDark());
+      terrain.update(run, this.renderer, !full);
+    }
+    const ready = this.shown.find(({ run, terrain }) => run.ready && terrain.drawn.length);
+    if (ready) this.view.frame(this.roomy(ready.terrain.box()), aspect);
+  }
+
+  private room = new THREE.Box3();
+
+  /** A box with room to grow in, so that the view does not move with each step. */
+  private roomy(box: THREE.Box3): THREE.Box3 {
+    const { max } = this.room;
+    const same = max.x === box.max.x && max.z === box.max.z;
+    if (!same || box.max.y > max.y || box.max.y < 0.4 * max.y) {
+      this.room = box.clone();
+      this.room.max.y *= 1.3;
+    }
+    return this.room;
+  }
+
+  private paint(width: number, height: number, transparent = false): void {
     const count = Math.max(this.shown.length, 1);
-    const { clientWidth: width, clientHeight: height } = this.canvas;
     this.renderer.setScissorTest(count > 1);
     this.renderer.setClearColor(0x000000, 0);
     this.renderer.setScissor(0, 0, width, height);
     this.renderer.clear();
-    this.shown.forEach(({ run, scene, terrain }, number) => {
+    this.shown.forEach(({ run, scene, terrain, light, around, section }, number) => {
       if (!run.ready || !terrain.drawn.length) return;
-      terrain.uniforms.section!.value.set(...(this.section ?? [-2, 0, 0, 0]));
+      light.haze.value = this.view.isParallel || transparent ? 0 : 1;
+      light.level.value = this.view.level();
+      section.update(this.section, terrain, run.rows, run.columns);
+      around.group.visible = !transparent;
+      const plain = new THREE.Color(...lookOf(run.material).plain).multiplyScalar(isDark() ? 0.55 : 1);
+      around.update(this.camera, terrain.block(run.columns), plain, !this.plain);
       const left = (width / count) * number;
       this.renderer.setViewport(left, 0, width / count, height);
       this.renderer.setScissor(left, 0, width / count, height);
@@ -194,16 +250,32 @@ export class Stage {
     });
   }
 
+  private aspect(): number {
+    const { clientWidth: width, clientHeight: height } = this.host;
+    return width / Math.max(this.shown.length, 1) / Math.max(height, 1);
+  }
+
   private resize(): void {
     const { clientWidth: width, clientHeight: height } = this.host;
     if (!width || !height) return;
+    this.renderer.setPixelRatio(this.plain ? 1 : Math.min(window.devicePixelRatio, 2));
     this.renderer.setSize(width, height, true);
-    const aspect = width / Math.max(this.shown.length, 1) / height;
-    this.camera.aspect = aspect;
-    this.camera.fov = aspect > 1.35 ? 30 : Math.min(30 * (1.35 / aspect), 60);
-    this.camera.updateProjectionMatrix();
-    this.redraw();
+    const terrain = this.shown.find(({ terrain }) => terrain.drawn.length)?.terrain;
+    this.view.frame(terrain ? this.roomy(terrain.box()) : new THREE.Box3(new THREE.Vector3(-5, 0, -5), new THREE.Vector3(5, 1, 5)), this.aspect());
+    this.all();
   }
+}
+
+const isDark = (): boolean => document.documentElement.dataset.theme === "dark";
+
+function shownOf(app: App, run: Run, linear: boolean): Shown {
+  const light = lightUniforms();
+  const terrain = new Terrain(app, light, linear);
+  const around = new Surroundings(light);
+  const section = new SectionMark();
+  const scene = new THREE.Scene();
+  scene.add(around.group, terrain.group, section.group);
+  return { run, terrain, light, around, section, scene };
 }
 
 function sameRuns(shown: Shown[], runs: Run[]): boolean {

@@ -4,24 +4,25 @@ import * as THREE from "three";
 import type { App } from "../core/app";
 import { ends } from "../core/profile";
 import type { Run } from "../core/run";
-import { type Colouring, colouring } from "./colouring";
-import { FRAGMENT, VERTEX } from "./shaders";
 import { grid, skirt } from "./block";
+import { type Colouring, colouring } from "./colouring";
+import { steepness, usualExaggeration } from "./exaggeration";
+import type { LightUniforms } from "./light";
+import { RIPPLE_CELL, TINTS, lookOf } from "./looks";
 import { PathLines } from "./paths";
-import { smoothed } from "./smooth";
+import { Plants } from "./plants";
+import { FULL, PLAIN, Relief } from "./relief";
+import { SURFACE_FRAGMENT, SURFACE_VERTEX, WALL_FRAGMENT } from "./shaders/surface";
+import { settled } from "./smooth";
+import { FieldTextures, mapTexture } from "./textures";
+import { terrainUniforms } from "./uniforms";
 
 /** Longest side of a field in the scene. */
 export const SIZE = 10;
-const FINEST = 512;
+/** Most cells of the mesh along a side, drawn fully and plainly. */
+const FINEST = { full: 512, plain: 192 };
 /** Thickness of the block below the ground, of the field's longer side. */
 const FOOT = 0.03;
-/** Relief, as it is drawn, that heights are not exaggerated beyond unless one asks for it. */
-const MOST_RELIEF = 0.2;
-const TINTS = ["#4c8a3a", "#8aa83c", "#2f6b4f", "#7d7a2c"];
-/** Own colours of materials; any other one is nearly white. */
-const MATERIALS: Record<string, string> = { sand: "#dcb981" };
-const OTHER = "#e8ebee";
-const GROUND = new THREE.Color("#8f8a84");
 
 export class Terrain {
   readonly group = new THREE.Group();
@@ -30,95 +31,126 @@ export class Terrain {
   drawn: Float32Array = new Float32Array(0);
   base = 0;
   exaggeration = 1;
-  private usual = Number.POSITIVE_INFINITY;
   scale = 1;
   extent: [number, number] = [1, 1];
+  /** Direction of the wind (degrees) when the run began, by which the sun stands. */
+  firstWind: number | null = null;
+  readonly uniforms: Record<string, THREE.IUniform>;
+  private usual = Number.POSITIVE_INFINITY;
+  private lastStep = -1;
   private readonly paths = new PathLines();
+  private readonly plants: Plants;
+  private readonly relief: Relief;
   private readonly top: THREE.ShaderMaterial;
   private readonly side: THREE.ShaderMaterial;
-  private heights: THREE.DataTexture | null = null;
-  private values: THREE.DataTexture | null = null;
-  private overlay: THREE.DataTexture | null = null;
+  private textures: FieldTextures | null = null;
   private shape = "";
   private ground: Float32Array = new Float32Array(0);
-  private groundOf: Float32Array | null = null;
-  private groundWidth = 0;
+  private groundKey: [Float32Array | null, number] = [null, 0];
   private map = "";
 
   constructor(
     private readonly app: App,
+    light: LightUniforms,
     private readonly linear: boolean,
   ) {
-    const uniforms = {
-      heights: { value: null },
-      values: { value: null },
-      map: { value: null },
-      overlay: { value: null },
-      cells: { value: new THREE.Vector2(1, 1) },
-      extent: { value: new THREE.Vector2(1, 1) },
-      scale: { value: 1 },
-      exaggeration: { value: 1 },
-      base: { value: 0 },
-      limits: { value: new THREE.Vector2(0, 1) },
-      natural: { value: 1 },
-      sun: { value: new THREE.Vector3(0, 1, 0) },
-      shadows: { value: 1 },
-      bare: { value: 1 },
-      thickness: { value: 1 },
-      contour: { value: 0 },
-      wire: { value: 0 },
-      tints: { value: TINTS.map((tint) => new THREE.Color(tint)) },
-      section: { value: new THREE.Vector4(-2, 0, 0, 0) },
-      brush: { value: new THREE.Vector3(0, 0, 0) },
-      materialColour: { value: new THREE.Color(OTHER) },
-      groundColour: { value: GROUND },
-    };
-    const material = (isWall: number) =>
-      new THREE.ShaderMaterial({
-        vertexShader: VERTEX,
-        fragmentShader: FRAGMENT,
-        uniforms: { ...uniforms, isWall: { value: isWall } },
-        side: isWall ? THREE.DoubleSide : THREE.FrontSide,
-      });
-    this.top = material(0);
-    this.side = material(1);
-  }
-
-  get uniforms(): Record<string, THREE.IUniform> {
-    return this.top.uniforms;
+    this.uniforms = { ...terrainUniforms(), ...light };
+    this.uniforms.tints!.value = TINTS.map((tint) => new THREE.Vector3(...tint));
+    const { uniforms } = this;
+    this.top = new THREE.ShaderMaterial({ vertexShader: SURFACE_VERTEX, fragmentShader: SURFACE_FRAGMENT, uniforms });
+    this.side = new THREE.ShaderMaterial({ vertexShader: SURFACE_VERTEX, fragmentShader: WALL_FRAGMENT, uniforms, side: THREE.DoubleSide });
+    this.plants = new Plants(uniforms);
+    this.relief = new Relief(uniforms);
+    uniforms.relief!.value = this.relief.target.texture;
   }
 
   /** Show a run as it is now. */
-  update(run: Run): void {
+  update(run: Run, renderer: THREE.WebGLRenderer, plain: boolean): void {
     const { lattice } = run.description!;
     const look = this.app.view.look;
-    this.reshape(run);
-    this.drawn = smoothed(run.surface, run.rows, run.columns, look.smoothing, lattice.periodic);
+    this.reshape(run, plain);
+    this.drawn = settled(run.surface, run.rows, run.columns, look.smoothing, lattice.thickness, lattice.periodic);
     this.exaggeration = look.exaggeration ?? this.usualExaggeration(run);
     this.fillHeights(run);
-    this.colouring = colouring(this.app, run, this.drawn);
-    (this.values!.image.data as Float32Array).set(this.colouring.values);
-    this.values!.needsUpdate = true;
-    this.fillOverlay(run);
+    this.colouring = colouring(this.app, run, run.surface);
+    this.textures!.fillValues(this.colouring.values);
+    const layers = this.textures!.fillOverlay(run, look.overlays);
+    this.plants.mesh.visible = layers > 0 && this.colouring.natural;
     this.fillMap(this.colouring.map);
-    const { uniforms } = this;
-    uniforms.limits!.value.set(...this.colouring.limits);
-    uniforms.materialColour!.value.set(MATERIALS[run.material] ?? OTHER);
-    uniforms.natural!.value = this.colouring.natural ? 1 : 0;
-    uniforms.bare!.value = look.bare && look.side === "surface" ? 1 : 0;
-    uniforms.thickness!.value = lattice.thickness;
-    uniforms.contour!.value = this.contour();
-    uniforms.wire!.value = look.wireframe ? 1 : 0;
-    uniforms.shadows!.value = look.shadows ? 1 : 0;
-    uniforms.exaggeration!.value = this.exaggeration;
-    uniforms.base!.value = this.base;
-    uniforms.sun!.value.copy(sunAt(look.sunAzimuth, look.sunHeight));
+    this.set(run, plain);
+    this.relief.render(renderer, run.columns, run.rows, plain ? PLAIN : FULL);
     this.paths.update(run, this, this.exaggeration);
   }
 
   /** Height in the scene of a height of the run. */
   inScene(height: number): number {
     return (height - this.base) * this.exaggeration * this.scale;
+  }
+
+  /** Where in the scene a place (shares of the field) of the drawn surface is, `lift` above it. */
+  at(x: number, y: number, rows: number, columns: number, lift = 0): [number, number, number] {
+    const c = Math.min(Math.max(x * columns - 0.5, 0), columns - 1);
+    const r = Math.min(Math.max(y * rows - 0.5, 0), rows - 1);
+    const [c0, r0] = [Math.min(Math.floor(c), Math.max(columns - 2, 0)), Math.min(Math.floor(r), Math.max(rows - 2, 0))];
+    const [c1, r1] = [Math.min(c0 + 1, columns - 1), Math.min(r0 + 1, rows - 1)];
+    const value = (row: number) => this.drawn[row * columns + c0]! * (1 - c + c0) + this.drawn[row * columns + c1]! * (c - c0);
+    const height = value(r0) * (1 - r + r0) + value(r1) * (r - r0);
+    const [width, depth] = this.extent;
+    return [(x - 0.5) * width * this.scale, this.inScene(height) + lift, (0.5 - y) * depth * this.scale];
+  }
+
+  /** The box that the block fills in the scene. */
+  box(): THREE.Box3 {
+    const [width, depth] = this.extent.map((length) => (length * this.scale) / 2) as [number, number];
+    const high = this.drawn.length ? this.inScene(ends(this.drawn)[1]) : 0;
+    return new THREE.Box3(new THREE.Vector3(-width, 0, -depth), new THREE.Vector3(width, high, depth));
+  }
+
+  /** Half the block's width and depth, and the mean height of its southern wall, in the scene. */
+  block(columns: number): [number, number, number] {
+    let sum = 0;
+    for (let c = 0; c < columns; c++) sum += this.drawn[c] ?? 0;
+    const [width, depth] = this.extent;
+    return [(width * this.scale) / 2, (depth * this.scale) / 2, this.inScene(sum / Math.max(columns, 1))];
+  }
+
+  /** Note where the wind comes from when a run begins; to be called before `update`. */
+  begin(run: Run): void {
+    const { step, wind } = run.status!;
+    if (this.firstWind === null || step < this.lastStep) {
+      this.firstWind = wind;
+      this.usual = Number.POSITIVE_INFINITY;
+    }
+    this.lastStep = step;
+  }
+
+  private set(run: Run, plain: boolean): void {
+    const { lattice, scenario } = run.description!;
+    const look = this.app.view.look;
+    const material = lookOf(run.material);
+    const { uniforms } = this;
+    const steady = (scenario.wind as { kind?: string } | null)?.kind === "steady";
+    const wind = ((steady ? run.status!.wind : this.firstWind!) * Math.PI) / 180;
+    const numbers: Record<string, number> = {
+      natural: Number(this.colouring!.natural),
+      shaded: Number(look.shaded),
+      bare: Number(look.bare && look.side === "surface"),
+      thickness: lattice.thickness,
+      contour: this.contour(),
+      wire: Number(look.wireframe),
+      shadows: Number(look.shadows),
+      exaggeration: this.exaggeration,
+      base: this.base,
+      fine: Number(!plain),
+      rounded: Number(look.smoothing > 0 && !plain),
+      ripples: Number(material.ripples && lattice.cell_size >= RIPPLE_CELL),
+      size: 0.85 * lattice.cell_size,
+    };
+    for (const [name, value] of Object.entries(numbers)) uniforms[name]!.value = value;
+    uniforms.limits!.value.set(...this.colouring!.limits);
+    uniforms.loose!.value.set(...material.light);
+    uniforms.looseDark!.value.set(...material.dark);
+    uniforms.blowing!.value.set(-Math.sin(wind), -Math.cos(wind));
   }
 
   private contour(): number {
@@ -130,34 +162,22 @@ export class Terrain {
   }
 
   private fillHeights(run: Run): void {
-    const data = this.heights!.image.data as Float32Array;
     const width = this.app.view.look.smoothing;
-    if (this.groundOf !== run.ground || this.groundWidth !== width) {
-      const joined = run.description!.lattice.periodic;
-      this.ground = smoothed(run.ground, run.rows, run.columns, width, joined);
-      [this.groundOf, this.groundWidth] = [run.ground, width];
+    const { periodic, thickness } = run.description!.lattice;
+    if (this.groundKey[0] !== run.ground || this.groundKey[1] !== width) {
+      this.ground = settled(run.ground, run.rows, run.columns, width, thickness, periodic);
+      this.groundKey = [run.ground, width];
     }
-    let lowest = Number.POSITIVE_INFINITY;
-    let low = Number.POSITIVE_INFINITY;
-    for (let i = 0; i < this.drawn.length; i++) {
-      const height = this.drawn[i]!;
-      data[2 * i] = height;
-      data[2 * i + 1] = this.ground[i]!;
-      if (height < low) low = height;
-      if (run.ground[i]! < lowest) lowest = run.ground[i]!;
-    }
-    this.cutFrom(lowest, low);
-    this.heights!.needsUpdate = true;
+    this.textures!.fillHeights(this.drawn, this.ground);
+    this.cutFrom(ends(run.ground)[0], ends(this.drawn)[0]);
   }
 
-  /** Slabs a third as high as wide are drawn a little steeper than they are, flat ones more, high relief less. */
+  /** Never more than before as the forms grow, so that they are seen to grow. */
   private usualExaggeration(run: Run): number {
-    const { thickness, cell_size } = run.description!.lattice;
-    if (run.status!.step === 0) this.usual = Number.POSITIVE_INFINITY;
+    const { cell_size, thickness } = run.description!.lattice;
     const [low, high] = ends(this.drawn);
-    const fits = (MOST_RELIEF * Math.max(...this.extent)) / (high - low || 1);
-    const wanted = Math.min(1.5 * Math.sqrt(cell_size / thickness / 3), fits, 20);
-    this.usual = Math.min(this.usual, Math.max(Math.round(2 * wanted) / 2, 1.5));
+    const steep = steepness(this.drawn, run.rows, run.columns, cell_size);
+    this.usual = Math.min(this.usual, usualExaggeration(steep, high - low, thickness, Math.max(...this.extent)));
     return this.usual;
   }
 
@@ -170,66 +190,38 @@ export class Terrain {
     else if (!(this.base >= least && this.base <= most)) this.base = surface - 1.2 * FOOT * thick;
   }
 
-  private fillOverlay(run: Run): void {
-    const shown = this.app.view.look.overlays.filter((name) => run.fields.has(name)).slice(0, 4);
-    const data = this.overlay!.image.data as Uint8Array;
-    data.fill(0);
-    shown.forEach((name, layer) => {
-      const field = run.fields.get(name)!;
-      for (let i = 0; i < field.length; i++) data[4 * i + layer] = 255 * Math.min(Math.max(field[i]!, 0), 1);
-    });
-    this.overlay!.needsUpdate = true;
-  }
-
   private fillMap(name: string): void {
     const colours = this.app.colours[name];
     if (!colours || (this.map === name && this.uniforms.map!.value)) return;
     this.map = name;
-    const data = new Uint8Array(colours.flatMap((colour) => [...colour, 255]));
-    const texture = new THREE.DataTexture(data, colours.length, 1);
-    texture.minFilter = texture.magFilter = THREE.LinearFilter;
-    texture.needsUpdate = true;
-    this.uniforms.map!.value = texture;
+    this.uniforms.map!.value = mapTexture(colours);
   }
 
-  private reshape(run: Run): void {
+  private reshape(run: Run, plain: boolean): void {
     const { lattice } = run.description!;
-    const shape = `${run.rows}x${run.columns}x${lattice.cell_size}`;
+    const shape = `${run.rows}x${run.columns}x${lattice.cell_size}${plain}`;
     if (shape === this.shape) return;
     this.shape = shape;
     this.usual = Number.POSITIVE_INFINITY;
     this.extent = [run.columns * lattice.cell_size, run.rows * lattice.cell_size];
     this.scale = SIZE / Math.max(...this.extent);
-    const filter = this.linear ? THREE.LinearFilter : THREE.NearestFilter;
-    for (const old of [this.heights, this.values, this.overlay]) old?.dispose();
-    const count = run.rows * run.columns;
-    const make = (data: Float32Array | Uint8Array, format: THREE.PixelFormat, type: THREE.TextureDataType) => {
-      const texture = new THREE.DataTexture(data as never, run.columns, run.rows, format, type);
-      texture.minFilter = texture.magFilter = type === THREE.UnsignedByteType ? THREE.LinearFilter : filter;
-      return texture;
-    };
-    this.heights = make(new Float32Array(2 * count), THREE.RGFormat, THREE.FloatType);
-    this.values = make(new Float32Array(count), THREE.RedFormat, THREE.FloatType);
-    this.overlay = make(new Uint8Array(4 * count), THREE.RGBAFormat, THREE.UnsignedByteType);
+    this.textures?.dispose();
+    this.textures = new FieldTextures(run.rows, run.columns, this.linear);
     const { uniforms } = this;
-    uniforms.heights!.value = this.heights;
-    uniforms.values!.value = this.values;
-    uniforms.overlay!.value = this.overlay;
+    uniforms.heights!.value = this.textures.heights;
+    uniforms.values!.value = this.textures.values;
+    uniforms.overlay!.value = this.textures.overlay;
     uniforms.cells!.value.set(run.columns, run.rows);
     uniforms.extent!.value.set(...this.extent);
     uniforms.scale!.value = this.scale;
-    this.group.clear();
-    const across = Math.min(run.columns - 1, FINEST);
-    const along = Math.min(run.rows - 1, FINEST);
-    const surface = new THREE.Mesh(grid(across, along), this.top);
-    const walls = new THREE.Mesh(skirt(across, along), this.side);
+    const finest = plain ? FINEST.plain : FINEST.full;
+    const parts = (cells: number) => Math.min(plain ? cells - 1 : Math.max(cells - 1, Math.min(2 * cells, 256)), finest);
+    const surface = new THREE.Mesh(grid(parts(run.columns), parts(run.rows)), this.top);
+    const walls = new THREE.Mesh(skirt(parts(run.columns), parts(run.rows)), this.side);
     surface.frustumCulled = walls.frustumCulled = false;
-    this.group.add(surface, walls, this.paths.lines);
+    for (const old of this.group.children) if (old instanceof THREE.Mesh && old !== this.plants.mesh) old.geometry.dispose();
+    this.group.clear();
+    this.plants.sow(run.columns, run.rows);
+    this.group.add(surface, walls, this.plants.mesh, this.paths.lines);
   }
-}
-
-function sunAt(azimuth: number, height: number): THREE.Vector3 {
-  const a = (azimuth * Math.PI) / 180;
-  const h = (height * Math.PI) / 180;
-  return new THREE.Vector3(Math.sin(a) * Math.cos(h), Math.sin(h), -Math.cos(a) * Math.cos(h));
 }

@@ -7,7 +7,7 @@ import { icon } from "./icons";
 const LIMITS: [string, number | null][] = [
   ["no limit", null],
   ["100 steps/s", 100],
-  ["30 steps/s", 30],
+  ["40 steps/s", 40],
   ["10 steps/s", 10],
   ["3 steps/s", 3],
   ["1 step/s", 1],
@@ -18,6 +18,7 @@ export class Bar {
   private readonly title = h("h1", { className: "title" });
   private readonly model = h("span", { className: "model" });
   private readonly play: HTMLButtonElement;
+  private readonly limit: HTMLSelectElement;
   private readonly count = h("input", {
     type: "number",
     value: "100",
@@ -33,7 +34,7 @@ export class Bar {
     extras: HTMLElement[],
   ) {
     this.play = button("Run (space)", icon("run"), () => this.toggle(), { className: "primary" });
-    const limit = h(
+    this.limit = h(
       "select",
       {
         "aria-label": "Speed limit",
@@ -56,7 +57,7 @@ export class Bar {
         button("One step (.)", icon("step"), () => this.step(1)),
         this.count,
         button("do these steps", "do", () => this.step(Number(this.count.value) || 1)),
-        limit,
+        this.limit,
         button("Restart with the same seed (R)", icon("restart"), () => this.restart()),
       ),
       h("dl", { className: "status", "aria-label": "Status" }, ...this.status()),
@@ -108,14 +109,16 @@ export class Bar {
     const run = this.app.current;
     const { description, status } = run ?? {};
     const titles = this.app.runs.map((one) => one.description?.model.title).filter(Boolean);
-    const title = String(description?.scenario.title || "Untitled scenario");
+    const title = description ? String(description.scenario.title || "Untitled scenario") : "";
     this.title.textContent = title;
     this.model.textContent = titles.join("  ·  ");
-    document.title = `${title} – Barchan studio`;
+    document.title = title ? `${title} – Barchan studio` : "Barchan studio";
     const running = this.app.running;
     this.showRunning(running);
     if (!status || !description) return;
     this.numbers.volume!.previousElementSibling!.textContent = run!.material;
+    const chosen = LIMITS.findIndex(([, rate]) => rate === status.limit);
+    if (chosen >= 0 && document.activeElement !== this.limit) this.limit.selectedIndex = chosen;
     const texts: Record<string, string> = {
       step: short(status.step, 9),
       rate: running ? short(status.rate, 3) : "paused",

@@ -70,6 +70,11 @@ export function metres(value: number | undefined, digits = 4): string {
   return `${short(value === undefined ? value : factor * value, digits)} ${unit}`;
 }
 
+/** How many times as steep as they are heights are drawn, in words. */
+export function heights(times: number): string {
+  return Math.abs(times - 1) < 0.05 ? "heights to scale" : `heights × ${short(times, 2)}`;
+}
+
 /** A duration in the units that people would state it in. */
 export function duration(seconds: number): string {
   const two = (value: number) => String(Math.floor(value)).padStart(2, "0");

@@ -5,7 +5,7 @@ import { problemText } from "../core/notices";
 import type { JsonObject, Problem } from "../core/protocol";
 import type { Stage } from "../scene/stage";
 import { dialog, formDialog } from "./dialog";
-import { download, h, themeColour } from "./dom";
+import { download, h } from "./dom";
 import { menu } from "./menu";
 
 /** Whether a file's name ends in one of some suffixes. */
@@ -65,7 +65,7 @@ export class Files {
 
   async savePicture(): Promise<void> {
     const step = this.app.current?.status?.step ?? 0;
-    download(`barchan-${step}.png`, await this.stage.picture(themeColour("paper")));
+    download(`barchan-${step}.png`, await this.stage.picture());
   }
 
   saveScenario(): void {

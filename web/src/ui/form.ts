@@ -1,10 +1,11 @@
 /** Forms made from the schema of scenarios: no parameter is written down twice. */
 
 import type { Json, JsonObject } from "../core/protocol";
-import { type Schema, bounds, entryOf, initial } from "../core/schema";
+import { otherValue } from "../core/beside";
+import { type Entry, type Schema, bounds, entryOf, initial } from "../core/schema";
 import { h, id, short } from "./dom";
-import { icon } from "./icons";
 import { numberControl } from "./number";
+import { icon } from "./icons";
 import { labelOf } from "./labels";
 import { isCurve, isRamp, rampEditor } from "./ramp";
 
@@ -22,6 +23,8 @@ export interface FormContext {
   keyOf: (path: Path) => string;
   /** Why the value of a key was refused last; empty where it was not. */
   trouble: (key: string) => string;
+  /** Run another value of a key beside the one now; null where two runs are shown already. */
+  beside: ((key: string, value: Json) => void) | null;
   /** Whether a path can change while the run goes on. */
   live: (path: Path, schema: Schema) => boolean;
 }
@@ -160,7 +163,7 @@ function row(context: FormContext, name: string, given: Schema, value: Json, pat
     "div",
     { className: "row", title: explained(schema, live) },
     h("label", { for: label }, labelOf(name), unit && h("span", { className: "unit" }, unit), !live && restartMark()),
-    h("div", { className: "control" }, ...controls, reset),
+    h("div", { className: "control" }, ...controls, reset, besideButton(context, entry, name, value, path)),
     trouble(context, path),
   );
 }
@@ -168,6 +171,15 @@ function row(context: FormContext, name: string, given: Schema, value: Json, pat
 /** The mark of what restarts the run when it is changed. */
 export function restartMark(): HTMLElement {
   return h("span", { className: "restarts", role: "img", "aria-label": "restarts the run" }, icon("restart"));
+}
+
+/** One click that shows another value of a model's parameter beside the one now. */
+function besideButton(context: FormContext, entry: Entry, name: string, value: Json, path: Path): HTMLElement | false {
+  const { beside } = context;
+  const other = otherValue(entry, value);
+  if (!beside || other === null || path[0] !== "model" || path.length !== 2) return false;
+  const label = `Show ${labelOf(name)} ${shown(value)} and ${shown(other)} side by side`;
+  return h("button", { type: "button", className: "beside", title: label, "aria-label": label, onclick: () => beside(context.keyOf(path), other) }, icon("beside"));
 }
 
 /** The place where it stands why a value was refused. */

@@ -1,9 +1,10 @@
 /** The display over the scene: compass with the wind, scale bar, colour bar, values under the mouse. */
 
 import type { App } from "../core/app";
+import { nameBeside } from "../core/run";
 import type { Stage } from "../scene/stage";
 import { slopes } from "../scene/smooth";
-import { fitCanvas, h, lengthUnit, metres, short, svg } from "./dom";
+import { fitCanvas, h, heights, lengthUnit, metres, short, svg } from "./dom";
 
 const BAR = 110;
 
@@ -13,6 +14,7 @@ export class Hud {
   private readonly wind = svg("g", { class: "wind" }, svg("line", { x1: 0, y1: -30, x2: 0, y2: 24 }), svg("path", { d: "M0 30 L-6 17 L6 17 Z" }));
   private readonly windText = h("span", { className: "wind-text" });
   private readonly scale = h("div", { className: "scale" });
+  private readonly steeper = h("div", { className: "steeper", title: "Heights are drawn this many times as steep as they are (View, vertical exaggeration)" });
   private readonly bar = h("canvas", { className: "colour-canvas" });
   private readonly barTitle = h("div", { className: "bar-title" });
   private readonly barEnds = h("div", { className: "bar-ends" });
@@ -33,10 +35,10 @@ export class Hud {
     this.colours = h("div", { className: "colours" }, this.barTitle, this.bar, this.barEnds);
     this.element = h(
       "div",
-      { className: "hud" },
+      { className: "hud", hidden: true },
       this.names,
       h("div", { className: "compass" }, compass as unknown as HTMLElement, this.windText),
-      h("div", { className: "corner" }, this.colours, this.scale),
+      h("div", { className: "corner" }, this.colours, h("div", { className: "measure" }, this.scale, this.steeper)),
       this.under,
     );
     stage.onDrawn = () => this.draw();
@@ -63,6 +65,7 @@ export class Hud {
 
   private draw(): void {
     const run = this.app.current;
+    this.element.hidden = !run?.ready;
     if (!run?.ready) return;
     const heading = (this.stage.heading() * 180) / Math.PI;
     this.rose.setAttribute("transform", `rotate(${-heading})`);
@@ -73,7 +76,7 @@ export class Hud {
     const two = this.app.runs.length > 1;
     this.names.hidden = !two;
     if (two) {
-      const names = this.app.runs.map((one) => `${one.description?.model.title ?? ""} · step ${short(one.status?.step, 9)}`);
+      const names = this.app.runs.map((one, at) => `${nameBeside(one, this.app.runs[1 - at])} · step ${short(one.status?.step, 9)}`);
       if (this.names.dataset.text !== names.join("|")) {
         this.names.dataset.text = names.join("|");
         this.names.replaceChildren(...names.map((name) => h("span", {}, name)));
@@ -90,6 +93,8 @@ export class Hud {
     this.scale.style.width = `${length / perPixel}px`;
     const text = metres(length);
     if (this.scale.textContent !== text) this.scale.textContent = text;
+    const times = heights(this.stage.terrain(this.app.current!)?.exaggeration ?? 1);
+    if (this.steeper.textContent !== times) this.steeper.textContent = times;
   }
 
   private drawn = "";

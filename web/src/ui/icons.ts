@@ -13,13 +13,14 @@ const SHAPES = {
   down: ["M8 3 V13", "M4 9 L8 13 L12 9"],
   remove: ["M4 4 L12 12", "M12 4 L4 12"],
   latest: ["M3 3 L10 8 L3 13 Z", "M12 3 V13"],
+  beside: ["M2 3 H7 V13 H2 Z", "M9 3 H14 V13 H9 Z"],
   panel: ["M2 3 H14 V13 H2 Z M10 3 V13"],
   full: ["M6 2.5 H2.5 V6", "M10 2.5 H13.5 V6", "M6 13.5 H2.5 V10", "M10 13.5 H13.5 V10"],
 } as const;
 
 export type Icon = keyof typeof SHAPES;
 
-const OUTLINES = new Set<Icon>(["panel"]);
+const OUTLINES = new Set<Icon>(["panel", "beside"]);
 
 export function icon(name: Icon): SVGElement {
   const paths = SHAPES[name].map((d) => svg("path", { d, class: d.endsWith("Z") && !OUTLINES.has(name) ? "solid" : "line" }));

@@ -3,6 +3,7 @@
 import type { App } from "../core/app";
 import type { Json, JsonObject } from "../core/protocol";
 import { type Schema, at, entryOf, replaced } from "../core/schema";
+import { nameBeside } from "../core/run";
 import { h, id, later } from "./dom";
 import { type FormContext, type Path, field, group, restartMark, variantField } from "./form";
 import { changeList, same } from "./changes";
@@ -13,7 +14,7 @@ const LOOSE = "sand";
 /** Groups that keep their values when all defaults are put back: the wind has a page of its own, the run its seed. */
 const KEPT = new Set(["wind", "run", "weather"]);
 /** Keys of a scenario that are shown elsewhere, or are no groups. */
-const ELSEWHERE = new Set(["barchan", "note", "title", "citation", "look_for", "wind", "model"]);
+const ELSEWHERE = new Set(["barchan", "note", "title", "citation", "look_for", "question", "wind", "model"]);
 
 export class Panel {
   readonly element = h("div", { className: "forms" });
@@ -71,13 +72,16 @@ export class Panel {
       variant: (path, key, name) => void this.variant(path, key, name),
       keyOf: (path) => path.join("."),
       trouble: (key) => this.app.notices.troubles.get(key) ?? "",
+      beside: this.app.runs.length > 1 ? null : (key, value) => void this.beside(key, value),
       live: (path, schema) => path[0] === "model" && !path.some(Number.isInteger) && schema.live === true,
     };
     const look = String(this.scenario.look_for ?? "");
+    const question = String(this.scenario.question ?? "");
     const about = h(
       "div",
       { className: "about" },
       look && h("p", {}, look),
+      question && h("p", { className: "question" }, question),
       h("p", { className: "source" }, String(this.scenario.citation ?? "")),
     );
     return [
@@ -93,6 +97,13 @@ export class Panel {
     ];
   }
 
+  /** Run another value beside; the panel then shows the parameters of the right one. */
+  private async beside(key: string, value: Json): Promise<void> {
+    if (!(await this.app.ask({ command: "compare", key, value }))) return;
+    this.app.selected = "b";
+    this.app.changed.send();
+  }
+
   private whose(): HTMLElement[] {
     if (this.app.runs.length < 2) return [];
     const choose = (name: "a" | "b") => {
@@ -103,7 +114,7 @@ export class Panel {
       h(
         "button",
         { type: "button", "aria-pressed": String(run.name === this.app.selected), onclick: () => choose(run.name) },
-        `${at ? "right" : "left"}: ${run.description?.model.title ?? ""}`,
+        `${at ? "right" : "left"}: ${nameBeside(run, this.app.runs[1 - at])}`,
       ),
     );
     return [h("div", { className: "whose", role: "group", "aria-label": "Whose parameters" }, ...tabs)];

@@ -81,7 +81,8 @@ export class StateNotice {
         way: () => action("go on with the map", () => this.dismiss()),
       };
     }
-    return finished ? { text: `The run ended: ${finished}.`, calm: true } : null;
+    if (finished) return { text: `The run ended: ${finished}.`, calm: true };
+    return this.atItsEnd() ? { text: "Here the scenario ends.", calm: true, way: () => action("go on", () => void this.app.send({ command: "run" })) } : null;
   }
 
   /** Both ways out of a loss: from the state that the server kept, and from the beginning. */
@@ -93,6 +94,13 @@ export class StateNotice {
       kept !== null && action(`go on from step ${short(kept, 9)}`, () => void this.app.send({ command: "revive", kept })),
       action("restart the run", () => void this.app.send({ command: "revive" })),
     );
+  }
+
+  /** Whether the run stands at the last step that its scenario names. */
+  private atItsEnd(): boolean {
+    const { current, running } = this.app;
+    const run = current?.description?.scenario.run as { steps?: number } | undefined;
+    return !running && !current?.status?.looking && current?.status?.step === run?.steps;
   }
 }
 

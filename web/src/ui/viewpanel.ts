@@ -52,6 +52,7 @@ export class ViewPanel {
       this.choice("colour by", "field", named),
       this.choice("colours", "map", [["perceptual", "perceptual"], ["grey", "grey"], ["red-green", "red (high) to green"]]),
       this.limits(),
+      this.check("shade the colours by the relief", "shaded"),
       this.check("ground in grey where it is bare", "bare"),
       ...(two ? [h("h2", {}, "Two at once"), this.choice("show", "side", [["surface", "each by itself"], ["difference", "right less left"]])] : []),
       ...(layers.length ? [h("h2", {}, "Layers"), ...layers.map((layer) => this.layer(layer.field, layer.title))] : []),
@@ -63,10 +64,10 @@ export class ViewPanel {
       this.check("wireframe of the cells", "wireframe"),
       h("h2", {}, "Shape and light"),
       ...this.exaggeration(),
-      this.slider("smoothing (display only)", "smoothing", 0, 4, "cells"),
-      this.slider("sun from", "sunAzimuth", 0, 360, "°"),
-      this.slider("sun height", "sunHeight", 5, 89, "°"),
+      this.slider("smoothing (display only)", "smoothing", 0, 4, "×"),
+      ...this.sun(),
       this.check("shadows of the sun", "shadows"),
+      this.choice("detail", "quality", [["automatic", "automatic"], ["full", "full"], ["plain", "plain (slow graphics)"]]),
       h("h2", {}, "Camera"),
       h(
         "div",
@@ -75,6 +76,7 @@ export class ViewPanel {
           h("button", { type: "button", onclick: () => this.stage.look(from) }, from),
         ),
       ),
+      this.check("turn slowly while nobody touches it", "turning"),
       h("h2", {}, "Page"),
       this.choice("theme", "theme", [["system", "as the system"], ["light", "light"], ["dark", "dark"]]),
       h("button", { type: "button", className: "quiet", onclick: () => this.set({ ...LOOK }, true) }, "reset the view"),
@@ -100,7 +102,7 @@ export class ViewPanel {
     return this.row(label, select);
   }
 
-  private check(label: string, key: "bare" | "wireframe" | "shadows"): HTMLElement {
+  private check(label: string, key: "bare" | "wireframe" | "shadows" | "shaded" | "turning"): HTMLElement {
     const box = h("input", {
       type: "checkbox",
       "data-look": key,
@@ -123,7 +125,7 @@ export class ViewPanel {
     return this.row(label, input, h("span", { className: "unit" }, unit));
   }
 
-  private slider(label: string, key: "smoothing" | "sunAzimuth" | "sunHeight", min: number, max: number, unit: string): HTMLElement {
+  private slider(label: string, key: "smoothing", min: number, max: number, unit: string): HTMLElement {
     const value = h("span", { className: "unit" });
     const show = () => {
       value.textContent = `${Number(this.app.view.look[key].toFixed(1))} ${unit}`;
@@ -171,7 +173,41 @@ export class ViewPanel {
     };
     show();
     this.showExaggeration = show;
-    return [this.row("vertical exaggeration", slider, value), this.row("as slabs ask for", usual)];
+    return [this.row("vertical exaggeration", slider, value), this.row("automatic", usual)];
+  }
+
+  /** Where the sun stands, and the choice to leave it to the wind. */
+  private sun(): HTMLElement[] {
+    const rows = ([["sun from", "azimuth", "sunAzimuth", 0, 360], ["sun height", "height", "sunHeight", 5, 89]] as const).map(([label, part, key, min, max]) => {
+      const value = h("span", { className: "unit" });
+      const slider = h("input", {
+        type: "range",
+        min: String(min),
+        max: String(max),
+        step: "any",
+        oninput: () => {
+          this.set({ [key]: Number(Number(slider.value).toFixed(1)) });
+          show();
+        },
+      });
+      const show = () => {
+        slider.value = String(this.stage.sun()[part]);
+        value.textContent = `${Number(this.stage.sun()[part].toFixed(1))} °`;
+        across.checked = this.app.view.look.sunAzimuth === null && this.app.view.look.sunHeight === null;
+      };
+      return { row: this.row(label, slider, value), show };
+    });
+    const show = () => rows.forEach((row) => row.show());
+    const across = h("input", {
+      type: "checkbox",
+      onchange: () => {
+        const { azimuth, height } = this.stage.sun();
+        this.set(across.checked ? { sunAzimuth: null, sunHeight: null } : { sunAzimuth: azimuth, sunHeight: height });
+        show();
+      },
+    });
+    show();
+    return [...rows.map((row) => row.row), this.row("across the crests", across)];
   }
 
   private limits(): HTMLElement {

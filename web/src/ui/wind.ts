@@ -121,6 +121,7 @@ export class WindPanel {
       },
       keyOf: (path) => ["wind", ...path].join("."),
       trouble: (key) => this.app.notices.troubles.get(key) ?? "",
+      beside: null,
       live: () => true,
     };
   }

@@ -7,7 +7,7 @@ import { type Profile, ends, profile } from "../core/profile";
 import { type SectionLine, alongWind } from "../core/section";
 import type { Stage } from "../scene/stage";
 import { SectionLayers } from "./strata";
-import { button, download, fitCanvas, h, lengthUnit, metres, short, themeColour, ticks } from "../ui/dom";
+import { button, download, fitCanvas, h, heights, lengthUnit, metres, short, themeColour, ticks } from "../ui/dom";
 
 const MARGIN = { left: 54, right: 14, top: 12, bottom: 30 };
 /** A layer deeper than this multiple of its relief is not shown down to the ground. */
@@ -166,6 +166,8 @@ export class SectionView {
     c.fillText("distance (m)", width - MARGIN.right, height - 3);
     c.textAlign = "left";
     c.fillText(`elevation (${unit})`, 4, 10);
+    const times = (y(low) - y(high)) / (high - low) / ((x(length) - x(0)) / length);
+    c.fillText(heights(times), MARGIN.left, height - 3);
   }
 
   private shadows(c: CanvasRenderingContext2D, p: Profile, x: (d: number) => number, top: number, foot: number): void {

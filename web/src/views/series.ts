@@ -3,11 +3,13 @@
 import uPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
 import type { App } from "../core/app";
+import { centreOf, named, nearest } from "../core/crests";
 import type { Measure } from "../core/protocol";
 import { BalanceTable } from "./balance";
 import { download, button, h, short, themeColour } from "../ui/dom";
 
 const FIRST = ["highest_stack", "spacing", "crest_azimuth", "speed", "flux"];
+const CREST = "crest_azimuth";
 const PAUSE = 200;
 
 export class SeriesView {
@@ -63,6 +65,7 @@ export class SeriesView {
     }
     if (!at_once && performance.now() - this.drawnAt < PAUSE) return;
     this.drawnAt = performance.now();
+    this.centreCrests();
     for (const { measure, chart, value } of this.charts) {
       chart.setData(this.data(measure.name));
       const rows = this.app.current?.measures ?? [];
@@ -76,10 +79,22 @@ export class SeriesView {
   /** The steps of all runs, and each run's values there. */
   private data(name: string): uPlot.AlignedData {
     const tables = this.app.runs.map(
-      (run) => [run.measures.map((row) => row.step), run.measures.map((row) => row.values[name] ?? null)] as uPlot.AlignedData,
+      (run) => [run.measures.map((row) => row.step), run.measures.map((row) => this.plotted(name, row.values[name] ?? null))] as uPlot.AlignedData,
     );
     if (tables.length === 1) return tables[0]!;
     return uPlot.join(tables);
+  }
+
+  private centre = 90;
+
+  /** A value as it is plotted: crests on the side of their line that is nearest to the plot's middle. */
+  private plotted(name: string, value: number | null): number | null {
+    return name === CREST && value !== null ? nearest(value, this.centre) : value;
+  }
+
+  private centreCrests(): void {
+    const found = this.app.runs.flatMap((run) => run.measures.map((row) => row.values[CREST])).filter((value) => value != null);
+    this.centre = centreOf(found, this.app.current?.status?.wind ?? 0);
   }
 
   private choices(): void {
@@ -123,10 +138,10 @@ export class SeriesView {
       height: 120,
       legend: { show: false },
       cursor: { drag: { x: false, y: false }, points: { size: 6 } },
-      scales: { x: { time: false }, ...(measure.name === "crest_azimuth" ? { y: { range: [0, 180] } } : {}) },
+      scales: { x: { time: false }, ...(measure.name === CREST ? { y: { range: () => [this.centre - 90, this.centre + 90] } } : {}) },
       axes: [
         { ...axis, size: 26, space: 50, font: "10px system-ui", values: (_, marks) => marks.map((mark) => short(mark)) },
-        { ...axis, size: 48, space: 22, font: "10px system-ui", values: (_, marks) => marks.map((mark) => short(mark, 3)) },
+        { ...axis, size: 48, space: 22, font: "10px system-ui", values: (_, marks) => marks.map((mark) => short(measure.name === CREST ? named(mark) : mark, 3)) },
       ],
       series: [
         {},

@@ -1,5 +1,6 @@
 """Data that a page requests once: presets with their pictures, the schema, kinds of files."""
 
+import tomllib
 from functools import cache
 from importlib.resources import files
 from typing import Any
@@ -11,16 +12,19 @@ from barchan.studio.server.workspace import HEIGHTS, RECORDS
 
 @cache
 def presets() -> list[dict[str, Any]]:
-    """Every preset: name, title, source, what to look for, model, size."""
+    """Every preset, by groups: name, group, title, source, what to look for, a question, model, size."""
     found = []
-    for name in preset_names():
+    for name, group in _grouped():
         scenario = load_scenario(name)
         found.append(
             {
                 "name": name,
+                "group": group,
+                "start": name == showpiece(),
                 "title": scenario.title,
                 "citation": scenario.citation,
                 "look_for": scenario.look_for,
+                "question": scenario.question,
                 "model": models()[scenario.model.name].title,
                 "rows": scenario.lattice.rows,
                 "columns": scenario.lattice.columns,
@@ -28,6 +32,29 @@ def presets() -> list[dict[str, Any]]:
             }
         )
     return found
+
+
+@cache
+def groups() -> dict[str, list[str]]:
+    """The names of presets by the title of their group; the first of each is where to start."""
+    return {group["title"]: group["presets"] for group in _listing()["group"]}
+
+
+def showpiece() -> str:
+    """The preset that the studio opens with where none is named."""
+    return str(_listing()["showpiece"])
+
+
+@cache
+def _listing() -> dict[str, Any]:
+    return tomllib.loads(files("barchan.presets").joinpath("gallery.toml").read_text("utf-8"))
+
+
+def _grouped() -> list[tuple[str, str]]:
+    """Presets with their groups, in the gallery's order; those of no group at the end."""
+    listed = [(name, title) for title, names in groups().items() for name in names]
+    known = {name for name, _ in listed}
+    return [*listed, *((name, "Other") for name in preset_names() if name not in known)]
 
 
 def thumbnail(name: str) -> bytes | None:

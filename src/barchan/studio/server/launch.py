@@ -33,6 +33,8 @@ class Studio:
     host: str = "127.0.0.1"
     port: int | None = None
     """0: any free one; None: the usual one, so that what the browser keeps is found again, or a free one."""
+    gallery: bool = False
+    """Whether the page opens with the gallery of presets."""
 
 
 def serve(studio: Studio, ready: Callable[[str], None], open_browser: bool = True) -> None:
@@ -53,6 +55,7 @@ def serve(studio: Studio, ready: Callable[[str], None], open_browser: bool = Tru
     config = configured(application(session, guard))
     shown = "127.0.0.1" if studio.host in ("0.0.0.0", "::") else studio.host  # noqa: S104
     address = f"http://{f'[{shown}]' if ':' in shown else shown}:{port}/?token={guard.token}"
+    address += "#gallery" if studio.gallery else ""
     ready(address)
     if open_browser:
         webbrowser.open(address)

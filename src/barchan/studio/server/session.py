@@ -204,7 +204,7 @@ class Session:
             )
         self.lockstep = None if alone else Lockstep(self.workers, self._on_lockstep)
         if self.lockstep is not None and running:
-            self.lockstep.run()
+            self.lockstep.run(min(int(data["run"]["steps"]) for data in scenarios.values()))
 
     def resume(self, step: int) -> None:
         """Let all runs continue from the states that are kept after a step."""

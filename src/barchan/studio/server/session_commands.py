@@ -1,7 +1,7 @@
 """The commands that the session carries out itself: they begin, end, save and open whole runs."""
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from barchan.errors import BarchanError
 from barchan.models import models
@@ -35,15 +35,15 @@ def create(session: "Session", request: Request) -> None:
 
 @SESSION.handles("compare")
 def compare(session: "Session", request: Request) -> None:
-    """Run another model beside, on the same ground, under the same wind, from the same seed.
+    """Run another model, or another value of a parameter, beside: the same ground, wind and seed.
 
     The model that runs already begins with the values that it has; any other with its defaults.
     """
-    first, name = session.scenarios[FIRST], request["model"]
-    if name not in models():
-        raise BarchanError(f"no model '{name}'; allowed: {', '.join(models())}")
-    model = first["model"] if first["model"]["name"] == name else {"name": name}
-    second = validate({**first, "model": model}).data()
+    first = session.scenarios[FIRST]
+    if "key" in request:
+        second = validate(with_value(first, str(request["key"]), request["value"])).data()
+    else:
+        second = validate({**first, "model": _model_beside(first, request["model"])}).data()
     beside = {SECOND: {"origin": first, **_id_of(request)}, FIRST: {"changed": True}}
     session.begin({FIRST: first, SECOND: second}, True, beside)
     session.report_runs()
@@ -82,6 +82,26 @@ def open_run(session: "Session", request: Request) -> None:
         raise BarchanError(f"no run '{folder.name}' in {session.workspace.folder}")
     session.end_second()
     session.start_run(FIRST, {"command": "open_folder", "folder": str(folder), "id": request.get("id")})
+
+
+def _model_beside(scenario: dict[str, Any], name: Any) -> dict[str, Any]:
+    if name not in models():
+        raise BarchanError(f"no model '{name}'; allowed: {', '.join(models())}")
+    own: dict[str, Any] = scenario["model"]
+    return own if own["name"] == name else {"name": name}
+
+
+def with_value(scenario: dict[str, Any], key: str, value: Any) -> dict[str, Any]:
+    """Data of a scenario with another value at a dotted key; raises BarchanError where it has no such key."""
+    first, _, rest = key.partition(".")
+    if first not in scenario:
+        raise BarchanError(f"the scenario has no '{first}'")
+    if not rest:
+        return {**scenario, first: value}
+    group = scenario[first]
+    if not isinstance(group, dict):
+        raise BarchanError(f"'{first}' of the scenario has no '{rest}'")
+    return {**scenario, first: with_value(group, rest, value)}
 
 
 def _id_of(request: Request) -> Request:

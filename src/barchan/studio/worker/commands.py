@@ -243,13 +243,17 @@ class RunCommands:
         return layers_along(self.current.shown, line, str(request["by"]))
 
     def _take(self, run: StudioRun, running: bool, origin: Scenario | None = None) -> None:
-        """Continue with another run, under the same speed limit; without an origin it is one of its own."""
+        """Continue with another run, under the same speed limit, up to its scenario's end.
+
+        Without an origin it is one of its own.
+        """
         self.origin = origin or run.live.scenario
-        run.speed.limit = self.run.speed.limit if self.run else None
+        if self.run:
+            run.speed.limit = self.run.speed.limit
         self.run = run
         self._announce()
         if running:
-            run.run()
+            run.run_to_its_end()
 
     def _announce(self) -> None:
         """Send everything again: the run's past is another one."""

@@ -8,6 +8,7 @@ from barchan.models import models
 from barchan.scenario import Scenario, validate
 from barchan.scenario.changes import changed_from
 from barchan.simulation import Simulation
+from barchan.squares import Squares
 from barchan.studio.worker.brushes import brushes
 from barchan.studio.worker.changes import changes_of
 from barchan.studio.worker.frame_fields import fields_of
@@ -20,7 +21,7 @@ def description(simulation: Simulation, origin: Scenario) -> dict[str, Any]:
 
     Title and citation name every value in which it differs from its ``origin``.
     """
-    lattice, model = simulation.lattice, simulation.model
+    lattice, model = Squares(simulation.lattice).lattice, simulation.model
     sound = validate(simulation.current_data(), "run")
     limits = model.slope_limits().get("bare", ())
     return {

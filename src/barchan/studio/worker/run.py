@@ -67,6 +67,11 @@ class StudioRun:
         self.running = target is None or target > self.live.steps_done
         self.speed.restart()
 
+    def run_to_its_end(self) -> None:
+        """Run up to the last step of the scenario, or on and on where that is behind."""
+        end = self.live.scenario.run.steps
+        self.run(end if end > self.live.steps_done else None)
+
     def pause(self) -> None:
         """Stop."""
         self.running = False
@@ -160,6 +165,7 @@ class StudioRun:
             "looking": self.looking is not None,
             "can_branch": self.looking is not None and self.can_branch,
             "rate": self.speed.rate if self.busy else 0.0,
+            "limit": self.speed.limit,
             "highest": highest_stack(shown.bed.stack),
             "deepest": float(shown.bed.depth.max()),
             "volume": shown.bed.volume,

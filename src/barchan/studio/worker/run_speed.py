@@ -4,6 +4,9 @@ import time
 
 from barchan.simulation import StepPacer
 
+WATCHABLE = 40.0
+"""Most steps per second unless somebody chooses otherwise: dunes grow as slowly as one can follow."""
+
 AVERAGED_OVER = 0.5
 """Seconds over which the speed is averaged, about."""
 
@@ -12,8 +15,8 @@ class RunSpeed:
     """Steps per second: measured, and limited where the user wants to watch."""
 
     def __init__(self, chunk_seconds: float) -> None:
-        """No limit, nothing measured; without a limit steps are done in chunks of this duration."""
-        self.limit: float | None = None
+        """Nothing measured, a limit that lets one watch; without a limit chunks take this duration."""
+        self.limit: float | None = WATCHABLE
         """Most steps per second."""
         self.rate = 0.0
         """Steps per second, measured."""

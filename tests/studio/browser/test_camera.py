@@ -1,0 +1,110 @@
+"""The camera of the studio: the whole field is in view, whatever its shape, the window and the dock."""
+
+import json
+
+import pytest
+
+from tests.studio.browser.conftest import SMALL
+
+CORNERS = """(() => {
+    const { stage, app } = window.barchan;
+    stage.camera.updateMatrixWorld();
+    const { min, max } = stage.terrain(app.runs[0]).box();
+    const found = [];
+    for (const x of [min.x, max.x]) for (const y of [min.y, max.y]) for (const z of [min.z, max.z]) {
+        const seen = min.clone().set(x, y, z).project(stage.camera);
+        found.push([seen.x, seen.y]);
+    }
+    return found;
+})()"""
+"""Corners of the block as shares of half the view, from -1 to 1 where they are seen."""
+
+
+def begin(studio, **lattice):
+    scenario = {
+        "barchan": 2,
+        "title": json.dumps(lattice),
+        "lattice": lattice,
+        "sand": {"kind": "flat", "mean": 4},
+        "wind": {"kind": "steady", "direction": 270},
+        "model": {"name": "werner"},
+        "run": {"steps": 10000, "seed": int(SMALL["run.seed"])},
+    }
+    studio.ask(f"window.barchan.app.create({json.dumps(scenario)}, false)")
+    studio.until(f"window.barchan.app.runs[0].ready && window.barchan.app.runs[0].rows === {lattice['rows']}")
+    studio.picture()
+
+
+def assert_filled(studio):
+    """No corner is out of view, and the block fills most of the view across or up."""
+    corners = studio.ask(CORNERS)
+    across = [x for x, _ in corners]
+    up = [y for _, y in corners]
+    assert max(map(abs, across + up)) <= 1
+    assert max(max(across) - min(across), 1.25 * (max(up) - min(up))) > 1.5
+
+
+@pytest.mark.parametrize(("rows", "columns"), [(48, 64), (12, 96), (96, 12)])
+def test_a_field_of_any_shape_fills_the_view_from_everywhere(studio, rows, columns):
+    begin(studio, rows=rows, columns=columns)
+    for viewpoint in ("oblique", "top", "side"):
+        studio.ask(f"window.barchan.stage.look('{viewpoint}')")
+        assert_filled(studio)
+
+
+def test_the_field_stays_in_view_when_the_window_and_the_dock_change_and_beside_another(studio):
+    begin(studio, rows=48, columns=64)
+    for width, height in ((1280, 720), (760, 900)):
+        studio.page.set_viewport_size({"width": width, "height": height})
+        studio.picture()
+        assert_filled(studio)
+    studio.page.keyboard.press("1")
+    studio.picture()
+    assert_filled(studio)
+    studio.ask("window.barchan.app.send({ command: 'compare', model: 'momiji' })")
+    studio.until("window.barchan.app.runs.length === 2 && window.barchan.app.runs.every((run) => run.ready)")
+    studio.picture()
+    assert_filled(studio)
+    studio.ask("window.barchan.app.send({ command: 'alone' })")
+
+
+def test_views_from_above_and_from_the_side_are_without_perspective(studio):
+    studio.pause()
+    for viewpoint, ahead in (("top", [0, -1, 0]), ("side", [0, 0, -1])):
+        studio.ask(f"window.barchan.stage.look('{viewpoint}')")
+        studio.picture()
+        assert studio.ask("window.barchan.stage.camera.isOrthographicCamera")
+        matrix = studio.ask("window.barchan.stage.camera.matrixWorld.elements")
+        assert [-part for part in matrix[8:11]] == pytest.approx(ahead, abs=0.01)
+
+
+def test_a_view_that_somebody_has_chosen_is_kept(studio):
+    studio.pause()
+    studio.page.keyboard.press("ArrowLeft")
+    position = studio.ask("window.barchan.stage.camera.position.toArray()")
+    studio.page.set_viewport_size({"width": 900, "height": 600})
+    studio.picture()
+    assert studio.ask("window.barchan.stage.camera.position.toArray()") == pytest.approx(position)
+
+
+def assert_comes_to_rest(studio):
+    for _ in range(40):
+        heading = studio.ask("window.barchan.stage.heading()")
+        studio.picture()
+        if studio.ask("window.barchan.stage.heading()") == heading:
+            return
+    raise AssertionError("the view goes on turning")
+
+
+def test_the_view_turns_slowly_while_it_is_left_alone_unless_it_shall_not(studio):
+    studio.pause()
+    studio.page.set_viewport_size({"width": 480, "height": 320})
+    studio.ask("window.barchan.app.view.set({ quality: 'full' })")
+    studio.ask("void (window.barchan.stage.view.lastTouch = -1e6)")
+    heading = studio.ask("window.barchan.stage.heading()")
+    studio.until(f"Math.abs(window.barchan.stage.heading() - {heading}) > 0.002")
+    studio.ask("window.barchan.app.view.set({ turning: false })")
+    assert_comes_to_rest(studio)
+    studio.ask("window.barchan.app.view.set({ turning: true })")
+    studio.page.emulate_media(reduced_motion="reduce")
+    assert not studio.ask("window.barchan.stage.view.mayTurn()")

@@ -1,0 +1,116 @@
+"""The first minute: the gallery by landform, where to start, the tour, the end of a preset, a class."""
+
+import json
+
+import pytest
+
+from barchan.scenario import load_scenario, preset_names
+from barchan.studio.server.gallery import groups, presets, showpiece
+from tests.studio.browser.conftest import SMALL
+
+RUN = "window.barchan.app.runs[0]"
+
+
+def test_every_preset_stands_in_one_group_and_asks_a_question():
+    listed = [name for names in groups().values() for name in names]
+    assert sorted(listed) == preset_names()
+    assert showpiece() in listed
+    assert list(groups()) == [
+        "Dunes",
+        "Plants",
+        "Obstacles",
+        "Ripples",
+        "Snow",
+        "From the literature",
+        "Teaching",
+    ]
+    assert all(preset["question"].count("?") >= 1 for preset in presets())
+    assert [preset["name"] for preset in presets() if preset["start"]] == [showpiece()]
+
+
+def test_the_gallery_shows_groups_and_where_to_start(studio):
+    page = studio.page
+    page.keyboard.press("g")
+    page.wait_for_selector(".lead")
+    assert page.locator(".sections section h3").all_inner_texts() == ["Start here", *groups()]
+    assert page.locator("[data-preset=snow-waves] .question").inner_text().endswith("?")
+    page.get_by_label("Search the presets").fill("nebkha")
+    assert page.locator(".sections section:visible h3").all_inner_texts() == ["Start here", "Plants"]
+    page.keyboard.press("Escape")
+
+
+def test_a_preset_runs_at_a_watchable_speed_to_its_end_and_goes_on_when_asked(studio):
+    studio.until(
+        "document.querySelector('[aria-label=\"Speed limit\"]').selectedOptions[0].text === '40 steps/s'"
+    )
+    scenario = load_scenario("barchans", [*SMALL.items(), ("run.steps", "12")]).data()
+    studio.ask(f"window.barchan.app.create({json.dumps(scenario)}, true)")
+    studio.until(f"{RUN}.description.scenario.run.steps === 12 && {RUN}.status?.step === 12")
+    studio.until("!window.barchan.app.running")
+    page = studio.page
+    assert "ends" in page.locator(".notice").inner_text()
+    page.get_by_role("button", name="go on", exact=True).click()
+    studio.step_beyond(12)
+
+
+def test_the_tour_waits_for_dunes_turns_the_wind_and_ends(studio):
+    page = studio.page
+    studio.pause()
+    studio.ask("window.barchan.tour.begin()")
+    page.get_by_text("1 of 3").wait_for()
+    page.get_by_role("button", name="go on", exact=True).last.click()
+    page.get_by_text("2 of 3").wait_for()
+    assert page.get_by_role("tab", name="Wind").get_attribute("aria-selected") == "true"
+    page.get_by_role("button", name="turn it by 90°").click()
+    studio.until(f"{RUN}.status.wind === 0")
+    page.get_by_text("3 of 3").wait_for()
+    page.get_by_role("button", name="done").click()
+    assert not page.locator(".tour").is_visible()
+
+
+def test_two_values_of_a_parameter_run_side_by_side_after_one_click(studio):
+    page = studio.page
+    hop = page.locator(".row", has=page.locator("[data-path='model.hop_length']"))
+    hop.hover()
+    hop.locator(".beside").click()
+    studio.until("window.barchan.app.runs.length === 2 && window.barchan.app.runs.every((run) => run.ready)")
+    hops = studio.ask("window.barchan.app.runs.map((run) => run.description.scenario.model.hop_length)")
+    assert hops == [5, 10]
+    same = [load_scenario("barchans", list(SMALL.items())).model.p_s] * 2
+    assert studio.ask("window.barchan.app.runs.map((run) => run.description.scenario.model.p_s)") == same
+    studio.until("document.querySelector('.names').innerText.includes('hop length 10')")
+    studio.until("window.barchan.app.runs.every((run) => run.status.step > 5)")
+    studio.ask("window.barchan.app.send({ command: 'alone' })")
+    studio.until("window.barchan.app.runs.length === 1")
+
+
+def test_full_screen_leaves_the_scene_with_large_type(studio):
+    page = studio.page
+    before = page.evaluate("parseFloat(getComputedStyle(document.querySelector('.wind-text')).fontSize)")
+    page.keyboard.press("f")
+    studio.until("document.documentElement.classList.contains('large')")
+    assert not page.locator(".panel").is_visible()
+    assert (
+        page.evaluate("parseFloat(getComputedStyle(document.querySelector('.wind-text')).fontSize)")
+        > 1.4 * before
+    )
+    page.keyboard.press("f")
+    studio.until("!document.documentElement.classList.contains('large')")
+    assert page.locator(".panel").is_visible()
+
+
+@pytest.mark.parametrize("transparent", [False, True])
+def test_a_picture_of_any_size_is_drawn_beside_the_page(studio, transparent):
+    studio.pause()
+    options = json.dumps({"width": 640, "height": 200, "transparent": transparent})
+    found = studio.ask(
+        f"""(async () => {{
+            const image = await createImageBitmap(await window.barchan.stage.render({options}));
+            const canvas = new OffscreenCanvas(image.width, image.height), context = canvas.getContext("2d");
+            context.drawImage(image, 0, 0);
+            const alpha = (x, y) => context.getImageData(x, y, 1, 1).data[3];
+            return [image.width, image.height, alpha(2, 2), alpha(320, 100)];
+        }})()"""
+    )
+    assert found == [640, 200, 0 if transparent else 255, 255]
+    assert studio.picture().std() > 5

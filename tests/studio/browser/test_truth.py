@@ -1,0 +1,132 @@
+"""Nothing that the studio shows says more than the run: colours, exaggeration, crests, the section's line."""
+
+import json
+
+import numpy as np
+import pytest
+
+from barchan.scenario import load_scenario
+
+RUN = "window.barchan.app.runs[0]"
+PLANTS = [("lattice.rows", "32"), ("lattice.columns", "48"), ("run.seed", "3"), ("run.save_every", "10")]
+
+
+LISTEN = """void (CanvasRenderingContext2D.prototype.fillText = new Proxy(
+    CanvasRenderingContext2D.prototype.fillText,
+    { apply: (draw, c, words) => { (window.words ??= []).push(words[0]); return draw.apply(c, words); } }
+))"""
+"""Note the words that are written on canvases."""
+
+
+def set_view(studio, **look):
+    studio.ask(f"window.barchan.app.view.set({json.dumps(look)})")
+
+
+def middle(picture):
+    """The picture without what stands at its borders."""
+    rows, columns, _ = picture.shape
+    return picture[rows // 4 : -rows // 4, columns // 4 : -columns // 4]
+
+
+def test_a_field_that_colours_the_surface_is_not_covered_by_plants(studio):
+    scenario = load_scenario("nebkhas", PLANTS).data()
+    studio.ask(f"window.barchan.app.create({json.dumps(scenario)}, true)")
+    grown = f"{RUN}.fields.get('effectiveness')?.some((share) => share > 0.3)"
+    studio.until(f"{RUN}.description.scenario.title.startsWith('Nebkhas') && {grown}")
+    studio.pause()
+    studio.ask("window.barchan.stage.look('top')")
+    set_view(studio, field="elevation", map="grey", shaded=False, bare=False, overlays=["effectiveness"])
+    colours = middle(studio.picture())
+    # A grey scale has red = green = blue; only edges of layers are coloured.
+    assert np.mean(np.ptp(colours, axis=2) < 12) > 0.6
+    set_view(studio, overlays=[])
+    assert np.mean(np.ptp(middle(studio.picture()), axis=2) < 12) == 1.0
+
+
+def test_colours_without_shading_are_those_of_the_scale(studio):
+    studio.step_beyond(100)
+    studio.pause()
+    studio.ask("window.barchan.stage.look('top')")
+    set_view(studio, field="elevation", map="grey", shaded=False, bare=False)
+    low, high = studio.ask(f"window.barchan.stage.terrain({RUN}).colouring.limits")
+    surface = studio.ask(f"[Math.min(...{RUN}.surface), Math.max(...{RUN}.surface)]")
+    assert [low, high] == pytest.approx(surface)
+    ends = studio.ask("[0, 63].map((at) => window.barchan.app.colours.grey[at][0])")
+    seen = middle(studio.picture())
+    assert ends[0] - 2 <= seen.min()
+    assert seen.max() <= ends[1] + 2
+    assert np.unique(seen).size > 4
+    set_view(studio, shaded=True)
+    assert middle(studio.picture()).max() <= ends[1] + 2  # shading never goes beyond the scale
+
+
+def test_the_exaggeration_stands_beside_the_scale_bar_and_below_the_section(studio):
+    studio.pause()
+    for times, text in ((1, "heights to scale"), (7, "heights × 7")):
+        set_view(studio, exaggeration=times)
+        studio.picture()
+        assert studio.page.locator(".steeper").inner_text() == text
+    set_view(studio, exaggeration=None)
+    studio.ask(LISTEN)
+    studio.page.keyboard.press("1")
+    studio.picture()
+    assert any(str(word).startswith("heights ×") for word in studio.ask("window.words"))
+
+
+def test_exaggeration_is_chosen_from_relief_over_wavelength(studio):
+    """Of a sine of height H and length L: 0.11 / (H / L), within 1 and 4 for forms that can be seen so."""
+    studio.pause()
+    for height, length, expected in ((2.0, 18.0, 1), (1.0, 25.0, 3), (0.5, 16.0, 4)):
+        chosen = studio.ask(
+            f"""(() => {{
+                const run = {RUN}, terrain = window.barchan.stage.terrain(run);
+                const phase = (i) => 2 * Math.PI * (i % 64) / {length};
+                run.depth = run.depth.map((_, i) => 3 + {height} / 2 * Math.sin(phase(i)));
+                run.ground = run.ground.map(() => 0);
+                run.surface = Float32Array.from(run.depth);
+                terrain.usual = Infinity;
+                window.barchan.app.view.set({{ smoothing: 0, exaggeration: null }});
+                return new Promise((done) => window.barchan.stage.onDrawn = () => done(terrain.exaggeration));
+            }})()"""
+        )
+        assert chosen == pytest.approx(expected, abs=0.5)
+
+
+def test_the_section_is_a_line_in_the_scene_that_lies_on_the_surface(studio):
+    studio.pause()
+    studio.page.keyboard.press("1")
+    studio.picture()
+    shown = "window.barchan.stage.shown[0]"
+    assert studio.ask(f"{shown}.section.group.visible")
+    ends = studio.ask(f"{shown}.section.group.children.slice(-2).map((knob) => knob.position.toArray())")
+    # The wind is from the west: the line goes from the western to the eastern edge of a block ten units long.
+    assert [ends[0][0], ends[1][0]] == pytest.approx([-5, 5], abs=0.2)
+    heights = studio.ask(f"[{ends[0]}, {ends[1]}] && {shown}.terrain.box().max.y")
+    assert all(0 < y <= heights + 0.1 for _, y, _ in ends)
+    studio.page.keyboard.press("1")
+    studio.picture()
+    assert not studio.ask(f"{shown}.section.group.visible")
+
+
+def test_crests_are_plotted_without_jumps(studio):
+    """Crests across a wind from 270 degrees lie at 0: 178 and 2 are plotted four degrees apart, around 0."""
+    studio.pause()
+    studio.page.keyboard.press("2")
+    crests = [178.0, 2.0, 179.0, 1.0]
+    rows = [{"step": at, "values": {"crest_azimuth": one}, "doubts": {}} for at, one in enumerate(crests)]
+    studio.ask(f"void ({RUN}.measures = {json.dumps(rows)})")
+    studio.ask("window.barchan.app.changed.send()")
+    plotted = studio.ask("window.barchan.series.data('crest_azimuth')[1]")
+    assert plotted == [-2, 2, -1, 1]
+
+
+def test_before_the_first_picture_nothing_is_said_that_is_not_known(chromium, server):
+    _, address, _ = server
+    page = chromium.new_page(viewport={"width": 1000, "height": 640})
+    page.route_web_socket("**/*", lambda socket: None)  # a server that does not answer yet
+    page.goto(address)
+    page.wait_for_selector(".waiting .bar")
+    assert not page.locator(".hud").is_visible()
+    assert "Untitled" not in page.locator("body").inner_text()
+    assert not page.get_by_text("go on from here").is_visible()
+    page.close()

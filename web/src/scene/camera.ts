@@ -1,0 +1,201 @@
+/** Where the scene is looked at from: usual places that fit the field into the view, turning, coming nearer. */
+
+import * as THREE from "three";
+import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
+
+export type Viewpoint = "oblique" | "top" | "side";
+
+/** A long lens: dunes far behind are not much smaller than those in front. */
+const FIELD_OF_VIEW = 21;
+/** Share of the view that the field may fill; the rest is for compass, scale bar and air. */
+const FILLED = { across: 0.94, up: 0.86 };
+/** Where there is room above and below, the field lies this share of it lower than the middle: there is more sky. */
+const LOWER = 0.4;
+const TILT = { oblique: 25, top: 90, side: 0 };
+const HEADING = 22;
+/** Fields this much longer than wide are looked at across their long side. */
+const LONG = 1.7;
+const FAR = 1500;
+/** Where the plain ends in mist, of the half view above its middle. */
+const SKYLINE = 0.66;
+/** Degrees a second of the slow turn, and seconds without a touch before it begins. */
+const TURN = 1.6;
+const IDLE = 12;
+
+export class Camera {
+  readonly perspective = new THREE.PerspectiveCamera(FIELD_OF_VIEW, 1, 0.05, FAR);
+  readonly parallel = new THREE.OrthographicCamera(-1, 1, 1, -1, -FAR, FAR);
+  readonly controls: OrbitControls;
+  /** Called when the camera has moved. */
+  onMoved: () => void = () => {};
+  /** Whether the camera may turn slowly by itself. */
+  mayTurn: () => boolean = () => false;
+  private viewpoint: Viewpoint = "oblique";
+  private box = new THREE.Box3(new THREE.Vector3(-5, 0, -5), new THREE.Vector3(5, 1, 5));
+  private aspect = 1;
+  private touched = false;
+  private lastTouch = performance.now();
+
+  constructor(canvas: HTMLCanvasElement) {
+    this.controls = new OrbitControls(this.perspective, canvas);
+    this.controls.enableDamping = true;
+    this.controls.dampingFactor = 0.12;
+    this.controls.maxPolarAngle = Math.PI / 2 - 0.005;
+    this.controls.minDistance = 1;
+    this.controls.maxDistance = 120;
+    this.controls.minZoom = 0.3;
+    this.controls.maxZoom = 40;
+    this.controls.addEventListener("change", () => this.onMoved());
+    this.controls.addEventListener("start", () => this.touch());
+    canvas.addEventListener("pointermove", () => (this.lastTouch = performance.now()));
+  }
+
+  get active(): THREE.PerspectiveCamera | THREE.OrthographicCamera {
+    return this.viewpoint === "oblique" ? this.perspective : this.parallel;
+  }
+
+  get isParallel(): boolean {
+    return this.viewpoint !== "oblique";
+  }
+
+  /** Look from one of the usual places, so that the whole field is in view. */
+  look(from: Viewpoint): void {
+    this.viewpoint = from;
+    this.touched = false;
+    this.lastTouch = performance.now();
+    this.fit();
+  }
+
+  /** Keep a box (of the scene) in a view of this aspect, as long as nobody has moved the camera. */
+  frame(box: THREE.Box3, aspect: number): void {
+    const changed = !box.equals(this.box) || aspect !== this.aspect;
+    this.box = box.clone();
+    this.aspect = aspect;
+    if (changed && !this.touched) this.fit();
+    else this.setAspect();
+  }
+
+  /** Turn and tilt by angles (radians), and come nearer by a factor. */
+  turn(around: number, up: number, nearer = 1): void {
+    this.touch();
+    const offset = this.active.position.clone().sub(this.controls.target);
+    const sphere = new THREE.Spherical().setFromVector3(offset);
+    sphere.theta += around;
+    sphere.phi = Math.min(Math.max(sphere.phi + up, 0.001), this.controls.maxPolarAngle);
+    if (this.isParallel) this.parallel.zoom = Math.min(Math.max(this.parallel.zoom / nearer, this.controls.minZoom), this.controls.maxZoom);
+    else sphere.radius = Math.min(Math.max(sphere.radius * nearer, this.controls.minDistance), this.controls.maxDistance);
+    this.active.position.setFromSpherical(sphere).add(this.controls.target);
+    this.active.updateProjectionMatrix();
+    this.controls.update();
+    this.onMoved();
+  }
+
+  /** To be called before each picture. */
+  update(): void {
+    const now = performance.now();
+    const idle = !this.isParallel && this.mayTurn() && now - this.lastTouch > 1000 * IDLE;
+    this.controls.autoRotate = idle;
+    this.controls.autoRotateSpeed = TURN / 6;
+    this.controls.update(idle ? 1 / 60 : null);
+  }
+
+  /** Units of the scene that a pixel covers where the camera looks, in a view of this height. */
+  unitsPerPixel(height: number): number {
+    if (this.isParallel) return (this.parallel.top - this.parallel.bottom) / this.parallel.zoom / height;
+    const distance = this.perspective.position.distanceTo(this.controls.target);
+    return (2 * distance * Math.tan((this.perspective.fov * Math.PI) / 360)) / height;
+  }
+
+  /** Direction the camera looks at, clockwise from north (radians). */
+  heading(): number {
+    const ahead = new THREE.Vector3();
+    this.active.getWorldDirection(ahead);
+    const up = new THREE.Vector3(0, 1, 0).applyQuaternion(this.active.quaternion);
+    return Math.hypot(ahead.x, ahead.z) > 0.02 ? Math.atan2(ahead.x, -ahead.z) : Math.atan2(up.x, -up.z);
+  }
+
+  /**
+   * Elevation (the height of a unit vector) at which the plain should meet the sky.
+   *
+   * That of the true horizon where it is in view; otherwise a little below the view's upper edge, so that there is air
+   * above the field.
+   */
+  level(): number {
+    if (this.isParallel) return 0;
+    const ahead = this.perspective.getWorldDirection(new THREE.Vector3());
+    const edge = Math.asin(ahead.y) + SKYLINE * (this.perspective.fov / 2) * (Math.PI / 180);
+    return Math.sin(Math.min(edge, 0));
+  }
+
+  private touch(): void {
+    this.touched = true;
+    this.lastTouch = performance.now();
+  }
+
+  private fit(): void {
+    const { basis, corners, middle } = this.seen();
+    const [right, up, back] = basis;
+    const points = corners.map((corner) => [corner.dot(right), corner.dot(up), -corner.dot(back)] as const);
+    if (this.isParallel) this.fitParallel(points.map(([x, y]) => [x, y]));
+    const place = this.isParallel ? { across: 0, up: 0, distance: 60 } : fitted(points, this.aspect);
+    const target = middle.addScaledVector(right, place.across).addScaledVector(up, place.up);
+    this.controls.object = this.active;
+    this.controls.target.copy(target);
+    this.active.position.copy(target).addScaledVector(back, place.distance);
+    this.active.up.set(0, 1, 0);
+    this.setAspect();
+    this.controls.update();
+    this.onMoved();
+  }
+
+  private seen(): { basis: [THREE.Vector3, THREE.Vector3, THREE.Vector3]; corners: THREE.Vector3[]; middle: THREE.Vector3 } {
+    const size = this.box.getSize(new THREE.Vector3());
+    const across = this.viewpoint !== "top" && size.z > LONG * size.x ? 90 : 0;
+    const heading = ((this.viewpoint === "oblique" ? HEADING : 0) + across) * (Math.PI / 180);
+    const tilt = Math.min((TILT[this.viewpoint] * Math.PI) / 180, Math.PI / 2 - 1e-4);
+    const back = new THREE.Vector3(-Math.sin(heading) * Math.cos(tilt), Math.sin(tilt), Math.cos(heading) * Math.cos(tilt));
+    const right = new THREE.Vector3(0, 1, 0).cross(back).normalize();
+    const up = back.clone().cross(right);
+    const middle = this.box.getCenter(new THREE.Vector3());
+    const { min, max } = this.box;
+    const corners = [min.x, max.x].flatMap((x) => [min.y, max.y].flatMap((y) => [min.z, max.z].map((z) => new THREE.Vector3(x, y, z).sub(middle))));
+    return { basis: [right, up, back], corners, middle };
+  }
+
+  private fitParallel(points: number[][]): void {
+    const half = (at: number) => Math.max(...points.map((point) => Math.abs(point[at]!)));
+    const high = Math.max(half(1) / FILLED.up, half(0) / FILLED.across / this.aspect);
+    this.parallel.top = high;
+    this.parallel.bottom = -high;
+    this.parallel.zoom = 1;
+  }
+
+  private setAspect(): void {
+    this.perspective.aspect = this.aspect;
+    this.perspective.updateProjectionMatrix();
+    this.parallel.right = this.parallel.top * this.aspect;
+    this.parallel.left = -this.parallel.right;
+    this.parallel.updateProjectionMatrix();
+  }
+}
+
+/**
+ * How far aside, up and away a camera must be so that all points (right, up, ahead) are just in view.
+ *
+ * A point at x and z ahead is in view from a distance d and a place s aside if |x - s| <= t (d + z), t being the
+ * tangent of half the view's angle. The least d over all s is (A + B) / 2t, at s = (A - B) / 2, with A and B the
+ * greatest x - t z and -x - t z.
+ */
+export function fitted(points: (readonly [number, number, number])[], aspect: number): { across: number; up: number; distance: number } {
+  const tangent = Math.tan((FIELD_OF_VIEW * Math.PI) / 360);
+  const along = (at: 0 | 1, t: number) => {
+    const most = Math.max(...points.map((point) => point[at] - t * point[2]));
+    const least = Math.max(...points.map((point) => -point[at] - t * point[2]));
+    return { aside: (most - least) / 2, distance: (most + least) / (2 * t) };
+  };
+  const across = along(0, tangent * aspect * FILLED.across);
+  const up = along(1, tangent * FILLED.up);
+  const distance = Math.max(across.distance, up.distance);
+  const spare = tangent * FILLED.up * (distance - up.distance);
+  return { across: across.aside, up: up.aside + LOWER * spare, distance };
+}

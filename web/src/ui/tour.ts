@@ -1,0 +1,99 @@
+/** The first minute: three steps that each wait until the user has done them. */
+
+import type { App } from "../core/app";
+import { h } from "./dom";
+
+interface Step {
+  text: string;
+  /** What the button does for those who would rather watch. */
+  label: string;
+  act: () => void;
+  /** Whether the step is done. */
+  done: () => boolean;
+}
+
+const TURN = 90;
+/** Steps after which crescents stand, and within which they follow another wind. */
+const GROWN = 120;
+const FOLLOWED = 150;
+
+export class Tour {
+  readonly element = h("section", { className: "tour", "aria-label": "Tour", hidden: true });
+  private at = -1;
+  private windAtStart = 0;
+  private turnedAt = 0;
+
+  constructor(
+    private readonly app: App,
+    private readonly openWind: () => void,
+  ) {
+    app.framed.watch(() => this.follow());
+    app.changed.watch(() => this.follow());
+  }
+
+  begin(): void {
+    this.choose(0);
+  }
+
+  end(): void {
+    this.at = -1;
+    this.element.hidden = true;
+  }
+
+  private steps(): Step[] {
+    const status = () => this.app.current?.status;
+    return [
+      {
+        text: `Wait until dunes stand: sand that the wind moves gathers in heaps, and their ends run ahead as horns. The arrow shows where the wind blows.`,
+        label: "go on",
+        act: () => this.choose(1),
+        done: () => (status()?.step ?? 0) >= GROWN,
+      },
+      {
+        text: "Turn the wind: drag the head of the dial in the panel, or let it be turned by a right angle.",
+        label: `turn it by ${TURN}°`,
+        act: () => this.turn(),
+        done: () => Math.abs(((((status()?.wind ?? 0) - this.windAtStart) % 360) + 540) % 360 - 180) > 30,
+      },
+      {
+        text: "Watch the horns: slip faces move to the new lee side, old horns waste and new ones grow. Press 2 for the direction of the crests, drag the slider below to compare.",
+        label: "done",
+        act: () => this.end(),
+        done: () => false,
+      },
+    ];
+  }
+
+  private choose(at: number): void {
+    this.at = at;
+    if (at === 1) {
+      this.windAtStart = this.app.current?.status?.wind ?? 0;
+      this.openWind();
+    }
+    if (at === 2) {
+      this.turnedAt = this.app.current?.status?.step ?? 0;
+      this.app.send({ command: "run", until: this.turnedAt + FOLLOWED });
+    }
+    const step = this.steps()[at]!;
+    this.element.hidden = false;
+    this.element.replaceChildren(
+      h("b", {}, `${at + 1} of ${this.steps().length}`),
+      h("p", { role: "status" }, step.text),
+      h("button", { type: "button", className: "primary", onclick: step.act }, step.label),
+      h("button", { type: "button", className: "close", "aria-label": "End the tour", title: "End the tour", onclick: () => this.end() }, "×"),
+    );
+  }
+
+  /** The wind turned by a right angle; a wind of several regimes becomes one of a single direction. */
+  private turn(): void {
+    const direction = ((this.app.current?.status?.wind ?? 0) + TURN) % 360;
+    const wind = this.app.current?.description?.scenario.wind as { kind?: string } | undefined;
+    const steady = wind?.kind === "steady" ? wind : { kind: "steady" };
+    void this.app.ask({ command: "wind", wind: { ...steady, direction } });
+  }
+
+  private follow(): void {
+    if (this.at < 0 || !this.app.current?.ready) return;
+    if (this.steps()[this.at]!.done()) this.choose(this.at + 1);
+  }
+}
