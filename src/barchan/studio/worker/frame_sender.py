@@ -112,9 +112,7 @@ class FrameSender:
         steps = run.history.steps
         if steps != self._history_sent:
             header["history"] = self._history_sent = steps
-        if rows := run.measures.unsent():
-            header["measures"] = rows
-        return header
+        return header | run.measures.unsent()
 
     def _may(self, budget: TimeBudget) -> bool:
         """Whether a part may go with a frame; if not, it is owed."""
