@@ -20,6 +20,7 @@ import barchan
 from barchan.measures.migration import moved
 from barchan.measures.orientation import crest_orientation
 from barchan.measures.spacing import dominant_spacing
+from barchan.squares import Squares
 from validation.orientation import difference
 
 CACHE = Path(__file__).parent / "cache"
@@ -109,11 +110,12 @@ def _run(case: Case) -> dict[str, float]:
     cell, direction = scenario.lattice.cell_size, case.winds[0][0]
     simulation = barchan.Simulation(scenario)
     simulation.advance(EARLY)
-    early = simulation.elevation.copy()
+    squares = Squares(scenario.lattice)
+    early = squares.between(simulation.elevation).copy()
     simulation.advance(LAG)
-    shift = moved(early, simulation.elevation, (True, True))
+    shift = moved(early, squares.between(simulation.elevation), (True, True))
     simulation.advance(case.steps - EARLY - LAG)
-    surface = simulation.elevation
+    surface = squares.between(simulation.elevation)
     crest = crest_orientation(surface, cell)
     x, y = barchan.directions.downwind(direction)
     return {

@@ -118,5 +118,6 @@ The heights of the Prague thesis hang on growth curves that exist only as pictur
 mesquite the vegetated scenes settle earlier and lower than published; with mesquite kept out (its initial
 coefficient is 0 in two of the three tables) they come closer, and the islands agree. The qualitative claims
 come out. Under a wind along the lattice the three blowouts are overgrown before they become hairpins; under
-an oblique wind they grow into hairpins with arms that point upwind.
+an oblique wind they push a block of sand ahead whose sides hardly stay behind: sand reaches upwind of its
+top, but arms behind it are less than a quarter of its width. See [Directions](directions.md#hairpins).
 """

@@ -49,9 +49,9 @@ def _card(name: str, title: str) -> str:
 
 def _preset(name: str, scenario: Any) -> str:
     """One preset."""
-    lattice, run = scenario.lattice, scenario.run
+    run = scenario.run
     facts = scenario.facts()
-    field = f"{lattice.columns} × {lattice.rows} cells of {lattice.cell_size:g} m, {run.steps} steps"
+    field = f"{scenario.lattice.size_in_words}, {run.steps} steps"
     lines = [f"Source\n: {scenario.citation or '–'}", f"Look for\n: {scenario.look_for or '–'}"]
     lines += [f"Model\n: [`{scenario.model.name}`](models/{scenario.model.name}.md)", f"Size\n: {field}"]
     lines += [f"{fact.capitalize()}\n: {value}" for fact, value in facts.items()]

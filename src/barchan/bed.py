@@ -123,7 +123,7 @@ class Bed:
     @property
     def volume(self) -> float:
         """Volume (m³) of all layers on the whole bed, pores included."""
-        area = self.lattice.cell_size**2
+        area = self.lattice.cell_area
         if any(layer.mass is not None for layer in self.layers):
             return float(self.depth.sum()) * area
         return self.units * self.lattice.thickness * area

@@ -1,5 +1,6 @@
-"""The lattice: its size, the width of a cell, the height of a slab, and its boundaries."""
+"""The lattice: its size, the shape and width of a cell, the height of a slab, and its boundaries."""
 
+import math
 from typing import Literal, Self
 
 import numpy as np
@@ -17,13 +18,20 @@ DEFAULT_ASPECT = 1 / 3
 LEAST_ASPECT, LARGEST_ASPECT = 1e-4, 10.0
 
 
-class Lattice(Parameters):
-    """The lattice: its size, the width of a cell, the height of a slab, and its boundaries."""
+HEX_ROWS = math.sqrt(0.75)
+"""Distance between two rows of hexagons, in widths of a cell; also the area of one in squared widths."""
 
-    kind: Literal["square"] = parameter(
+
+class Lattice(Parameters):
+    """The lattice: its size, the shape and width of a cell, the height of a slab, and its boundaries."""
+
+    kind: Literal["square", "hex"] = parameter(
         "square",
         unit="-",
-        meaning="Shape of the cells; 'from ground' takes rows, columns and cell_size from the ground's file.",
+        meaning="Shape of the cells: squares, or hexagons with six neighbours at one distance, in rows of "
+        "which every second is shifted east by half a cell (slab models alone); 'from ground' takes rows, "
+        "columns and cell_size from the ground's file.",
+        source="hex: ours",
     )
     rows: int = parameter(
         256,
@@ -42,7 +50,13 @@ class Lattice(Parameters):
         source="Prague thesis, Table 6.1",
     )
     cell_size: float = parameter(
-        1.0, unit="m", ge=1e-4, le=1e6, scale="log", meaning="Width of a cell.", source="Prague thesis, §4.3"
+        1.0,
+        unit="m",
+        ge=1e-4,
+        le=1e6,
+        scale="log",
+        meaning="Width of a cell: side of a square, distance between two opposite sides of a hexagon.",
+        source="Prague thesis, §4.3",
     )
     slab_aspect: float | None = parameter(
         None,
@@ -77,6 +91,40 @@ class Lattice(Parameters):
             )
         return self
 
+    @model_validator(mode="after")
+    def _even_rows(self) -> Self:
+        if self.hexagonal and self.rows % 2:
+            raise ValueError(
+                f"rows {self.rows} is odd; allowed with kind hex: even numbers of rows, "
+                "for every second is shifted"
+            )
+        return self
+
+    @property
+    def hexagonal(self) -> bool:
+        """Whether the cells are hexagons."""
+        return self.kind == "hex"
+
+    @property
+    def row_spacing(self) -> float:
+        """Distance (m) from the centre line of a row to that of the next."""
+        return self.cell_size * (HEX_ROWS if self.hexagonal else 1.0)
+
+    @property
+    def cell_area(self) -> float:
+        """Area of a cell (m²)."""
+        return self.cell_size * self.row_spacing
+
+    @property
+    def width(self) -> float:
+        """Length of the field from west to east (m)."""
+        return self.columns * self.cell_size
+
+    @property
+    def height(self) -> float:
+        """Length of the field from south to north (m)."""
+        return self.rows * self.row_spacing
+
     @property
     def aspect(self) -> float:
         """Height of a slab over the width of a cell."""
@@ -100,26 +148,49 @@ class Lattice(Parameters):
         return self.rows * self.columns
 
     @property
+    def size_in_words(self) -> str:
+        """Columns, rows, and width of the cells; of hexagons also the field's true size."""
+        if self.hexagonal:
+            size = f"{self.width:.4g} × {self.height:.4g} m"
+            return f"{self.columns} × {self.rows} hexagons of {self.cell_size:g} m ({size})"
+        return f"{self.columns} × {self.rows} cells of {self.cell_size:g} m"
+
+    @property
     def periodic(self) -> tuple[bool, bool]:
         """Whether the field is periodic south to north and west to east."""
         return self.boundary_y == "periodic", self.boundary_x == "periodic"
 
     @property
     def x(self) -> NDArray[np.float64]:
-        """Distance of the cells' centres from the west edge (m)."""
+        """Distance of the cells' centres from the west edge (m), in the first row and every second one."""
         return (np.arange(self.columns, dtype=np.float64) + 0.5) * self.cell_size
+
+    @property
+    def shift(self) -> NDArray[np.float64]:
+        """How far each row is shifted east (m)."""
+        shift = np.zeros(self.rows)
+        if self.hexagonal:
+            shift[1::2] = self.cell_size / 2
+        return shift
+
+    @property
+    def centres(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Distances of all cells' centres from the west and the south edge (m), by row and column."""
+        x, y = np.broadcast_arrays(self.x + self.shift[:, None], self.y[:, None])
+        return x, y
 
     def __repr__(self) -> str:
         """Size, cells, slabs and edges."""
         edges = f"{self.boundary_x} west to east, {self.boundary_y} south to north"
         if self.boundary_x == self.boundary_y:
             edges = f"{self.boundary_x} edges"
+        cells = "hexagons" if self.hexagonal else "cells"
         return (
-            f"<Lattice of {self.rows} × {self.columns} cells of {self.cell_size:g} m, "
+            f"<Lattice of {self.rows} × {self.columns} {cells} of {self.cell_size:g} m, "
             f"slabs of {self.thickness:.4g} m, {edges}>"
         )
 
     @property
     def y(self) -> NDArray[np.float64]:
         """Distance of the cells' centres from the south edge (m)."""
-        return (np.arange(self.rows, dtype=np.float64) + 0.5) * self.cell_size
+        return (np.arange(self.rows, dtype=np.float64) + 0.5) * self.row_spacing

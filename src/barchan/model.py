@@ -138,6 +138,8 @@ class Model(ABC):
     name: ClassVar[str] = ""
     title: ClassVar[str] = ""
     citation: ClassVar[str] = ""
+    lattices: ClassVar[tuple[str, ...]] = ("square",)
+    """The kinds of lattices that its rules are made for."""
     takes_influx: ClassVar[bool] = False
     """Whether it lets sand enter across open edges, where the forcing brings any."""
     takes_hops: ClassVar[bool] = True

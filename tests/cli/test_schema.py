@@ -44,7 +44,7 @@ def test_the_schema_holds_bounds_units_and_choices(schema):
 
 def test_a_lattice_from_the_ground_holds_to_the_schema(schema):
     assert {"const": "from ground"} in schema["properties"]["lattice"]["anyOf"]
-    assert schema["$defs"]["Lattice"]["properties"]["kind"]["enum"] == ["square", "from ground"]
+    assert schema["$defs"]["Lattice"]["properties"]["kind"]["enum"] == ["square", "hex", "from ground"]
 
 
 @pytest.mark.parametrize("name", preset_names())

@@ -119,7 +119,7 @@ def test_the_shadow_line_is_the_highest_line_that_falls_from_anything_upwind(
 
 
 @pytest.mark.parametrize("direction", [270.0, 180.0, 90.0, 0.0])
-@pytest.mark.parametrize("shadow_from", ["centre", "edge"])
+@pytest.mark.parametrize("shadow_from", ["centre", "edge", "place"])
 @pytest.mark.parametrize("boundary", ["periodic", "open"])
 def test_shadows_in_a_section_are_the_models_shadows(direction, shadow_from, boundary):
     scenario = tiny(
@@ -135,7 +135,7 @@ def test_shadows_in_a_section_are_the_models_shadows(direction, shadow_from, bou
     for at in (0.0, 0.4, 1.0):
         section = section_along_wind(scenario, direction, at)
         surface = bed.elevation[section.rows, section.cols]
-        line = shadow_line(section, surface, 15.0, 1.0, 0.5 if shadow_from == "edge" else 0.0)
+        line = shadow_line(section, surface, 15.0, 1.0, 0.0 if shadow_from == "centre" else 0.5)
         np.testing.assert_array_equal(line > surface, zone[section.rows, section.cols])
 
 

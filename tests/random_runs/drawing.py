@@ -88,6 +88,8 @@ def _drawn(rng: Random, narrow: bool, without: tuple[str, ...]) -> dict[str, Any
     if models()[data["model"]["name"]].temperature_range is not None:
         directions = {"kind": "steady", "direction": rng.choice([0.0, 33.0, 270.0])}
         data["wind"] = {**directions, "temperature": rng.uniform(-20.0, 0.0), "speed": rng.uniform(0.0, 30.0)}
+    if "hex" in models()[data["model"]["name"]].lattices and rng.random() < 0.3:
+        data["lattice"] |= {"kind": "hex", "rows": 2 * -(-data["lattice"]["rows"] // 2)}
     if issubclass(models()[data["model"]["name"]], SlabModel):
         _add_clock_and_influx(rng, data)
     return data

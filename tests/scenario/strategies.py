@@ -115,6 +115,8 @@ def _one_height(lattice: dict[str, Any]) -> dict[str, Any]:
     if height is not None and lattice.get("slab_aspect") is None:
         cell = lattice.get("cell_size", 1.0)
         lattice["slab_height"] = min(max(height, 2 * LEAST_ASPECT * cell), LARGEST_ASPECT / 2 * cell)
+    if lattice.get("kind") == "hex":
+        lattice["rows"] = 2 * (lattice.get("rows", 256) // 2 or 1)
     return lattice
 
 
@@ -189,6 +191,9 @@ def _timeless(data: dict[str, Any]) -> dict[str, Any]:
     if "wind" in data and not model.takes_hops:
         data = {**data, "wind": {"kind": "steady"}}
     data = {**data, "clock": None, "influx": None}
+    parts = (data.get("ground"), data.get("sand"), data.get("model", {}).get("vegetation"))
+    if "hex" not in model.lattices or any((part or {}).get("kind") == "file" for part in parts):
+        data["lattice"] = {key: value for key, value in data.get("lattice", {}).items() if key != "kind"}
     return data if model.temperature_range is None else _cold(data)
 
 

@@ -35,7 +35,7 @@ def buildable():
 
 def _small(lattice):
     size = {"rows": 1 + lattice.get("rows", 1) % 12, "columns": 8 + lattice.get("columns", 8) % 12}
-    shape = {**lattice, **size, "cell_size": 1.0, "slab_height": None, "slab_aspect": 0.25}
+    shape = {**lattice, **size, "cell_size": 1.0, "slab_height": None, "slab_aspect": 0.25, "kind": "square"}
     return _without_notes(shape)
 
 

@@ -74,16 +74,17 @@ def test_bits_are_those_of_one_thread_where_hops_depend_on_height(kind, boundary
     polling=st.sampled_from(["repeated", "non_repeated"]),
     order=st.sampled_from(["wind", "random"]),
     lee=st.booleans(),
+    shadow=st.sampled_from(["centre", "place"]),
     direction=st.sampled_from(WINDS),
     tower=st.sampled_from([0, 60, 200]),
     seed=st.integers(0, 99),
 )
 def test_any_field_and_any_rules_have_the_bits_of_one_thread(
-    rows, band_rows, boundary, polling, order, lee, direction, tower, seed
+    rows, band_rows, boundary, polling, order, lee, shadow, direction, tower, seed
 ):
     lattice = Lattice(rows=rows, columns=24, boundary_y=boundary)
-    rules = {"band_rows": band_rows, "polling": polling, "neighbour_order": order, "lee_erosion": lee}
-    model = PlainSlabs(PlainSlabs.Parameters(**rules), lattice)
+    rules = {"polling": polling, "neighbour_order": order, "lee_erosion": lee, "shadow_from": shadow}
+    model = PlainSlabs(PlainSlabs.Parameters(band_rows=band_rows, **rules), lattice)
     sand = field_of(lattice, seed, tower)
     alone, beside = (moved_by(n, model, sand, direction) for n in (1, 3))
     np.testing.assert_array_equal(alone[0], beside[0])

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from barchan.bed import Bed
 from barchan.errors import BarchanError
-from barchan.measures.filters import gradient
+from barchan.measures.filters import gradient, sixfold_gradient
 from barchan.models import Derived, Model, models
 from barchan.scenario import Scenario, nearest
 from barchan.simulation import Record, in_force
@@ -23,7 +23,9 @@ if TYPE_CHECKING:
 
 
 def _slope(_model: Model, bed: Bed, _wind: Segment) -> NDArray[np.float64]:
-    east, north = gradient(bed.elevation, bed.lattice.cell_size, bed.lattice.periodic)
+    lattice = bed.lattice
+    of = sixfold_gradient if lattice.hexagonal else gradient
+    east, north = of(bed.elevation, lattice.cell_size, lattice.periodic)
     return np.degrees(np.arctan(np.hypot(east, north)))
 
 

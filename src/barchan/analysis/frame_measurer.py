@@ -9,10 +9,10 @@ from numpy.typing import NDArray
 
 from barchan.analysis.measured_frame import MeasuredFrame, WindChoice
 from barchan.bed import Bed
-from barchan.measures.bedform_surface import bedform_surface
 from barchan.measures.migration import NOWHERE, WHOLE, Migration, migration, moved, whole_cycles
 from barchan.models import Model
 from barchan.scenario import Scenario
+from barchan.squares import bedforms_of
 from barchan.wind.forcing import Blows, Forcing
 from barchan.wind.resultant import resultant_direction
 from barchan.wind.segment import Segment
@@ -57,7 +57,7 @@ class FrameMeasurer:
         Its last step was under the wind of ``forcing``.
         """
         cycle, lattice = _cycle(forcing, step), self.scenario.lattice
-        surface = bedform_surface(bed.ground, bed.depth, lattice.cell_size, lattice.periodic)
+        surface = bedforms_of(bed)
         path = np.zeros(2)
         swings = 0.0 < cycle < math.inf
         if swings and self._recent:

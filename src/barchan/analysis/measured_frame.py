@@ -20,6 +20,7 @@ from barchan.measures.slopes import Slopes, slip_face_angle, streamwise_slopes
 from barchan.measures.spacing import dominant_spacing
 from barchan.models import Model
 from barchan.scenario import Scenario
+from barchan.squares import Squares
 from barchan.wind.segment import Segment
 
 WindChoice = Literal["resultant", "last"]
@@ -38,7 +39,7 @@ class MeasuredFrame:
     bed: Bed
     """Ground and layers."""
     surface: NDArray[np.float64]
-    """Elevation (m) of the bedforms, without the relief of uneven ground; NaN on rock."""
+    """Elevation (m) of the bedforms on squares, without the relief of uneven ground; NaN on rock."""
     scenario: Scenario
     direction: float
     """Direction that the last wind came from (degrees clockwise from north)."""
@@ -75,7 +76,7 @@ class MeasuredFrame:
         lattice, units = self.scenario.lattice, self.bed.units
         if self.bed.layers[-1].mass is None or units == 0:
             return lattice.thickness
-        return self.bed.volume / (units * lattice.cell_size**2)
+        return self.bed.volume / (units * lattice.cell_area)
 
     @property
     def upwind(self) -> float:
@@ -122,9 +123,10 @@ class MeasuredFrame:
     @cached_property
     def slip_face_angle(self) -> float:
         """The 95th percentile (degrees) of lee slopes of the sand, to the horizontal."""
-        elevation = self.bed.elevation
+        squares = Squares(self.bed.lattice)
+        elevation = squares.between(self.bed.elevation)
         if not is_level(self.bed.ground):
-            elevation = np.where(self.bed.stack > 0, elevation, np.nan)
+            elevation = np.where(squares.between(self.bed.stack > 0), elevation, np.nan)
         return slip_face_angle(elevation, self.cell_size, self.across, self.periodic)
 
     @property

@@ -29,7 +29,7 @@ def dataset_of(simulation: Simulation, frames: Iterable[Frame]) -> "xr.Dataset":
     place = scenario.ground.georeference()
     coordinates: dict[str, Any] = {
         "step": ("step", np.array([f.step for f in frames], np.int64), STEP),
-        **{name: (name, *axis) for name, axis in axes(lattice, place).items()},
+        **axes(lattice, place),
     }
     if mapping := mapping_attributes(place):
         coordinates[GRID_MAPPING] = ((), 0, mapping)

@@ -12,7 +12,15 @@ import zarr
 from numpy.typing import NDArray
 from zarr.core.sync import sync
 
-from barchan.archive.coordinates import GRID_MAPPING, STEP, axes, mapped, mapping_attributes, place_attributes
+from barchan.archive.coordinates import (
+    GRID_MAPPING,
+    STEP,
+    axes,
+    lattice_attributes,
+    mapped,
+    mapping_attributes,
+    place_attributes,
+)
 from barchan.fields import FieldInfo
 from barchan.scenario import Scenario
 from barchan.scenario.migrations import current_field
@@ -85,7 +93,7 @@ def run_attributes(scenario: Scenario, text: str) -> dict[str, Any]:
         "source": f"Barchan {__version__}",
         "references": scenario.citation,
         "scenario": text,
-        "cell_size": scenario.lattice.cell_size,
+        **lattice_attributes(scenario.lattice),
         "slab_height": scenario.lattice.thickness,
         **place_attributes(scenario.ground.georeference()),
     }
@@ -118,13 +126,17 @@ class Frames:
         """Make an empty store for a scenario's frames, which holds the scenario as ``text``."""
         group = zarr.open_group(path, mode="w", zarr_format=3, attributes=run_attributes(scenario, text))
         lattice, place = scenario.lattice, scenario.ground.georeference()
-        for name, (places, attributes) in axes(lattice, place).items():
-            array = _make(group, name, places.shape, places.shape, "float64", (name,))
+        beside = []
+        for name, (dims, places, attributes) in axes(lattice, place).items():
+            array = _make(group, name, places.shape, places.shape, "float64", dims)
             array.attrs.update(attributes)
             array[...] = places
+            beside += [] if dims == (name,) else [name]
         if mapping := mapping_attributes(place):
             _make(group, GRID_MAPPING, (), (), "int64", ()).attrs.update(mapping)
-            group.attrs["coordinates"] = GRID_MAPPING
+            beside.append(GRID_MAPPING)
+        if beside:
+            group.attrs["coordinates"] = " ".join(beside)
         _make(group, "step", (0,), (_CHUNK,), "int64", ("step",)).attrs.update(STEP)
         for counter in COUNTERS:
             array = _make(group, counter.name, (0,), (_CHUNK,), counter.dtype, ("step",))

@@ -80,7 +80,6 @@ def _contents(run: Path) -> tuple[int, "Scenario", list[tuple[str, str]]]:
 
     known = run_info(run)
     scenario = known.now
-    lattice = scenario.lattice
     if known.writer:
         state = f"being written by process {known.writer}"
     else:
@@ -88,7 +87,7 @@ def _contents(run: Path) -> tuple[int, "Scenario", list[tuple[str, str]]]:
     rows = [
         ("title", scenario.title or "–"),
         ("model", scenario.model.name),
-        ("field", f"{lattice.columns} × {lattice.rows} cells of {lattice.cell_size:g} m"),
+        ("field", scenario.lattice.size_in_words),
         ("unit", unit_of(scenario)),
         *scenario.facts().items(),
         *_forecast(known.scenario, changed=bool(known.events)),

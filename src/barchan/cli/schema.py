@@ -13,5 +13,5 @@ def schema() -> None:
     schema = {**Scenario.model_json_schema(), **stated}
     lattice, kind = schema["properties"]["lattice"], schema["$defs"]["Lattice"]["properties"]["kind"]
     lattice["anyOf"] = [{"$ref": lattice.pop("$ref")}, {"const": FROM_GROUND}]
-    kind["enum"] = [kind.pop("const"), FROM_GROUND]
+    kind["enum"] = [*kind["enum"], FROM_GROUND]
     console.out(json.dumps(schema, indent=2, ensure_ascii=False), highlight=False)

@@ -13,6 +13,7 @@ from barchan.comparison.variants import Variant, shared_measures
 from barchan.ensembles.pictures import SMALL
 from barchan.errors import BarchanError
 from barchan.scenario import Scenario
+from barchan.squares import Squares
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -187,7 +188,7 @@ def slopes_of(variants: Sequence[Variant]) -> dict[str, np.ndarray]:
             with variant.run(seed) as run:
                 last = run.isel(step=-1)
                 wind = float(last["wind_direction"])
-                surface = last["elevation"].values
+                surface = Squares(lattice).between(last["elevation"].values)
             rows.append(slope_shares(surface, lattice.cell_size, wind, SLOPES, lattice.periodic))
         found[variant.label] = np.array(rows)
     return found

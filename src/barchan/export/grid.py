@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from barchan.errors import ExportError
 from barchan.ground.terrain import Georeference
 from barchan.lattice import Lattice
+from barchan.squares import Squares
 
 SQUARE = 1e-9
 """Relative difference of a cell's sides that rounding explains."""
@@ -39,12 +40,13 @@ class Grid:
 
     @classmethod
     def of(cls, lattice: Lattice, place: Georeference | None) -> Self:
-        """The cells of a lattice that lies at a place on Earth, or anywhere."""
+        """The cells of a lattice at a place on Earth, or anywhere; of hexagons the squares over them."""
         west, south, crs, wkt = (
             (0.0, 0.0, None, None) if place is None else (place.west, place.south, place.crs, place.wkt)
         )
-        side = lattice.cell_size
-        return cls(lattice.rows, lattice.columns, side, side, west, south, crs, wkt, lattice.periodic)
+        side, rows = lattice.cell_size, Squares(lattice).lattice.rows
+        height = lattice.height / rows if lattice.hexagonal else side
+        return cls(rows, lattice.columns, side, height, west, south, crs, wkt, lattice.periodic)
 
     @property
     def shape(self) -> tuple[int, int]:

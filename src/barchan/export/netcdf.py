@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from barchan.archive.coordinates import GRID_MAPPING, axes, mapped, mapping_attributes
+from barchan.archive.coordinates import GRID_MAPPING, attributes_of, mapped, mapping_attributes
 from barchan.errors import ExportError
 from barchan.export.numbers import plain
 from barchan.export.source import Sheet, Source
@@ -65,9 +65,8 @@ def _describe(file: "h5netcdf.File", source: Source) -> None:
 
 def _write_axes(file: "h5netcdf.File", source: Source, first: str) -> None:
     grid, place = source.grid, source.scenario.ground.georeference()
-    known = axes(source.scenario.lattice, place)
     for name, values in (("x", grid.x), ("y", grid.y)):
-        _put(file.create_variable(name, (name,), "f8", data=values), known[name][1])
+        _put(file.create_variable(name, (name,), "f8", data=values), attributes_of(name, place))
     if mapping := mapping_attributes(place):
         _put(file.create_variable(GRID_MAPPING, (), "i4", data=np.int32(0)), mapping)
     steps = file.create_variable(

@@ -11,6 +11,7 @@ from barchan.replacing import replacing
 if TYPE_CHECKING:
     from barchan.export.formats import Format
     from barchan.export.source import Source
+    from barchan.lattice import Lattice
 
 Files = Sequence[tuple[Path, tuple[int, ...], tuple[str, ...]]]
 """Each file with its steps and its fields."""
@@ -74,11 +75,10 @@ def _periodic(source: "Source") -> dict[str, Any]:
     lattice, grid = source.scenario.lattice, source.grid
     south_north, west_east = lattice.periodic
     told = []
-    for joined, way, count in (
-        (west_east, "west to east", lattice.columns),
-        (south_north, "south to north", lattice.rows),
+    for joined, way, length in (
+        (west_east, "west to east", lattice.width),
+        (south_north, "south to north", lattice.height),
     ):
-        length = count * lattice.cell_size
         told.append(f"repeats every {length:g} m {way}" if joined else f"has open edges {way}")
     return {
         "west_east": west_east,
@@ -97,7 +97,19 @@ def _changes(source: "Source") -> dict[str, Any]:
     return {
         "smoothed_over_cells": options.smooth or 0,
         "brought_from": None if cells is None else {"columns": lattice.columns, "rows": lattice.rows},
+        "brought_from_hexagons": _hexagons(lattice) if lattice.hexagonal else None,
         "slabs": slabs,
+    }
+
+
+def _hexagons(lattice: "Lattice") -> dict[str, Any]:
+    return {
+        "rows": lattice.rows,
+        "columns": lattice.columns,
+        "width_m": lattice.cell_size,
+        "row_spacing_m": lattice.row_spacing,
+        "how": "heights lie on straight lines between the cells' centres, along the rows and then from row "
+        "to row; counts, and yes and no, are those of the cell that covers the centre",
     }
 
 

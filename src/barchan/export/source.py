@@ -15,6 +15,7 @@ from barchan.export.options import Options
 from barchan.ground.resampling import with_volume_kept
 from barchan.measures.filters import smoothed
 from barchan.scenario import Scenario
+from barchan.squares import Squares
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -87,7 +88,8 @@ class Source:
 
     def _sheet(self, frame: "xr.Dataset", name: str) -> Sheet:
         found = field_of(frame, self.scenario, name)
-        values = changed(found.values, self.scenario.lattice.periodic, self.options)
+        values = Squares(self.scenario.lattice).between(found.values)
+        values = changed(values, self.scenario.lattice.periodic, self.options)
         self._note(name, values)
         return Sheet(name, values, str(found.attrs["unit"]), str(found.attrs["long_name"]))
 

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from barchan.analysis.on_squares import on_squares
 from barchan.figures.panels import colour_bar, map_panel
 from barchan.figures.series import POSSIBLE, SHOWN, about_middle, within
 from barchan.figures.style import new_figure, smooth
@@ -126,6 +127,8 @@ def difference_map(
     from matplotlib.cm import ScalarMappable
     from matplotlib.colors import Normalize
 
+    reference, _ = on_squares(reference, scenario)
+    frame, scenario = on_squares(frame, scenario)
     apart = smooth(frame["elevation"].values - reference["elevation"].values, 1.0, scenario)
     scale = ScalarMappable(Normalize(-limit, limit), "RdBu_r")
     figure, axes = map_panel(scenario, frame, scale.to_rgba(apart)[..., :3])

@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 from scipy import ndimage
 
 from barchan.analysis.fields import field_of
+from barchan.analysis.on_squares import on_squares
 from barchan.directions import downwind
 from barchan.errors import BarchanError
 from barchan.fields import depth_of
@@ -43,6 +44,7 @@ def laid_over(
     """
     if factor < 1:
         raise BarchanError(f"factor is {factor}; allowed: 1 or more fine cells to a cell")
+    frame, scenario = on_squares(frame, scenario)
     lattice = scenario.lattice
     fine = lattice.model_copy(
         update={

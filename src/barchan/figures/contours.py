@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from barchan.analysis.on_squares import on_squares
 from barchan.errors import BarchanError
 from barchan.figures.maps import Limits, surface_range
 from barchan.figures.panels import colour_bar, drawn_shape, map_panel
@@ -43,6 +44,7 @@ def contour_map(
     The contours carry their elevations, the colour bar names the interval. Raises BarchanError for more
     than ``MOST_CONTOURS`` contours.
     """
+    frame, scenario = on_squares(frame, scenario)
     surface = smooth(frame["elevation"].values, smoothing, scenario)
     low, high = limits or (float(surface.min()), float(surface.max()))
     if low == high:

@@ -55,8 +55,8 @@ def small_multiples(panels: Sequence[Panel], across: int, text: str) -> "Figure"
     low, high = min(r[0] for r in ranges), max(r[1] for r in ranges)
     norm = Normalize(low, high if high > low else low + panels[0].scenario.lattice.thickness)
     down = -(-len(panels) // across)
-    rows, columns = panels[0].scenario.lattice.shape
-    height = min(max(rows / columns, 0.3), 3.0) * PANEL
+    field = panels[0].scenario.lattice
+    height = min(max(field.height / field.width, 0.3), 3.0) * PANEL
     figure = new_figure(max(PANEL * across, 3.4) + 1.2, (height + 0.3) * down + 0.6, of_map=True)
     grid = figure.subplots(down, across, squeeze=False)
     for axes in grid.flat[len(panels) :]:

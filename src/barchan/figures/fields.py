@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from barchan.analysis.on_squares import field_on_squares, on_squares
 from barchan.figures.bare import bare_cells, ground_colours
 from barchan.figures.layers import layer_map, layers_of
 from barchan.figures.light import lit
@@ -41,6 +42,8 @@ def field_map(
     may lie beyond the scale, which then ends in arrows. A scale begins at the lowest possible value at least.
     A field of the layers alone leaves bare ground out of its scale, and shows it as ground.
     """
+    field = field_on_squares(field, scenario)
+    frame, scenario = on_squares(frame, scenario)
     held = ~bare_cells(frame) if field.attrs.get("of_layers") else np.ones(field.shape, np.bool_)
     if limits is None and held.any() and not held.all():
         limits = limits_of(field.values[held], None)

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from PIL import Image
 
+from barchan.analysis.on_squares import on_squares
 from barchan.errors import BarchanError
 from barchan.figures.light import exaggeration
 from barchan.figures.maps import elevation_range, shaded, surface_range
@@ -88,15 +89,15 @@ def shaded_frames(
     from matplotlib.colors import Normalize
 
     count = dataset.sizes["step"]
-    last = dataset.isel(step=-1).load()
-    steeper = None if follow else exaggeration(last["elevation"].values, scenario, smoothing)
+    last, square = on_squares(dataset.isel(step=-1).load(), scenario)
+    steeper = None if follow else exaggeration(last["elevation"].values, square, smoothing)
     norm = Normalize(*_range(dataset, scenario))
     scale = max(1, round(pixels / max(scenario.lattice.shape)))
     for k in range(count):
-        frame = dataset.isel(step=k).load()
-        own = Normalize(*surface_range(frame, scenario)) if follow else norm
+        frame, square = on_squares(dataset.isel(step=k).load(), scenario)
+        own = Normalize(*surface_range(frame, square)) if follow else norm
         colour = shaded(
-            frame, scenario, norm=own, colours=colours, smoothing=smoothing, layers=layers, steeper=steeper
+            frame, square, norm=own, colours=colours, smoothing=smoothing, layers=layers, steeper=steeper
         )[::-1]
         picture = Image.fromarray((colour * 255).round().astype(np.uint8))
         yield picture.resize((picture.width * scale, picture.height * scale), Image.Resampling.BICUBIC)

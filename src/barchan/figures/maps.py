@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from barchan.analysis.on_squares import on_squares
 from barchan.figures.bare import bare_cells, with_bare_ground
 from barchan.figures.layers import layer_scales, overlaid
 from barchan.figures.light import lit
@@ -40,6 +41,7 @@ def relief_map(
     from matplotlib.cm import ScalarMappable
     from matplotlib.colors import Normalize
 
+    frame, scenario = on_squares(frame, scenario)
     norm = Normalize(*(limits or surface_range(frame, scenario, show_bare)))
     image = shaded(
         frame,
@@ -75,6 +77,7 @@ def shaded(
 
     Slopes are lit as ``steeper`` times as steep; without it by ``light.exaggeration``.
     """
+    frame, scenario = on_squares(frame, scenario)
     shown = smooth(frame["elevation"].values, smoothing, scenario)
     base = np.asarray(colour_map(colours, material_of(scenario))(norm(shown)))[..., :3]  # type: ignore[operator]
     if show_bare:

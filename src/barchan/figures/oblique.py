@@ -7,6 +7,7 @@ from matplotlib.colors import Normalize
 from numpy.typing import NDArray
 from scipy import ndimage
 
+from barchan.analysis.on_squares import on_squares
 from barchan.errors import BarchanError
 from barchan.figures.maps import Limits, shaded, surface_range
 from barchan.figures.style import SMOOTHING, Colours, heading, new_figure, smooth, title
@@ -37,6 +38,7 @@ def oblique_view(
     All lengths are true, none is exaggerated; the light comes from the north-west as on maps. Raises
     BarchanError where the angle is not between 5 and 90.
     """
+    frame, scenario = on_squares(frame, scenario)
     surface = smooth(frame["elevation"].values, smoothing, scenario)
     norm = Normalize(*(limits or surface_range(frame, scenario, show_bare)))
     base = shaded(

@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from barchan.analysis.fields import scenario_at
+from barchan.analysis.on_squares import field_on_squares, on_squares
 from barchan.figures.bare import STANDING, standing_cells
 from barchan.figures.section_lines import Section, model_shadow, section_along_wind, through_highest
 from barchan.figures.strata import draw_strata
@@ -61,6 +62,8 @@ def profile(
     ``analysis.fields.field_of``) is drawn along the section below it. Layers have the colour of the model's
     ``strata`` of that name, by default its first; raises BarchanError where it has none of that name.
     """
+    field = None if field is None else field_on_squares(field, scenario)
+    frame, scenario = on_squares(frame, scenario)
     direction = float(frame["wind_direction"])
     section = section_along_wind(scenario, direction, through_highest(frame, scenario) if at is None else at)
     ground = frame["ground"].values[section.rows, section.cols]

@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from barchan.analysis.on_squares import field_on_squares, on_squares
 from barchan.figures.section_lines import section_along_wind, through_highest
 from barchan.figures.sections import section_heading
 from barchan.figures.style import Colours, colour_map, material_of, new_figure
@@ -23,11 +24,14 @@ def space_time(
 
     Time is that of the clock, in the unit that suits it, where the frames carry one, else steps.
     """
-    last = dataset.isel(step=-1).load()
+    last, square = on_squares(dataset.isel(step=-1).load(), scenario)
     direction = float(last["wind_direction"])
-    section = section_along_wind(scenario, direction, through_highest(last, scenario) if at is None else at)
+    section = section_along_wind(square, direction, through_highest(last, square) if at is None else at)
     surface = np.stack(
-        [dataset["elevation"][k].values[section.rows, section.cols] for k in range(dataset.sizes["step"])]
+        [
+            field_on_squares(dataset["elevation"][k], scenario).values[section.rows, section.cols]
+            for k in range(dataset.sizes["step"])
+        ]
     )
     times, label = times_of(dataset)
     figure = new_figure(7.2, 5.0)

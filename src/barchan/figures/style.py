@@ -70,7 +70,7 @@ def smooth(field: NDArray, width: float, scenario: Scenario) -> NDArray[np.float
 def extent(scenario: Scenario) -> tuple[float, float, float, float]:
     """West, east, south and north edge (m)."""
     lattice = scenario.lattice
-    return 0.0, lattice.columns * lattice.cell_size, 0.0, lattice.rows * lattice.cell_size
+    return 0.0, lattice.width, 0.0, lattice.height
 
 
 def label_of(field: "xr.DataArray") -> str:

@@ -5,7 +5,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from barchan.ground.places import LONGEST, SHORTEST, distances, extent, offsets
+from barchan.ground.places import LONGEST, SHORTEST, distances, extent, offsets, shares
 from barchan.ground.terrain import HIGHEST, TALLEST, Terrain
 from barchan.lattice import Lattice
 from barchan.parameters import parameter
@@ -218,7 +218,8 @@ def _bell(distance: NDArray[np.float64]) -> NDArray[np.float64]:
 
 def _from_side(lattice: Lattice, side: Side) -> NDArray[np.float64]:
     """Distance of the cells' centres from a side, as a fraction of the field."""
-    count = lattice.columns if side in ("west", "east") else lattice.rows
-    share = (np.arange(count) + 0.5) / count
-    share = share if side in ("west", "south") else share[::-1]
-    return np.broadcast_to(share if side in ("west", "east") else share[:, None], lattice.shape).copy()
+    x, y = shares(lattice)
+    if side in ("east", "north"):
+        # counted from the other end, so that opposite slopes mirror each other to the last bit
+        x, y = x[:, ::-1] - 2.0 * lattice.shift[:, None] / lattice.width, y[::-1]
+    return np.broadcast_to(x if side in ("west", "east") else y, lattice.shape).copy()

@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 from pydantic import AfterValidator
 
 from barchan.ground.area import Area
+from barchan.ground.places import shares
 from barchan.lattice import Lattice
 from barchan.parameters import Parameters, parameter
 from barchan.streams import Stream
@@ -77,9 +78,8 @@ class Layer(Parameters):
 
     def depth(self, lattice: Lattice) -> NDArray[np.float64]:
         """Depth of the layer (slabs)."""
-        share_x = _rise(self.gradient_x, lattice.columns)
-        share_y = _rise(self.gradient_y, lattice.rows)
-        stacks = self.mean * share_y[:, None] * share_x[None, :]
+        x, y = shares(lattice)
+        stacks = self.mean * _rise(self.gradient_y, y) * _rise(self.gradient_x, x)
         for part in self.parts:
             stacks[part.where(lattice)] = part.mean
         return stacks
@@ -94,5 +94,5 @@ def whole(depth: NDArray[np.float64]) -> NDArray[np.int64]:
     return np.rint(np.maximum(depth, 0.0)).astype(np.int64)
 
 
-def _rise(gradient: float, count: int) -> NDArray[np.float64]:
-    return 1.0 + gradient * (2.0 * (np.arange(count) + 0.5) / count - 1.0)
+def _rise(gradient: float, share: NDArray[np.float64]) -> NDArray[np.float64]:
+    return 1.0 + gradient * (2.0 * share - 1.0)

@@ -11,19 +11,29 @@ SHORTEST, LONGEST = 1e-4, 1e7
 
 def extent(lattice: Lattice) -> tuple[float, float]:
     """Length of the field from west to east and from south to north (m)."""
-    return lattice.columns * lattice.cell_size, lattice.rows * lattice.cell_size
+    return lattice.width, lattice.height
+
+
+def shares(lattice: Lattice) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Distances of the cells' centres from the west and the south edge, as fractions of the field.
+
+    They broadcast to the lattice. In a shifted row the last centre may lie on the east edge.
+    """
+    x, y = (np.arange(count) + 0.5 for count in (lattice.columns, lattice.rows))
+    shift = lattice.shift[:, None] / lattice.width
+    return x[None, :] / lattice.columns + shift, y[:, None] / lattice.rows
 
 
 def offsets(lattice: Lattice, x: float, y: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """How far (m) the cells' centres lie east and north of a place, the short way over joined edges.
 
-    ``x`` and ``y`` are fractions of the field. The first is a row, the second a column, so that they
-    broadcast to the lattice.
+    ``x`` and ``y`` are fractions of the field. The two broadcast to the lattice.
     """
     width, height = extent(lattice)
-    east = _short(lattice.x - x * width, width, lattice.boundary_x == "periodic")
+    centres = lattice.x[None, :] + lattice.shift[:, None] if lattice.hexagonal else lattice.x[None, :]
+    east = _short(centres - x * width, width, lattice.boundary_x == "periodic")
     north = _short(lattice.y - y * height, height, lattice.boundary_y == "periodic")
-    return east[None, :], north[:, None]
+    return east, north[:, None]
 
 
 def distances(lattice: Lattice, x: float, y: float) -> NDArray[np.float64]:

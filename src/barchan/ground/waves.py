@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from barchan.errors import Problem, ScenarioError
 from barchan.ground.layer import Layer, mean_of
-from barchan.ground.places import LONGEST, SHORTEST, extent
+from barchan.ground.places import LONGEST, SHORTEST, extent, shares
 from barchan.lattice import Lattice
 from barchan.parameters import parameter
 from barchan.streams import Stream
@@ -48,9 +48,8 @@ class Waves(Layer):
         if not any(waves):
             message = f"is {self.wavelength:g} m; allowed: waves of which the field holds at least one"
             raise ScenarioError([Problem("sand.wavelength", message)])
-        along_x = (np.arange(lattice.columns) + 0.5) / lattice.columns
-        along_y = (np.arange(lattice.rows) + 0.5) / lattice.rows
-        return waves[0] * along_x[None, :] + waves[1] * along_y[:, None]
+        along_x, along_y = shares(lattice)
+        return waves[0] * along_x + waves[1] * along_y
 
 
 class RippledSand(Waves):

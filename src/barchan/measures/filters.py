@@ -78,6 +78,33 @@ def gradient(field: Field, cell_size: float, periodic: Periodic) -> tuple[Field,
     return slopes[0], slopes[1]
 
 
+def sixfold_gradient(field: Field, cell_size: float, periodic: Periodic) -> tuple[Field, Field]:
+    """Slopes towards east and north of a field on hexagons, of which every second row is shifted half a cell.
+
+    The plane that fits a cell's six neighbours best; beyond an open edge the slope goes on as it comes.
+    """
+    height, width = field.shape
+    rows, columns = np.indices(field.shape)
+    odd = rows % 2
+    joined_y, joined_x = periodic
+    east, north = np.zeros_like(field), np.zeros_like(field)
+    # three pairs of opposite neighbours, at 0, 60 and 120 degrees
+    for angle, up, ahead, back in ((0, 0, 1, -1), (60, 1, odd, odd - 1), (120, 1, odd - 1, odd)):
+        found = []
+        for r, c in ((rows + up, columns + ahead), (rows - up, columns + back)):
+            inside = (joined_y | ((r >= 0) & (r < height))) & (joined_x | ((c >= 0) & (c < width)))
+            step = field[r % height, c % width] - field
+            found.append(np.where(inside, step, np.nan))
+        ahead_of, behind = found
+        rise = np.where(
+            np.isnan(ahead_of), -behind, np.where(np.isnan(behind), ahead_of, (ahead_of - behind) / 2)
+        )
+        rise = np.nan_to_num(rise) * 2.0 / (3.0 * cell_size)
+        east += rise * np.cos(np.radians(angle))
+        north += rise * np.sin(np.radians(angle))
+    return east, north
+
+
 def tapered(field: Field, periodic: Periodic, shift: Sequence[float] | Field = (0.0, 0.0)) -> Field:
     """The field about its mean, faded out towards edges that are not joined; voids are at the mean.
 

@@ -181,6 +181,9 @@ class NieldBaas(SlabModel):
 
     def problems(self, step_seconds: float | None) -> list[tuple[str, str]]:
         """Refuse a year of growth other than the calendar year where a clock defines its duration."""
+        return [*super().problems(step_seconds), *self._year_problems(step_seconds)]
+
+    def _year_problems(self, step_seconds: float | None) -> list[tuple[str, str]]:
         if step_seconds is None:
             return []
         if step_seconds > YEAR:

@@ -88,9 +88,10 @@ class Pelletier(SlabModel):
     Known deviations: the paper's rule of probabilities, its slab size and its fitted function of slope are
     not in the parts that we could read; the two probabilities above are ours. The effect of z0 in this
     model is a test, not a promise: see the page on validation. Over open edges the surface is continued
-    to its mean.
+    to its mean. The stress is found on squares, so there are no hexagons.
     """
 
+    lattices = ("square",)
     name = "pelletier"
     title = "after Pelletier 2009"
     citation = (

@@ -96,10 +96,11 @@ class Blowouts(Layout):
 
     def share(self, lattice: Lattice) -> NDArray[np.float64]:
         """None on the patches, all elsewhere."""
-        columns = _within(lattice.x - self.x * lattice.columns * lattice.cell_size, self.length)
-        middles = (np.arange(self.count) + 0.5) * lattice.rows * lattice.cell_size / self.count
+        centres = lattice.x + lattice.shift[:, None]
+        columns = _within(centres - self.x * lattice.width, self.length)
+        middles = (np.arange(self.count) + 0.5) * lattice.height / self.count
         rows = _within(lattice.y[:, None] - middles, self.width).any(axis=1)
-        return np.where(np.outer(rows, columns), 0.0, 1.0)
+        return np.where(np.logical_and(np.asarray(rows)[:, None], columns), 0.0, 1.0)
 
 
 def _within(distance: NDArray[np.float64], size: float) -> NDArray[np.bool_]:

@@ -24,11 +24,29 @@ Found = tuple[Path, str]
 
 def inconsistencies(scenario: "Scenario", model: Model) -> list[Found]:
     """All that does not go together in a scenario whose parts are right by themselves."""
-    found = [*_clock_problems(scenario, model), *_influx_problems(scenario, model)]
+    found = [*_lattice_problems(scenario, model)]
+    found += [*_clock_problems(scenario, model), *_influx_problems(scenario, model)]
     if not found:
         found += [(("model", key), text) for key, text in model.problems(scenario.step_seconds)]
     found += _hops_problems(scenario, model)
     return [*found, *_unclocked(scenario, model), *_weather_problems(scenario, model)]
+
+
+def _lattice_problems(scenario: "Scenario", model: Model) -> Iterator[Found]:
+    """Cells that a model is not made for, and files of squares on a lattice of hexagons."""
+    kind = scenario.lattice.kind
+    if kind not in model.lattices:
+        yield ("lattice", "kind"), f"is {kind}; allowed with {model.title}: {', '.join(model.lattices)}"
+    if kind == "square":
+        return
+    plants = getattr(scenario.model, "vegetation", None)
+    parts = {("ground",): scenario.ground, ("sand",): scenario.sand, ("model", "vegetation"): plants}
+    for path, part in parts.items():
+        if getattr(part, "kind", None) == "file":
+            yield (
+                (*path, "kind"),
+                "is file, whose cells are squares; allowed with lattice.kind hex: other kinds",
+            )
 
 
 def _clock_problems(scenario: "Scenario", model: Model) -> list[Found]:

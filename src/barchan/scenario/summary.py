@@ -18,9 +18,7 @@ def in_a_line(scenario: "Scenario") -> str:
 
 def field_size(scenario: "Scenario") -> str:
     """Columns and rows of the field, cell size, and the height of a slab or the mass of a quantum."""
-    lattice = scenario.lattice
-    cells = f"{lattice.columns} × {lattice.rows} cells of {lattice.cell_size:g} m"
-    return f"{cells}, {unit_of(scenario)}"
+    return f"{scenario.lattice.size_in_words}, {unit_of(scenario)}"
 
 
 def unit_of(scenario: "Scenario") -> str:

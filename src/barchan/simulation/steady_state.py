@@ -6,12 +6,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from barchan.directions import downwind
-from barchan.measures.bedform_surface import bedform_surface
 from barchan.measures.migration import migration
 from barchan.measures.orientation import crest_orientation
 from barchan.measures.spacing import dominant_spacing
 from barchan.model import Tally
 from barchan.scenario import Scenario, SteadyState
+from barchan.squares import bedforms_of
 from barchan.wind.resultant import resultant_direction
 
 if TYPE_CHECKING:
@@ -39,7 +39,7 @@ class SteadyBedforms:
     def check(self, simulation: "Simulation", _tally: Tally) -> str | None:
         """Measure the bed; the reason to end, once the window's measures are constant."""
         bed = simulation.bed
-        surface = bedform_surface(bed.ground, bed.depth, self.cell_size, self.periodic)
+        surface = bedforms_of(bed)
         hop = getattr(simulation.scenario.model, "hop_length", 1.0)
         wind = resultant_direction(simulation.forcing, max(simulation.steps_done - 1, 0), hop)
         if math.isnan(wind):

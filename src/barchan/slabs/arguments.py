@@ -9,14 +9,11 @@ from numpy.typing import NDArray
 
 from barchan.heights import FRACTION_BITS
 from barchan.kernels.bed.state import (
-    BARRED,
     DOWNSLOPE,
     LEVEL_BITS,
-    UPSLOPE,
     Grid,
     Levels,
     Repose,
-    neighbour_code,
     new_levels,
     relaxation_orders,
     repose_rule,
@@ -38,16 +35,15 @@ from barchan.kernels.slabs.state import (
     Work,
     prepared_polls,
 )
-from barchan.lattice import Lattice
+from barchan.lattice import HEX_ROWS, Lattice
+from barchan.slabs.neighbours import neighbour_groups, order_table
 from barchan.slabs.parameters import SlabParameters
+from barchan.slabs.rays import ray_shadow
 from barchan.slabs.rules import ErosionChance, HopRule, Rules
 from barchan.wind.frame import WindFrame
 
 _FAR = 1 << 30
 """A fall (slabs) that no shadow line survives."""
-
-_DIRECTIONS = ((0, 1), (1, 0), (0, -1), (-1, 0), (1, 1), (1, -1), (-1, -1), (-1, 1))
-"""(across, along) steps of the kernels' eight directions."""
 
 
 @dataclass(frozen=True)
@@ -66,9 +62,8 @@ def build(
     """The structs for a wind in ``frame`` with hops of ``hop`` cells, over flat ground or not."""
     rows, cols = reversed(lattice.shape) if frame.crossed else lattice.shape
     across, along = reversed(lattice.periodic) if frame.crossed else lattice.periodic
-    grid = Grid(rows, cols, along, across)
-    moore = parameters.neighbourhood == "moore"
-    orders = order_table(frame.angle, moore, parameters.upwind_avalanches)
+    grid = Grid(rows, cols, along, across, lattice.hexagonal)
+    orders = order_table(frame.angle, neighbour_groups(parameters, lattice), parameters.upwind_avalanches)
     passes = parameters.path_test == "off" or (parameters.path_test == "hard" and flat)
     fall = math.tan(math.radians(parameters.shadow_angle)) / lattice.aspect
     start = 0.5 if parameters.shadow_from == "edge" else 0.0
@@ -78,10 +73,11 @@ def build(
     if frame.angle == 0.0:
         axis, memory = _axis_shadow(cols, fall, start, flat)
     else:
-        ray, memory = _ray_shadow(grid, frame.angle, fall, start, flat)
+        slabs = fall * (1.0 if flat else 2.0**FRACTION_BITS)
+        ray, memory = ray_shadow(grid, frame.angle, slabs, start, 4 if flat else 8)
     found = SlabRules(
         grid=grid,
-        wind=_wind(parameters, rules.erosion, frame, hop),
+        wind=_wind(parameters, rules.erosion, frame, hop, lattice),
         speedup=None if rules.hop is None else _speedup(rules.hop, grid, hop, flat),
         obstacles=None if passes else _obstacles(parameters, repose, flat),
         repose=repose,
@@ -89,7 +85,7 @@ def build(
         ray=ray,
         box=_box_shadow(frame.angle, fall, flat) if parameters.shadow_from == "place" else None,
         orders=orders,
-        relaxation_orders=_relaxation_orders(parameters, orders),
+        relaxation_orders=_relaxation_orders(parameters, lattice, orders),
         interruption=new_interruption(),
     )
     return SlabArguments(found, memory)
@@ -108,8 +104,11 @@ def work_space(rules: SlabRules, schedule: Schedule) -> Work:
     return Work(prepared_polls(grid.rows, grid.cols, schedule), unstable)
 
 
-def _wind(parameters: SlabParameters, erosion: ErosionChance, frame: WindFrame, hop: float) -> Wind:
-    unit = math.cos(frame.angle) * CELL, math.sin(frame.angle) * CELL
+def _wind(
+    parameters: SlabParameters, erosion: ErosionChance, frame: WindFrame, hop: float, lattice: Lattice
+) -> Wind:
+    heights = HEX_ROWS if lattice.hexagonal else 1.0
+    unit = math.cos(frame.angle) * CELL, math.sin(frame.angle) * heights * CELL
     return Wind(
         lee_erosion=parameters.lee_erosion,
         hop_along=round(hop * unit[0]),
@@ -146,7 +145,7 @@ def _repose(parameters: SlabParameters, rules: Rules, lattice: Lattice, one: int
     return repose_rule(
         one,
         parameters.limits(lattice),
-        corners=parameters.neighbourhood == "moore",
+        corners=parameters.neighbourhood == "moore" and not lattice.hexagonal,
         corner_weight=1.0 if parameters.corner_limit == "face" else math.sqrt(0.5),
         random_order=parameters.neighbour_order == "random",
         stabilised=parameters.limits(lattice, rules.stabilised_angle),
@@ -155,31 +154,14 @@ def _repose(parameters: SlabParameters, rules: Rules, lattice: Lattice, one: int
     )
 
 
-def _relaxation_orders(parameters: SlabParameters, orders: NDArray[np.int64]) -> NDArray[np.int64]:
+def _relaxation_orders(
+    parameters: SlabParameters, lattice: Lattice, orders: NDArray[np.int64]
+) -> NDArray[np.int64]:
     """The wind's own order, or several orders to draw from."""
     if parameters.neighbour_order == "wind":
         return orders[DOWNSLOPE : DOWNSLOPE + 1].copy()
-    drawn = relaxation_orders(parameters.neighbourhood == "moore")
+    drawn = relaxation_orders(parameters.neighbourhood == "moore", lattice.hexagonal)
     return np.where(orders[DOWNSLOPE] < 0, orders[DOWNSLOPE], drawn)
-
-
-def order_table(angle: float, moore: bool, upwind: bool) -> NDArray[np.int64]:
-    """Codes of the neighbours, in the order in which a wind at ``angle`` has them checked.
-
-    A slab slides down to the downwind side first and slides in from the upwind side first, faces before
-    corners; of two neighbours at the same angle to the wind the one on its left comes first. Without
-    ``upwind`` nothing slides against the wind.
-    """
-    downwind = [c * math.cos(angle) + a * math.sin(angle) for a, c in _DIRECTIONS]
-    left = [a * math.cos(angle) - c * math.sin(angle) for a, c in _DIRECTIONS]
-    orders = np.full((3, 8), BARRED, np.int64)
-    for row, sign in ((DOWNSLOPE, 1), (UPSLOPE, -1)):
-        for faces in (range(4), range(4, 8) if moore else ()):
-            sides = sorted(faces, key=lambda d: (-round(sign * downwind[d], 9), -round(left[d], 9)))
-            for place, direction in enumerate(sides, start=min(faces, default=0)):
-                if upwind or sign * downwind[direction] > -1e-9:
-                    orders[row, direction] = neighbour_code(direction, place)
-    return orders
 
 
 def _axis_shadow(cols: int, fall: float, start: float, flat: bool) -> tuple[AxisShadow, tuple[NDArray, ...]]:
@@ -197,21 +179,3 @@ def _box_shadow(angle: float, fall: float, flat: bool) -> BoxShadow:
     fall *= 1.0 if flat else 2.0**FRACTION_BITS
     row_fall = fall / abs(math.sin(angle)) if angle else math.inf
     return BoxShadow(fall / math.cos(angle), row_fall, 1 if angle < 0.0 else -1, 4 if flat else 8)
-
-
-def _ray_shadow(
-    grid: Grid, angle: float, fall: float, start: float, flat: bool
-) -> tuple[RayShadow, tuple[NDArray, ...]]:
-    columns = np.arange(1, grid.cols + 1)
-    offset = -columns * math.tan(angle)
-    lower = np.floor(offset + 1e-9)
-    weights = np.maximum(offset - lower, 0.0)
-    rows = lower.astype(np.int64)
-    if grid.wrap_across:
-        rows %= grid.rows
-    falls = (columns / math.cos(angle) - start) * fall * (1.0 if flat else 2.0**FRACTION_BITS)
-    away = np.ceil(np.abs(offset) - 1e-9)
-    near = np.searchsorted(away, np.arange(grid.rows), side="right")
-    memory = rows, weights, falls, near.astype(np.int64)
-    addresses = (rows.ctypes.data, weights.ctypes.data, falls.ctypes.data, memory[3].ctypes.data)
-    return RayShadow(*addresses, angle < 0.0, grid.cols, 4 if flat else 8), memory

@@ -27,9 +27,10 @@ def edge_influx(
     """
     assert segment.influx is not None, "asked only where there is influx"
     number = segment.influx.slabs_per_row(saturated, segment.share)
+    row_width = lattice.row_spacing / lattice.cell_size
     x, y = downwind(segment.direction)
     at_x, at_y = np.zeros((2, *lattice.shape))
-    at_x[:, 0 if x > 0 else -1] = number * abs(x) * segment.influx.along_edge(lattice.rows)
+    at_x[:, 0 if x > 0 else -1] = number * row_width * abs(x) * segment.influx.along_edge(lattice.rows)
     at_y[0 if y > 0 else -1, :] = number * abs(y) * segment.influx.along_edge(lattice.columns)
     open_y, open_x = (not joined for joined in lattice.periodic)
     first, second = (at_y, at_x) if frame.crossed else (at_x, at_y)

@@ -2,18 +2,19 @@
 
 from collections.abc import Hashable
 from functools import partial
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from barchan.bed import Bed
 from barchan.checked import checked, finite
+from barchan.directions import downwind
 from barchan.heights import check_heights
 from barchan.kernels.bed.state import Stacks, relaxation_orders
 from barchan.kernels.core.interruption import interruptible, new_interruption
 from barchan.kernels.slabs.state import Schedule
-from barchan.lattice import Lattice
+from barchan.lattice import HEX_ROWS, Lattice
 from barchan.model import Derived, Model, Tally
 from barchan.slabs.arguments import SlabArguments, build, levels_over
 from barchan.slabs.influx import INFLUX, edge_influx
@@ -37,6 +38,7 @@ _CELL_BYTES = 24
 class SlabModel(Model):
     """A model that moves slabs of sand one at a time (Werner 1995 and its descendants)."""
 
+    lattices: ClassVar[tuple[str, ...]] = ("square", "hex")
     takes_influx = True
     Parameters = SlabParameters
     parameters: SlabParameters
@@ -101,7 +103,7 @@ class SlabModel(Model):
         from barchan.kernels.core.threads import thread_count
         from barchan.kernels.slabs.influx import let_enter
 
-        frame = WindFrame.of(segment.direction)
+        frame = self._frame(segment.direction)
         mobility = self.mobility(bed, segment.direction)
         hop = finite(self.hop_length(segment), f"hop length of {self.title}")
         arguments, stacks = self._enter(bed, frame, hop, mobility)
@@ -137,7 +139,7 @@ class SlabModel(Model):
         else:
             run()
         write_back(bed, frame, stacks)
-        return tally_of(transport.counts, segment, frame)
+        return tally_of(transport.counts, segment, frame, 1.0 / HEX_ROWS if self.lattice.hexagonal else 1.0)
 
     def _hops_of(self, segment: Segment) -> float:
         """How many hops the slabs of a segment may take: a measure of how long it takes."""
@@ -157,14 +159,15 @@ class SlabModel(Model):
 
     def step_volume(self) -> float:
         """Volume (m² per step) that goes through a line across the wind on a flat bed of sand."""
-        return self._crossing(self.parameters.hop_length) * self.lattice.cell_size * self.lattice.thickness
+        return self._carried(self.parameters.hop_length) * self.lattice.cell_size * self.lattice.thickness
 
     def saturated_influx(self, segment: Segment) -> float:
-        """Slabs that cross each row in a step of a wind on a flat bed of sand, the row along the wind."""
-        return self._crossing(self.hop_length(segment)) * segment.polls / self.lattice.cells
+        """Slabs that cross a cell's width square to the wind in a step, on a flat bed of sand."""
+        rows = self.lattice.cell_size / self.lattice.row_spacing
+        return self._carried(self.hop_length(segment)) * segment.polls / self.lattice.cells * rows
 
-    def _crossing(self, hop_length: float) -> float:
-        """Slabs that cross a cell's width in a step that polls as many cells as there are, on flat sand.
+    def _carried(self, hop_length: float) -> float:
+        """Distance (cells) that a poll carries a slab on a flat bed of sand, on the average.
 
         Each poll finds sand and gives it with the chance of erosion; a slab hops 1 / ``p_s`` times on the
         average. Raises ValueError where that is no number.
@@ -176,10 +179,17 @@ class SlabModel(Model):
             raise ValueError(f"is given, but {reason}: a step of no known volume has no duration")
         return given * hop_length / self.parameters.p_s
 
+    def problems(self, step_seconds: float | None) -> list[tuple[str, str]]:
+        """Rules that hold on squares alone."""
+        if self.lattice.hexagonal and self.parameters.shadow_from == "place":
+            text = "is place, which sees stacks as square boxes; allowed with lattice.kind hex: centre, edge"
+            return [("shadow_from", text)]
+        return []
+
     def slope_limits(self) -> dict[str, tuple[int, ...]]:
         """The repose limits (slabs) towards faces and corners, of bare cells and of stabilised ones."""
         angles = {"bare": self.parameters.static_repose_angle, "stabilised": self.rules().stabilised_angle}
-        kinds = 2 if self.parameters.neighbourhood == "moore" else 1
+        kinds = 2 if self.parameters.neighbourhood == "moore" and not self.lattice.hexagonal else 1
         return {
             cells: self.parameters.limits(self.lattice, angle)[:kinds]
             for cells, angle in angles.items()
@@ -198,7 +208,7 @@ class SlabModel(Model):
         mobility = None if self.rules().stabilised_angle is None else self.mobility(bed, 270.0)
         arguments, stacks = self._enter(bed, frame, self.parameters.hop_length, mobility)
         rules = arguments.rules
-        orders = relaxation_orders(self.parameters.neighbourhood == "moore")
+        orders = relaxation_orders(self.parameters.neighbourhood == "moore", self.lattice.hexagonal)
         changed = np.ones(bed.sand.size, np.bool_) if where is None else where.ravel().copy()
         moved = relax_field(stacks, changed, orders, rules.grid, rules.repose, None)
         write_back(bed, frame, stacks)
@@ -208,7 +218,7 @@ class SlabModel(Model):
         """Which cells lie in shadow of a wind from ``direction`` (degrees)."""
         from barchan.kernels.slabs.shadow import shadow_zone
 
-        frame = WindFrame.of(direction)
+        frame = self._frame(direction)
         arguments, stacks = self._enter(bed, frame, self.parameters.hop_length, None)
         rules = arguments.rules
         zone = np.zeros(self.lattice.cells, np.bool_)
@@ -233,18 +243,25 @@ class SlabModel(Model):
     def _angles(self, angle: float) -> str:
         face, corner = self.parameters.effective_angles(self.lattice, angle)
         face_limit, corner_limit = self.parameters.limits(self.lattice, angle)
-        text = f"{face:.1f}° towards faces ({face_limit} slabs)"
+        faces = "all six neighbours" if self.lattice.hexagonal else "faces"
+        text = f"{face:.1f}° towards {faces} ({face_limit} slabs)"
         return text if corner is None else f"{text}, {corner:.1f}° towards corners ({corner_limit} slabs)"
 
     def remarks(self, hop_length: float | None, direction: float) -> list[str]:
         """Warn of hops that the field's edges dominate."""
         hop = self.parameters.hop_length if hop_length is None else hop_length
-        frame = WindFrame.of(direction)
-        along = self.lattice.rows if frame.crossed else self.lattice.columns
+        x, y = downwind(direction)
+        size = self.lattice.width if abs(x) >= abs(y) else self.lattice.height
+        along = size / self.lattice.cell_size
         if hop > along / 2:
-            text = f"hop length {hop:g} cells is longer than half the field along the wind ({along} cells)"
+            text = (
+                f"hop length {hop:g} cells is longer than half the field along the wind ({along:.4g} cells)"
+            )
             return [f"{text}: the field's edges will dominate"]
         return []
+
+    def _frame(self, direction: float) -> WindFrame:
+        return WindFrame.of(direction, self.lattice.hexagonal)
 
     def _enter(
         self, bed: Bed, frame: WindFrame, hop: float, mobility: NDArray[np.float64] | None

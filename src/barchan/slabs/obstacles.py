@@ -26,9 +26,9 @@ class ClearDistances:
     ) -> ObstacleRule | None:
         """The obstacle rule with the addresses of the distances, which hold until the next call.
 
-        The ``stacks`` lie flat in the wind's frame.
+        The ``stacks`` lie flat in the wind's frame. Among hexagons each hop is looked at cell by cell.
         """
-        if rules.obstacles is None or rules.obstacles.sand:
+        if rules.obstacles is None or rules.obstacles.sand or rules.grid.hexagonal:
             return rules.obstacles
         if self._ground is None or not np.array_equal(self._ground, ground):
             self._ground = ground.copy()

@@ -120,7 +120,8 @@ class SlabParameters(Parameters):
         unit="-",
         live=True,
         group="avalanches",
-        meaning="Cells that a slab may slide to: the four faces, or the four corners too.",
+        meaning="Cells that a slab may slide to: the four faces, or the four corners too; of hexagons always "
+        "the six faces.",
         source="von_neumann: Prague thesis, Fig. 5.5; moore: Elder 2009, Fig. 3",
     )
     corner_limit: Literal["face", "geometric"] | Annotated[int, Field(ge=1, le=1_000_000)] = parameter(
@@ -202,7 +203,7 @@ class SlabParameters(Parameters):
 
     def corner_step_limit(self, lattice: Lattice, angle: float | None = None) -> int:
         """Largest step (slabs) to a corner neighbour that stands."""
-        if self.corner_limit == "face":
+        if self.corner_limit == "face" or lattice.hexagonal:
             return self.face_limit(lattice, angle)
         slope = math.tan(math.radians(self.repose_angle if angle is None else angle)) / lattice.aspect
         if self.corner_limit == "geometric":
@@ -214,13 +215,13 @@ class SlabParameters(Parameters):
         return max(1, math.floor(min(slabs + _ROUNDING, LARGEST_STEP))) + earlier
 
     def limits(self, lattice: Lattice, angle: float | None = None) -> tuple[int, int]:
-        """Largest steps (slabs) that stand towards faces and corners."""
+        """Largest steps (slabs) that stand towards faces and corners; of hexagons the two are one."""
         return self.face_limit(lattice, angle), self.corner_step_limit(lattice, angle)
 
     def effective_angles(self, lattice: Lattice, angle: float | None = None) -> tuple[float, float | None]:
         """Steepest stable slopes (degrees) towards faces and, in a Moore neighbourhood, corners."""
         face, corner = self.limits(lattice, angle)
         steepest = math.degrees(math.atan(face * lattice.aspect))
-        if self.neighbourhood == "von_neumann":
+        if self.neighbourhood == "von_neumann" or lattice.hexagonal:
             return steepest, None
         return steepest, math.degrees(math.atan(corner * lattice.aspect / math.sqrt(2)))

@@ -18,9 +18,12 @@ from barchan.wind.frame import WindFrame
 from barchan.wind.segment import Segment
 
 
-def tally_of(counts: NDArray[np.int64], segment: Segment, frame: WindFrame) -> Tally:
-    """What happened in a segment, by the counts that its kernel made in the wind's frame."""
-    travel = counts[TRAVEL_ALONG] / TRAVEL_UNIT, counts[TRAVEL_ACROSS] / TRAVEL_UNIT
+def tally_of(counts: NDArray[np.int64], segment: Segment, frame: WindFrame, across: float = 1.0) -> Tally:
+    """What happened in a segment, by the counts that its kernel made in the wind's frame.
+
+    The kernel counts distances along in cells and those across in units of ``across`` cells.
+    """
+    travel = counts[TRAVEL_ALONG] / TRAVEL_UNIT, counts[TRAVEL_ACROSS] / TRAVEL_UNIT * across
     travel_x, travel_y = frame.to_map(*travel)
     return Tally(
         steps=segment.steps,

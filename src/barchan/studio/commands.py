@@ -58,6 +58,7 @@ COMMANDS = _table(
     Command("look", "worker", "Look back at a step; null for the newest state."),
     Command("branch", "worker", "Continue from the state that is looked at."),
     Command("switch", "worker", "Return to another branch."),
+    Command("measured", "worker", "Ask for the measures at every fixed step up to now."),
     Command("space_time", "worker", "Ask for the section along a line over the whole run."),
     Command("strata", "worker", "Ask for the layers of the bed along a line, as it is looked at."),
     Command("create", "session", "Start a scenario, in both runs where two are compared.", needs_run=False),

@@ -30,6 +30,7 @@ MESSAGES = {
     "compiling": "Kernels are being compiled.",
     "arrived": "A run has done the steps that it was asked for.",
     "lost": "The process of a run has ended by itself; the newest step that all runs can continue from.",
+    "progress": "How far the answer to a request is.",
     "done": "The answer to a request.",
     "refused": "A request that cannot be carried out, and why.",
 }
@@ -48,6 +49,9 @@ LARGEST_MESSAGE = 1 << 20
 
 FRAMES_IN_FLIGHT = 2
 """Frames that may be on their way to a browser that has not confirmed them."""
+
+ANSWERED = (BarchanError, OSError, LookupError, TypeError, ValueError, ArithmeticError, MemoryError)
+"""Errors of a request that are answered: whatever a request holds, it ends neither server nor worker."""
 
 Request = dict[str, Any]
 """A request as it arrives: ``command``, perhaps ``id`` and ``run``, and the command's own keys."""

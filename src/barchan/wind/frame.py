@@ -1,7 +1,8 @@
 """The wind's frame: the field turned by quarter turns so that the wind blows towards growing columns.
 
 Only quarter turns are made, so nothing is interpolated; the remaining angle of the wind lies within 45
-degrees of the columns' axis.
+degrees of the columns' axis. A lattice of hexagons fits onto itself only after half turns: then it lies
+within 90 degrees.
 """
 
 import math
@@ -23,14 +24,16 @@ class WindFrame:
     turns: int
     """Quarter turns, anticlockwise seen from above, from the wind's frame to the map."""
     angle: float
-    """Angle (rad) of the wind to the columns' axis, anticlockwise, within 45 degrees."""
+    """Angle (rad) of the wind to the columns' axis, anticlockwise, within 45 degrees (hexagons: 90)."""
 
     @classmethod
-    def of(cls, direction: float) -> "WindFrame":
+    def of(cls, direction: float, hexagonal: bool = False) -> "WindFrame":
         """The frame of a wind from ``direction`` (degrees clockwise from north)."""
         x, y = downwind(direction)
         towards = math.atan2(y, x)
         turns = math.floor(towards / (math.pi / 2) + 0.5)
+        if hexagonal:
+            turns = 2 * math.floor(towards / math.pi + 0.5)
         angle = towards - turns * math.pi / 2
         return cls(turns % 4, 0.0 if abs(angle) < _AXIS else angle)
 

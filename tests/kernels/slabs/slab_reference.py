@@ -1,7 +1,8 @@
 """Slab transport in plain Python: slow, and meant to be obviously right.
 
 It shares nothing with the compiled kernels but the definition of the random numbers. It works in the wind's
-frame: column + 1 is downwind (within 45 degrees), rows grow to the wind's left.
+frame: column + 1 is downwind (within 45 degrees), rows grow to the wind's left. What differs on a lattice of
+hexagons is in ``hex_reference``.
 """
 
 import math
@@ -171,6 +172,14 @@ class Field:
 
     # --- avalanches --------------------------------------------------------------------------------
 
+    def neighbour_groups(self):
+        """Steps to the neighbours; those of the first group come first."""
+        return [FACES, CORNERS if self.rules.neighbourhood == "moore" else []]
+
+    def steps_about(self):
+        """Steps to all cells that an avalanche may upset, in the order in which they are asked."""
+        return FACES + CORNERS
+
     def order(self, sliding, draws=None):
         """Neighbours in the order in which they are checked."""
         wind = (math.sin(self.angle), math.cos(self.angle))
@@ -180,7 +189,7 @@ class Field:
         def dot(a, b):
             return round(a[0] * b[0] + a[1] * b[1], 9)
 
-        groups = [FACES, CORNERS if self.rules.neighbourhood == "moore" else []]
+        groups = self.neighbour_groups()
         result = []
         for at, group in enumerate(groups):
             if draws is None:
@@ -241,7 +250,7 @@ class Field:
 
         def upset_about(cell, first):
             for k in range(8):
-                upset(self.neighbour(*cell, (FACES + CORNERS)[(first + k) % 8]) or cell, False)
+                upset(self.neighbour(*cell, self.steps_about()[(first + k) % 8]) or cell, False)
 
         upset((row, col), False)
         upset_about((row, col), 0)
@@ -351,14 +360,14 @@ class Field:
 
     def carry(self, x, y, dx, dy, hops, draws):
         while hops < self.rules.max_hops:
-            if self.hops_far(y, dy):
+            if self.hops_far(x, y, dx, dy):
                 self.aside.append((x, y, dx, dy, hops, draws))
                 return "aside"
             hops += 1
             x, y, stopped = self.fly(x, y, dx, dy)
             if x is None:
                 return None
-            row, col = y // CELL, x // CELL
+            row, col = self.cell(x, y)
             chance = high(draws.next())
             if stopped or chance < self.chance_to_settle(row, col) or self.in_shadow(row, col, (x, y)):
                 return row, col
@@ -373,7 +382,11 @@ class Field:
     def place_among_near(self, row):
         return (row - self.near[0]) % self.rows
 
-    def hops_far(self, y, dy):
+    def cell(self, x, y):
+        """Row and column of the cell that a place lies in."""
+        return y // CELL, x // CELL
+
+    def hops_far(self, x, y, dx, dy):
         """Whether a hop leads out of the near rows."""
         if self.near is None:
             return False
@@ -421,11 +434,10 @@ class Field:
         here, flown = (x, y), (0, 0)
         for piece in range(1, pieces + 1):
             part = (dx, dy) if piece == pieces else (dx // pieces * piece, dy // pieces * piece)
-            there = (
-                self.place(x + part[0], self.cols, self.wrap_along),
-                self.place(y + part[1], self.rows, self.wrap_across),
-            )
+            there = self.place_after(x + part[0], y + part[1])
             if None in there:
+                if piece < pieces:  # over the edge and back, where the edge is not straight
+                    continue
                 self.travel(dx, dy)
                 return None, None, False
             if test != "off" and self.blocked(here, there):
@@ -436,11 +448,15 @@ class Field:
         return *here, False
 
     def blocked(self, here, there):
-        col, row = here[0] // CELL, here[1] // CELL
-        c, r = there[0] // CELL, there[1] // CELL
+        row, col = self.cell(*here)
+        r, c = self.cell(*there)
         top = self.height(r, c) if self.rules.path_test == "surface" else self.base[r][c]
         limit = self.corner_limit if r != row and c != col else self.face_limit
         return (r, c) != (row, col) and top - self.height(row, col) > limit * SCALE
+
+    def place_after(self, x, y):
+        """A place brought back into the field, with None where it lies outside."""
+        return self.place(x, self.cols, self.wrap_along), self.place(y, self.rows, self.wrap_across)
 
     def place(self, place, size, wrap):
         if 0 <= place < size * CELL:
@@ -543,8 +559,8 @@ class Field:
 
 def drawn_order(group, draw, first):
     """A group of neighbours in a drawn sequence."""
-    places = list(range(4))
-    for last in range(3, 0, -1):
+    places = list(range(len(group)))
+    for last in range(len(group) - 1, 0, -1):
         other = below(high(derive(draw, first + last)), last + 1)
         places[last], places[other] = places[other], places[last]
     return [step for _, step in sorted(zip(places, group, strict=False))]

@@ -17,6 +17,7 @@ from barchan.slabs.rules import ErosionChance, HopRule, Rules
 from barchan.streams import Stream, derive
 from barchan.wind.frame import WindFrame
 from barchan.wind.segment import Segment
+from tests.kernels.slabs.hex_reference import HexField
 from tests.kernels.slabs.slab_reference import SCALE, Field
 
 VARIANTS = {
@@ -67,10 +68,10 @@ def both(
     stream = Stream(key_seed, "transport")
     segment = Segment(5, steps, first, count, direction)
     tally = model.advance(bed, segment, stream)
-    frame = WindFrame.of(direction)
+    frame = WindFrame.of(direction, lattice.hexagonal)
     assert frame.turns == 0
     release = parameters.limits(lattice, parameters.static_repose_angle)
-    plain = Field(
+    plain = (HexField if lattice.hexagonal else Field)(
         sand.tolist(),
         (ground / lattice.thickness).tolist(),
         parameters,
@@ -95,7 +96,9 @@ def assert_same(bed, tally, plain):
     np.testing.assert_array_equal(bed.sand, plain.sand)
     for name in ("moved", "left", "capped", "exhausted"):
         assert getattr(tally, name) == plain.tally[name], name
-    assert (tally.travel_x * 2**16, tally.travel_y * 2**16) == (plain.tally["x"], plain.tally["y"])
+    across = 2 / math.sqrt(3) if bed.lattice.hexagonal else 1.0
+    assert tally.travel_x * 2**16 == plain.tally["x"]
+    assert tally.travel_y * 2**16 == pytest.approx(plain.tally["y"] * across, rel=1e-12)
 
 
 def rough_bed(lattice, seed, top=9):
@@ -192,8 +195,14 @@ FEATURES = [
 @settings(max_examples=30)
 @given(st.data())
 def test_kernel_equals_reference_with_what_models_add(features, data):
+    bed, tally, plain = with_features(features, data, data.draw(LATTICES), [226.0, 262.0, 314.0])
+    assert_same(bed, tally, plain)
+
+
+def with_features(features, data, lattice, oblique_winds, drawn=PARAMETERS):
+    """Beds and tallies under some of what models add, with all else drawn."""
     speedup, plants, uneven, oblique, path, release = features
-    lattice, parameters = data.draw(LATTICES), data.draw(PARAMETERS)
+    parameters = data.draw(drawn)
     seed = data.draw(st.integers(0, 2**32))
     random = np.random.default_rng(seed)
     ground = np.zeros(lattice.shape)
@@ -206,12 +215,12 @@ def test_kernel_equals_reference_with_what_models_add(features, data):
         "path_test": data.draw(st.sampled_from(["hard", "surface"])) if path else "off",
         "static_repose_angle": parameters.repose_angle + above,
     }
-    bed, tally, plain = both(
+    return both(
         parameters.model_copy(update=changes),
         lattice,
         random.integers(0, 9, lattice.shape).astype(np.int32),
         ground,
-        data.draw(st.sampled_from([226.0, 262.0, 314.0])) if oblique else 270.0,
+        data.draw(st.sampled_from(oblique_winds)) if oblique else 270.0,
         steps=1,
         key_seed=seed,
         extra=Rules(
@@ -222,7 +231,6 @@ def test_kernel_equals_reference_with_what_models_add(features, data):
         ),
         mobility=random.normal(0.7, 0.7, lattice.shape) if plants else None,
     )
-    assert_same(bed, tally, plain)
 
 
 @settings(deadline=None, max_examples=40)

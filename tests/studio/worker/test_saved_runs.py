@@ -3,7 +3,7 @@ import numpy as np
 from barchan.archive import open_run, resume
 from barchan.simulation import SetParameter, Simulation
 from barchan.studio.worker.run import started
-from barchan.studio.worker.saved_runs import open_saved_run, save_run
+from barchan.studio.worker.saved_runs import open_saved_run, save_run, states_of
 from tests.studio.worker.test_run import run_to
 
 
@@ -12,7 +12,7 @@ def test_a_saved_run_resumes_on_the_command_line_with_the_same_bits(scenario, tm
     run_to(run, 25)
     run.live.apply(SetParameter(key="model.p_s", value=0.9))
     run_to(run, 33)
-    assert save_run(run, tmp_path / "mine") == 5
+    assert save_run(states_of(run), tmp_path / "mine") == 5
     outcome = resume(tmp_path / "mine")
     alone = Simulation(scenario)
     alone.advance(25)
@@ -24,7 +24,7 @@ def test_a_saved_run_resumes_on_the_command_line_with_the_same_bits(scenario, tm
 def test_the_frames_of_a_saved_run_are_the_states_that_were_kept(scenario, tmp_path):
     run = started(scenario)
     run_to(run, 30)
-    save_run(run, tmp_path / "mine")
+    save_run(states_of(run), tmp_path / "mine")
     with open_run(tmp_path / "mine") as dataset:
         assert list(dataset["step"].values) == [0, 10, 20, 30]
         for at, state in enumerate(run.history.states):
@@ -34,7 +34,7 @@ def test_the_frames_of_a_saved_run_are_the_states_that_were_kept(scenario, tmp_p
 def test_an_opened_run_can_be_looked_at_and_goes_on_from_its_newest_state(scenario, tmp_path):
     run = started(scenario)
     run_to(run, 30)
-    save_run(run, tmp_path / "mine")
+    save_run(states_of(run), tmp_path / "mine")
     again = open_saved_run(tmp_path / "mine")
     assert again.live.steps_done == 30
     again.look(10)

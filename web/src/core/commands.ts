@@ -35,6 +35,8 @@ export type CommandName =
   | "branch"
   /** Return to another branch. */
   | "switch"
+  /** Ask for the measures at every fixed step up to now. */
+  | "measured"
   /** Ask for the section along a line over the whole run. */
   | "space_time"
   /** Ask for the layers of the bed along a line, as it is looked at. */
@@ -77,6 +79,8 @@ export type MessageType =
   | "arrived"
   /** The process of a run has ended by itself; the newest step that all runs can continue from. */
   | "lost"
+  /** How far the answer to a request is. */
+  | "progress"
   /** The answer to a request. */
   | "done"
   /** A request that cannot be carried out, and why. */

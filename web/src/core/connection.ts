@@ -23,9 +23,13 @@ export class Refused extends Error {
   }
 }
 
+export type Progress = (done: number, of: number) => void;
+
 interface Waiting {
   done: (message: Message) => void;
   refused: (reason: Refused) => void;
+  /** Takes how much is done, and of how much, of what takes long. */
+  progress: Progress | undefined;
   /** The run that is to answer; where it is not named, any of them. */
   run: unknown;
 }
@@ -64,11 +68,11 @@ export class Connection {
     return true;
   }
 
-  /** Send a command and wait for its answer. */
-  ask(command: Command): Promise<Message> {
+  /** Send a command and wait for its answer; `progress` is called while that takes long. */
+  ask(command: Command, progress?: Progress): Promise<Message> {
     const id = ++this.lastId;
     return new Promise((done, refused) => {
-      this.waiting.set(id, { done, refused, run: command.run });
+      this.waiting.set(id, { done, refused, progress, run: command.run });
       if (!this.send({ ...command, id })) this.abandon("There is no connection to the studio's server.");
     });
   }
@@ -103,6 +107,7 @@ export class Connection {
     const message = JSON.parse(data) as Message;
     if (message.type === "hello") this.state.send(message.protocol === PROTOCOL ? "open" : "other version");
     const waiting = typeof message.id === "number" ? this.waiting.get(message.id) : undefined;
+    if (waiting && message.type === "progress") return waiting.progress?.(Number(message.done), Number(message.of));
     if (waiting && typeof message.id === "number") {
       this.waiting.delete(message.id);
       if (message.type === "refused") {

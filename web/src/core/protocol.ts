@@ -107,6 +107,9 @@ export interface Description {
   /** What a section can show of the layers; empty for a model that keeps none. */
   strata: Strata[];
   measures: Measure[];
+  /** Steps from one measurement to the next at first, and rows until that doubles. */
+  measured_every: number;
+  measured_rows: number;
   /** Whether the model follows grains, whose paths can be shown. */
   paths: boolean;
   repose: number | null;
@@ -139,6 +142,8 @@ export interface Row {
   step: number;
   values: Record<string, number | null>;
   doubts: Record<string, string>;
+  /** Whether the run was paused there, at no step of the fixed ones. */
+  extra?: boolean;
 }
 
 export interface Problem {
@@ -171,6 +176,8 @@ export interface Frame {
   shown: string[];
   history?: number[];
   measures?: Row[];
+  /** Whether these measures replace all that came before. */
+  measures_replaced?: boolean;
   /** Paths of grains: x, y and z (m) of each point after the other. */
   paths?: number[][];
   fields: Map<string, Float32Array>;

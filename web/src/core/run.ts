@@ -44,6 +44,7 @@ export class Run {
     this.lost = false;
     if (frame.history) this.history = frame.history;
     if (frame.paths) this.paths = frame.paths;
+    if (frame.measures_replaced) this.measures = [];
     if (frame.measures) this.measure(frame.measures);
     this.ground = frame.fields.get("ground") ?? this.ground;
     this.depth = frame.fields.get("depth") ?? this.depth;
@@ -55,8 +56,8 @@ export class Run {
   }
 
   private measure(rows: Row[]): void {
-    const first = rows[0]?.step ?? Number.POSITIVE_INFINITY;
-    this.measures = [...this.measures.filter((row) => row.step < first), ...rows];
+    const byStep = new Map([...this.measures, ...rows].map((row) => [row.step, row]));
+    this.measures = [...byStep.values()].sort((one, other) => one.step - other.step);
   }
 }
 

@@ -1,5 +1,6 @@
 /** Sheets over the page, closed by Escape. */
 
+import type { Progress } from "../core/connection";
 import { h } from "./dom";
 
 type Content = HTMLElement | false;
@@ -17,23 +18,29 @@ export function dialog(title: string, className: string, ...content: Content[]):
 }
 
 /** A sheet with a form, which Enter submits; where that is refused it stays open and says why. */
-export function formDialog(title: string, action: string, submit: () => Promise<void>, ...content: Content[]): HTMLDialogElement {
+export function formDialog(title: string, action: string, submit: (progress: Progress) => Promise<void>, ...content: Content[]): HTMLDialogElement {
   const trouble = h("output", { className: "trouble", role: "alert" });
   const button = h("button", { type: "submit", className: "primary" }, action);
+  const bar = h("progress", { hidden: true, "aria-label": "Progress" });
+  const progress = (done: number, of: number) => {
+    bar.hidden = false;
+    Object.assign(bar, { value: done, max: of });
+  };
   const send = async (event: Event) => {
     event.preventDefault();
     button.disabled = true;
     trouble.textContent = "";
     try {
-      await submit();
+      await submit(progress);
       element.close();
     } catch (error) {
       trouble.textContent = error instanceof Error ? error.message : String(error);
     } finally {
       button.disabled = false;
+      bar.hidden = true;
     }
   };
-  const form = h("form", { method: "dialog", onsubmit: (event: Event) => void send(event) }, ...content.filter((one) => one !== false), trouble, h("div", { className: "buttons" }, button));
+  const form = h("form", { method: "dialog", onsubmit: (event: Event) => void send(event) }, ...content.filter((one) => one !== false), trouble, bar, h("div", { className: "buttons" }, button));
   const element = dialog(title, "small", form);
   return element;
 }

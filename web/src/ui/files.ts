@@ -2,6 +2,7 @@
 
 import type { App } from "../core/app";
 import { problemText } from "../core/notices";
+import type { Progress } from "../core/connection";
 import type { JsonObject, Problem } from "../core/protocol";
 import type { Stage } from "../scene/stage";
 import { dialog, formDialog } from "./dialog";
@@ -176,8 +177,8 @@ export class Files {
 
   private saveRun(): void {
     const name = h("input", { type: "text", value: `run-${new Date().toISOString().slice(0, 16).replaceAll(/[T:]/g, "-")}`, "aria-label": "Name of the run" });
-    const save = async () => {
-      const answer = await this.app.connection.ask({ command: "save", name: name.value, run: this.app.selected });
+    const save = async (progress: Progress) => {
+      const answer = await this.app.connection.ask({ command: "save", name: name.value, run: this.app.selected }, progress);
       this.app.note("info", `Saved ${answer.frames} frames up to step ${answer.step} as ${name.value}.`);
     };
     formDialog(

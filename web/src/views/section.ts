@@ -6,6 +6,7 @@ import type { Run } from "../core/run";
 import { type Profile, ends, profile } from "../core/profile";
 import { type SectionLine, alongWind } from "../core/section";
 import type { Stage } from "../scene/stage";
+import { drawSecond, secondProfile, sectionCsv } from "./second_profile";
 import { SectionLayers } from "./strata";
 import { button, download, fitCanvas, h, heights, lengthUnit, metres, short, themeColour, ticks } from "../ui/dom";
 
@@ -94,13 +95,8 @@ export class SectionView {
   private save(): void {
     const run = this.app.current;
     if (!run?.ready) return;
-    const p = profile(run, this.current(run));
-    const rows = ["distance_m,elevation_m,ground_m,slope_degrees,shadow"];
-    p.distance.forEach((d, i) => {
-      const numbers = [d, p.surface[i]!, p.ground[i]!, p.slope[i]!].map((x) => x.toFixed(4));
-      rows.push([...numbers, p.shadow ? String(Number(p.shadow[i]! > 0.5)) : ""].join());
-    });
-    download(`section-${run.status!.step}.csv`, `${rows.join("\n")}\n`);
+    const line = this.current(run);
+    download(`section-${run.status!.step}.csv`, sectionCsv(run, profile(run, line), secondProfile(this.app, run, line)));
   }
 
   private draw(): void {
@@ -110,7 +106,9 @@ export class SectionView {
     const { context: c, width, height } = fitCanvas(this.canvas);
     const p = profile(run, this.current(run));
     const length = p.distance.at(-1)!;
+    const second = secondProfile(this.app, run, this.current(run));
     let [low, high] = ends(p.surface);
+    if (second) [low, high] = [Math.min(low, second.ends[0]), Math.max(high, second.ends[1])];
     high = Math.max(high, this.layers.highest(run, this.current(run)));
     const foot = Math.min(...ends(p.ground));
     if (low - foot < DEEP * (high - low)) low = foot;
@@ -133,7 +131,8 @@ export class SectionView {
     if (!layered) area(p.surface, themeColour(run.material === "snow" ? "snow" : "loose"));
     area(p.ground, themeColour("rock"));
     if (!layered) this.crest(c, p, x, y, run.description!.repose);
-    this.legend(c, width, p.shadow !== null, run.description!);
+    if (second) drawSecond(c, second, x, y);
+    this.legend(c, width, p.shadow !== null, run.description!, second?.run.description!.model.title);
     if (layered) this.layers.legend(c, run, MARGIN.left + 60, MARGIN.top);
     this.point(c, p, x, y, length, width, run);
   }
@@ -206,8 +205,9 @@ export class SectionView {
     if (repose !== null) stroke(themeColour("steep"), 3, (i) => Math.abs(p.slope[i]!) >= 0.85 * repose);
   }
 
-  private legend(c: CanvasRenderingContext2D, width: number, shadow: boolean, { repose, repose_slabs: slabs }: Description): void {
+  private legend(c: CanvasRenderingContext2D, width: number, shadow: boolean, { repose, repose_slabs: slabs }: Description, second?: string): void {
     const items: [string, string][] = [];
+    if (second) items.push(["second", second]);
     if (shadow) items.push(["shadow", "shadow zone"]);
     if (repose !== null) items.push(["steep", `near the effective angle of repose, ${repose.toFixed(1)}°${slabs === null ? "" : ` (${short(slabs, 3)} slabs a cell)`}`]);
     let right = width - MARGIN.right - 4;

@@ -4,7 +4,8 @@ import uPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
 import type { App } from "../core/app";
 import { centreOf, named, nearest } from "../core/crests";
-import type { Measure } from "../core/protocol";
+import { measuresCsv } from "../core/measures_csv";
+import type { Measure, Row } from "../core/protocol";
 import { BalanceTable } from "./balance";
 import { download, button, h, short, themeColour } from "../ui/dom";
 
@@ -17,6 +18,7 @@ export class SeriesView {
   readonly element: HTMLElement;
   private readonly plots = h("div", { className: "plots", tabIndex: 0, role: "group", "aria-label": "Measures over the steps" });
   private readonly choice = h("div", { className: "choices", role: "group", "aria-label": "Measures shown" });
+  private readonly when = h("span", { className: "readout" });
   private chosen = new Set(FIRST);
   private charts: { measure: Measure; chart: uPlot; box: HTMLElement; value: HTMLElement }[] = [];
   private declared = "";
@@ -27,7 +29,7 @@ export class SeriesView {
     this.element = h(
       "div",
       { className: "view series" },
-      h("div", { className: "tools" }, h("details", { className: "picker" }, h("summary", {}, "measures shown"), this.choice), button("Save the measures as CSV", "save CSV", () => this.save())),
+      h("div", { className: "tools" }, h("details", { className: "picker" }, h("summary", {}, "measures shown"), this.choice), button("Save the measures as CSV", "save CSV", () => void this.save()), this.when),
       new BalanceTable(app).element,
       this.plots,
     );
@@ -47,12 +49,20 @@ export class SeriesView {
     return this.app.current?.description?.measures ?? [];
   }
 
-  private save(): void {
-    const names = this.measures().map((measure) => measure.name);
-    const rows = (this.app.current?.measures ?? []).map((row) =>
-      [row.step, ...names.map((name) => row.values[name] ?? "")].join(),
-    );
-    download("measures.csv", `${["step", ...names].join()}\n${rows.join("\n")}\n`);
+  /** Save the measures of all runs at every fixed step; those that are not measured yet are waited for. */
+  private async save(): Promise<void> {
+    const { runs } = this.app;
+    const answers = await Promise.all(runs.map((run) => this.app.ask({ command: "measured", run: run.name })));
+    if (answers.includes(null)) return;
+    const tables = answers.map((answer, at) => ({ run: runs[at]!, rows: answer!.rows as unknown as Row[] }));
+    download("measures.csv", measuresCsv(tables));
+  }
+
+  /** At which steps the measures are taken. */
+  private intervals(): string {
+    const { measured_every: every = 0, measured_rows: rows = 0 } = this.app.current?.description ?? {};
+    const from = every * rows;
+    return every ? `every ${every} steps; from step ${short(from, 9)} every ${2 * every}, from ${short(2 * from, 9)} every ${4 * every}, and so on` : "";
   }
 
   private update(at_once = false): void {
@@ -63,6 +73,7 @@ export class SeriesView {
       this.choices();
       this.rebuild();
     }
+    this.when.textContent = this.intervals();
     if (!at_once && performance.now() - this.drawnAt < PAUSE) return;
     this.drawnAt = performance.now();
     this.centreCrests();

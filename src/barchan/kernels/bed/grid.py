@@ -13,9 +13,16 @@ COL_STEP = np.array([1, 0, -1, 0, 1, -1, -1, 1])
 
 @njit(cache=True)
 def neighbour(row: int, col: int, direction: int, grid: Grid) -> tuple[int, int]:
-    """Row and column of a neighbour; a cell beyond an open edge is the cell itself."""
+    """Row and column of a neighbour; a cell beyond an open edge is the cell itself.
+
+    So is the one to the north or south of a hexagon, which has none there.
+    """
     r = row + ROW_STEP[direction]
     c = col + COL_STEP[direction]
+    if grid.hexagonal and r != row:
+        if c == col:
+            return row, col
+        c += (row & 1) - (c > col)
     if r < 0 or r >= grid.rows:
         if not grid.wrap_across:
             return row, col

@@ -92,7 +92,7 @@ def relax_queue(stacks, orders, unstable, progress, most, key, grid, repose, mix
     stacks, orders, unstable, mixture = borrowed((stacks, orders, unstable, mixture))
     at, length, slides, slid = progress
     end, singly = slides + most, SINGLY * unstable.waiting.size
-    last_order = np.uint64(orders.shape[0] - 1)
+    number_of_orders = np.uint64(orders.shape[0])
     while length > 0 and slides < end:
         cell = unstable.queue[at]
         at = at + 1 if at + 1 < unstable.queue.size else 0
@@ -103,7 +103,7 @@ def relax_queue(stacks, orders, unstable, progress, most, key, grid, repose, mix
             continue
         row = cell // grid.cols
         col = cell % grid.cols
-        order = np.int64(mix(key + np.uint64(slides)) & last_order)
+        order = np.int64(mix(key + np.uint64(slides)) % number_of_orders)
         here = np.int64(stacks.surface[cell])
         direction = steepest(stacks, orders, order, row, col, here, -1, at_rest, grid, repose)
         if direction == STABLE:

@@ -18,6 +18,7 @@ from barchan.kernels.bed.state import (
     NORTHEAST,
     NORTHWEST,
     SHUFFLED,
+    SIXFOLD,
     SOUTH,
     SOUTHEAST,
     SOUTHWEST,
@@ -25,6 +26,7 @@ from barchan.kernels.bed.state import (
     UPSLOPE,
     WEST,
 )
+from barchan.kernels.core.borrow import borrowed
 from barchan.kernels.core.inlining import never_inline
 from barchan.kernels.core.internal import internal
 from barchan.kernels.core.random import GOLDEN, below, derive, high, mix
@@ -81,6 +83,54 @@ def _sorting_key(surface, sand, mobility, cell, here, sign, code, limit):
     return (step << 6) + code
 
 
+@internal()
+def _steepest_of_six(stacks, orders, order, row, col, here, sign, at_rest, grid, repose):
+    """``steepest`` for a hexagon, whose six neighbours lie at one distance and have one limit."""
+    stacks, orders = borrowed((stacks, orders))
+    surface, sand, mobility = stacks.surface, stacks.sand, stacks.mobility
+    rest = at_rest * repose.static_face
+    limit = StepLimit(repose.face_limit + rest, repose.stabilised_face_limit + rest, repose.stabilised_below)
+    north, south, east, west = beside(row, col, grid)
+    odd = row & 1
+    itself = np.uint64(row * grid.cols + col)
+    no_west = not odd and col == 0 and not grid.wrap_along
+    no_east = odd and col + 1 == grid.cols and not grid.wrap_along
+    left = col if odd else west
+    right = east if odd else col
+    e = np.uint64(row * grid.cols + east)
+    w = np.uint64(row * grid.cols + west)
+    ne = itself if north == row or no_east else np.uint64(north * grid.cols + right)
+    nw = itself if north == row or no_west else np.uint64(north * grid.cols + left)
+    se = itself if south == row or no_east else np.uint64(south * grid.cols + right)
+    sw = itself if south == row or no_west else np.uint64(south * grid.cols + left)
+    highest = max(
+        max((np.int64(surface[e]) - here) * sign, (np.int64(surface[w]) - here) * sign),
+        max(
+            max((np.int64(surface[ne]) - here) * sign, (np.int64(surface[nw]) - here) * sign),
+            max((np.int64(surface[se]) - here) * sign, (np.int64(surface[sw]) - here) * sign),
+        ),
+    )
+    if highest <= _least(mobility, limit):
+        return np.int64(STABLE)
+    best = max(
+        max(
+            _sorting_key(surface, sand, mobility, e, here, sign, orders[order, EAST], limit),
+            _sorting_key(surface, sand, mobility, w, here, sign, orders[order, WEST], limit),
+        ),
+        max(
+            max(
+                _sorting_key(surface, sand, mobility, ne, here, sign, orders[order, NORTHEAST], limit),
+                _sorting_key(surface, sand, mobility, nw, here, sign, orders[order, NORTHWEST], limit),
+            ),
+            max(
+                _sorting_key(surface, sand, mobility, se, here, sign, orders[order, SOUTHEAST], limit),
+                _sorting_key(surface, sand, mobility, sw, here, sign, orders[order, SOUTHWEST], limit),
+            ),
+        ),
+    )
+    return np.int64(best & 7 if (best >> 6) > _limit_of(mobility, itself, sign, limit) else STABLE)
+
+
 @internal(forceinline=True)
 def steepest(stacks, orders, order, row, col, here, sign, at_rest, grid, repose):
     """Direction of the steepest step up (``sign`` 1) or down (-1) from ``here`` that does not stand.
@@ -89,6 +139,8 @@ def steepest(stacks, orders, order, row, col, here, sign, at_rest, grid, repose)
     before a corner. The higher cell's limit decides; sand ``at_rest`` has the static limit. Returns
     ``STABLE`` where every step stands.
     """
+    if grid.hexagonal:
+        return _steepest_of_six(stacks, orders, order, row, col, here, sign, at_rest, grid, repose)
     surface, sand, mobility = stacks.surface, stacks.sand, stacks.mobility
     face_rest = at_rest * repose.static_face
     corner_rest = at_rest * repose.static_corner
@@ -154,6 +206,23 @@ def steepest(stacks, orders, order, row, col, here, sign, at_rest, grid, repose)
 
 
 @internal()
+def _shuffle_six(orders, order, key):
+    """Put a random order of a hexagon's neighbours into ``orders[SHUFFLED]``."""
+    never_inline()
+    orders[SHUFFLED] = BARRED
+    for k in range(6):
+        orders[SHUFFLED, SIXFOLD[k]] = k
+    for last in range(5, 0, -1):
+        other = below(high(derive(key, last)), last + 1)
+        mine = orders[SHUFFLED, SIXFOLD[last]]
+        orders[SHUFFLED, SIXFOLD[last]] = orders[SHUFFLED, SIXFOLD[other]]
+        orders[SHUFFLED, SIXFOLD[other]] = mine
+    for k in range(6):
+        code = (7 - orders[SHUFFLED, SIXFOLD[k]]) << 3 | SIXFOLD[k]
+        orders[SHUFFLED, SIXFOLD[k]] = code if orders[order, SIXFOLD[k]] >= 0 else BARRED
+
+
+@internal()
 def shuffle_order(orders, order, key):
     """Put a random order into ``orders[SHUFFLED]``: faces among themselves, corners likewise."""
     never_inline()
@@ -185,7 +254,10 @@ def next_on_slope(stacks, orders, order, row, col, state, sign, grid, repose):
         return row, col, order, state, False
     if repose.random_order and order == plain:
         state += GOLDEN
-        shuffle_order(orders, plain, mix(state))
+        if grid.hexagonal:
+            _shuffle_six(orders, plain, mix(state))
+        else:
+            shuffle_order(orders, plain, mix(state))
         return row, col, SHUFFLED, state, True
     row, col = neighbour(row, col, direction, grid)
     return row, col, plain, state, True

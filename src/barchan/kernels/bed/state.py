@@ -15,6 +15,8 @@ class Grid(NamedTuple):
     wrap_along: bool
     """Whether leaving downwind means entering upwind (periodic along the wind)."""
     wrap_across: bool
+    hexagonal: bool = False
+    """Whether cells are hexagons: odd rows lie half a cell farther along, and rows √3/2 cells apart."""
 
 
 LEVEL_BITS = 20
@@ -87,6 +89,10 @@ class ActiveLayer(NamedTuple):
 
 EAST, NORTH, WEST, SOUTH, NORTHEAST, NORTHWEST, SOUTHWEST, SOUTHEAST = range(8)
 """Neighbours in the wind's frame, as seen with the wind blowing east."""
+
+
+SIXFOLD = (EAST, NORTHEAST, NORTHWEST, WEST, SOUTHWEST, SOUTHEAST)
+"""The neighbours of a hexagon, anticlockwise."""
 
 
 STABLE = -1
@@ -162,8 +168,10 @@ def neighbour_code(direction: int, place: int) -> int:
     return (7 - place) << 3 | direction
 
 
-def relaxation_orders(corners: bool) -> NDArray[np.int64]:
-    """Eight orders of neighbours: from each of four directions, clockwise and counterclockwise."""
+def relaxation_orders(corners: bool, hexagonal: bool = False) -> NDArray[np.int64]:
+    """Orders of neighbours: from each of four directions (of a hexagon six), clockwise and back."""
+    if hexagonal:
+        return _sixfold_orders()
     orders = np.full((8, 8), BARRED, np.int64)
     for order in range(8):
         for place in range(4):
@@ -171,4 +179,13 @@ def relaxation_orders(corners: bool) -> NDArray[np.int64]:
             orders[order, direction] = neighbour_code(direction, place)
             if corners:
                 orders[order, 4 + direction] = neighbour_code(4 + direction, 4 + place)
+    return orders
+
+
+def _sixfold_orders() -> NDArray[np.int64]:
+    orders = np.full((12, 8), BARRED, np.int64)
+    for order in range(12):
+        for place in range(6):
+            direction = SIXFOLD[(order + (place if order < 6 else -place)) % 6]
+            orders[order, direction] = neighbour_code(direction, place)
     return orders

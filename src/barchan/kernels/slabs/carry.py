@@ -9,7 +9,8 @@ import numpy as np
 from barchan.kernels.bed.slopes import has_sand
 from barchan.kernels.core.internal import internal
 from barchan.kernels.core.random import GOLDEN, high, low, mix
-from barchan.kernels.slabs.hop import fixed_hop, hop_cells, wrapped
+from barchan.kernels.slabs.hexagons import MIDDLE, cell_after, place_within
+from barchan.kernels.slabs.hop import after_hop, fixed_hop, hop_cells
 from barchan.kernels.slabs.obstacles import hop_until_blocked, way_is_clear
 from barchan.kernels.slabs.shadow import in_shadow
 from barchan.kernels.slabs.state import CELL, MOBILE
@@ -63,9 +64,7 @@ def hop_once(obstacles, surface, sand, view, along, across, hop_along, hop_acros
             return hop_until_blocked(
                 surface, sand, along, across, hop_along, hop_across, grid, repose, obstacles
             )
-    along = wrapped(along + hop_along, grid.cols, grid.wrap_along)
-    if hop_across != 0:
-        across = wrapped(across + hop_across, grid.rows, grid.wrap_across)
+    along, across = after_hop(along, across, hop_along, hop_across, grid)
     return along, across, hop_along, hop_across, False
 
 
@@ -92,23 +91,33 @@ def sticks_in_shadow(axis, ray, box, grid, sticks, view, along, across, here, pe
 
 
 @internal(forceinline=True)
-def take_off(box, speedup, along, across, hop_along, hop_across, state):
+def take_off(box, speedup, along, across, hop_along, hop_across, state, grid):
     """Where a slab starts, in 1/``CELL`` cells, and the random state; without a place yet it draws one."""
     if box is None:
+        beside = above = MIDDLE if grid.hexagonal else 0
         if has_fractions(speedup, hop_along, hop_across):
             state += GOLDEN
             draw = mix(state)
-            along |= np.int64(high(draw))
-            across |= np.int64(low(draw))
+            beside = np.int64(high(draw))
+            above = np.int64(low(draw))
+            if grid.hexagonal:
+                beside, above = place_within(beside, above)
+        along |= beside
+        across |= above
     return along, across, state
 
 
 @internal(forceinline=True)
-def _goes_far(ray, view, across, hop_across, grid):
+def _goes_far(ray, view, along, across, hop_along, hop_across, grid):
     """Whether a hop leads beyond the near rows; along an axis it never does."""
     if ray is None:
         return False
     near = view.near
+    if grid.hexagonal:
+        row, _, _, _ = cell_after(along, across, hop_along, hop_across)
+        row -= near.first
+        row += grid.rows if across >> 32 < near.first else 0
+        return (row < 0 or row >= near.number) and near.number < grid.rows
     there = across - (near.first << 32)
     there += grid.rows << 32 if there < 0 else 0
     there += hop_across
@@ -128,7 +137,7 @@ def carry(stacks, rules, view, along, across, hop_along, hop_across, state, hops
     travel_across = np.int64(0)
     fate = HOPS
     while fate == HOPS:
-        if _goes_far(rules.ray, view, across, hop_across, grid):
+        if _goes_far(rules.ray, view, along, across, hop_along, hop_across, grid):
             fate = HOPS_FAR
             break
         # 4 hop

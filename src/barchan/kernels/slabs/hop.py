@@ -1,12 +1,14 @@
 """A slab on the wind: how far it hops and where it comes down.
 
-Positions and hops are fixed-point numbers in the wind's frame, along and across the columns' axis.
+Positions and hops are fixed-point numbers in the wind's frame, along and across the columns' axis; on a
+hexagonal lattice as ``hexagons`` says.
 """
 
 import numpy as np
 
 from barchan.kernels.bed.state import DEVIATION, LEVEL_BITS, MEAN
 from barchan.kernels.core.internal import internal
+from barchan.kernels.slabs.hexagons import cell_after, position
 
 
 @internal(forceinline=True)
@@ -26,6 +28,18 @@ def wrapped(place, size, wrap):
         if place < 0:
             place %= length
     return place
+
+
+@internal(forceinline=True)
+def after_hop(along, across, hop_along, hop_across, grid):
+    """The position after a hop; negative where the slab has left the field."""
+    if grid.hexagonal:
+        row, col, beside, above = cell_after(along, across, hop_along, hop_across)
+        return position(row, col, beside, above, grid)
+    along = wrapped(along + hop_along, grid.cols, grid.wrap_along)
+    if hop_across != 0:
+        across = wrapped(across + hop_across, grid.rows, grid.wrap_across)
+    return along, across
 
 
 @internal(forceinline=True)

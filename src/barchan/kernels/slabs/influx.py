@@ -18,6 +18,7 @@ from barchan.kernels.slabs.carry import (
     sticks_by_chance,
     sticks_in_shadow,
 )
+from barchan.kernels.slabs.hexagons import MIDDLE, ROW, cell_about, position
 from barchan.kernels.slabs.hop import wrapped
 from barchan.kernels.slabs.poll import lay_down
 from barchan.kernels.slabs.shadow import whole_view
@@ -67,6 +68,26 @@ def _bring_in(stacks, rules, work, along, across, state, peak, tally):
 
 
 @njit(cache=True)
+def _landing_on_hexagons(edge, cell, along, across, place, rules):
+    """``first_landing`` for a slab that comes down ``along`` and ``across`` from a place of the edge's cell.
+
+    The edge is taken for straight; what comes down in a gap of the real one comes down on the cell beside it.
+    """
+    wind, grid = rules.wind, rules.grid
+    if edge == _ALONG:
+        middle = MIDDLE if place == 0 else (CELL >> 3) + (place * 3 >> 2)
+        along += (cell & 1) << 31
+        row, col, beside, above = cell_about(along, across + cell * ROW + middle)
+        return position(row, max(col, 0), beside, above, grid)
+    falls = wind.hop_across < 0
+    along += (cell << 32) + (place if place != 0 else MIDDLE) + (MIDDLE if falls else 0)
+    across += (CELL >> 3) + (grid.rows * ROW - 1 if falls else 0)
+    row, col, beside, above = cell_about(along, across)
+    row = min(row, grid.rows - 1) if falls else max(row, 0)
+    return position(row, col, beside, above, grid)
+
+
+@njit(cache=True)
 def first_landing(edge, cell, state, rules):
     """Where a slab first lands that enters at a cell of one of the two upwind edges (fixed-point cells)."""
     wind, grid = rules.wind, rules.grid
@@ -76,6 +97,8 @@ def first_landing(edge, cell, state, rules):
     place = np.int64(0)
     if rules.box is not None or has_fractions(rules.speedup, wind.hop_along, wind.hop_across):
         place = np.int64(draw(state, 2) * CELL)
+    if grid.hexagonal:
+        return _landing_on_hexagons(edge, cell, along, across, place, rules)
     if edge == _ALONG:
         along = wrapped(along, grid.cols, False)
         return along, wrapped(across + (cell << 32) + place, grid.rows, grid.wrap_across)

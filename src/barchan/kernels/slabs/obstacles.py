@@ -12,7 +12,7 @@ from numba import njit
 from barchan.kernels.core.inlining import never_inline
 from barchan.kernels.core.simd import any_of_last_above, load_at
 from barchan.kernels.core.state import SIMD_WIDTH
-from barchan.kernels.slabs.hop import wrapped
+from barchan.kernels.slabs.hop import after_hop
 from barchan.kernels.slabs.state import CELL
 
 FARTHEST = 255
@@ -87,6 +87,8 @@ def way_is_clear(heights, along, across, hop_along, hop_across, grid, rule):
 
     False means that the way has to be looked at cell by cell.
     """
+    if grid.hexagonal:
+        return False
     row = across >> 32
     col = along >> 32
     cols = ((along + hop_along) >> 32) - col
@@ -138,9 +140,10 @@ def hop_until_blocked(surface, sand, along, across, hop_along, hop_across, grid,
     for piece in range(1, pieces + 1):
         next_along = hop_along if piece == pieces else piece_along * piece
         next_across = hop_across if piece == pieces else piece_across * piece
-        next_a = wrapped(along + next_along, grid.cols, grid.wrap_along)
-        next_c = wrapped(across + next_across, grid.rows, grid.wrap_across)
+        next_a, next_c = after_hop(along, across, next_along, next_across, grid)
         if next_a < 0 or next_c < 0:
+            if piece < pieces:  # the way may cut the corner of an edge that is not straight
+                continue
             return np.int64(-1), np.int64(-1), hop_along, hop_across, False
         cell = (c >> 32) * grid.cols + (a >> 32)
         other = (next_c >> 32) * grid.cols + (next_a >> 32)

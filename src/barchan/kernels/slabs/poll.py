@@ -142,7 +142,9 @@ def run_polls(stacks, rules, work, band, count, redraw, target, peak, tally):
         _change(stacks, stacks.sand, np.uint64(r * grid.cols + c), rules.repose.slab, -1)
         state = _relax_after(unstable, stacks, rules, UPSLOPE, r, c, state, 1)
         # 4 hop, 5 settle?
-        along, across, state = take_off(rules.box, rules.speedup, along, across, hop_along, hop_across, state)
+        along, across, state = take_off(
+            rules.box, rules.speedup, along, across, hop_along, hop_across, state, grid
+        )
         along, across, hop_along, hop_across, state, hops, fate, way_along, way_across = carry(
             stacks, rules, view, along, across, hop_along, hop_across, state, 0, peak
         )

@@ -4,8 +4,9 @@ A cell lies in shadow when the line that falls from a higher cell upwind, at the
 above its top. The kernels work in the wind's frame: the wind blows towards growing columns, within 45
 degrees, and heights are whole numbers, so the answers are exact. Along a lattice axis the cells upwind
 stand side by side in memory and are tested sixteen at a time; for an oblique wind the ray crosses each
-column between two cells and the height there is interpolated linearly between them. Where slabs have a place
-in their cell, the line from that place meets the stacks as the boxes that they are, cell by cell.
+column (of hexagons, each of the lattice's lines that lie most squarely across it) between two cells and the
+height there is interpolated linearly between them. Where slabs have a place in their cell, the line from that
+place meets the stacks as the boxes that they are, cell by cell.
 """
 
 import numpy as np
@@ -89,6 +90,54 @@ def _crossings_near(view, row, grid, ray):
     return load_at(ray.near + 8 * beside, np.int64(0))
 
 
+@internal(error_model="numpy", forceinline=True)
+def _crossed_squares(row, col, k, weight, grid, ray):
+    """The two cells between which a ray crosses the column ``k + 1`` upwind; negative: it has left."""
+    c = col - 1 - k
+    if c < 0:
+        if not grid.wrap_along:
+            return -1, -1
+        c += grid.cols
+    lower = row + load_at(ray.rows + 8 * k, np.int64(0))
+    upper = lower + 1
+    if grid.wrap_across:
+        lower -= grid.rows if lower >= grid.rows else 0
+        upper -= grid.rows if upper >= grid.rows else 0
+    elif lower < 0 or upper >= grid.rows:
+        if weight > 0.0 or lower < 0 or lower >= grid.rows:
+            return -1, -1
+        upper = lower
+    return lower * grid.cols + c, upper * grid.cols + c
+
+
+@internal(error_model="numpy", forceinline=True)
+def _hexagon_at(row, col, grid):
+    """A cell by a row and column that may lie up to once around beyond the field; negative: outside."""
+    if row < 0 or row >= grid.rows:
+        if not grid.wrap_across:
+            return -1
+        row += grid.rows if row < 0 else -grid.rows
+    if col < 0 or col >= grid.cols:
+        if not grid.wrap_along:
+            return -1
+        col += grid.cols if col < 0 else -grid.cols
+    return row * grid.cols + col
+
+
+@internal(error_model="numpy", forceinline=True)
+def _crossed_hexagons(row, col, k, weight, grid, ray):
+    """The two cells between which a ray crosses the ``k + 1``-th line upwind; negative: it has left."""
+    place = k + (ray.size if row & 1 else 0)
+    first_row = row + load_at(ray.rows + 8 * k, np.int64(0))
+    first_col = col + load_at(ray.cols + 8 * place, np.int64(0))
+    first = _hexagon_at(first_row, first_col, grid)
+    if weight == 0.0 or first < 0:
+        return first, first
+    second_col = first_col + ray.next_col + (first_row & 1 & ray.next_row)
+    second = _hexagon_at(first_row + ray.next_row, second_col, grid)
+    return (first, second) if second >= 0 else (second, second)
+
+
 @internal(error_model="numpy")
 def _in_ray_shadow(view, row, col, here, peak, grid, ray):
     rise = np.float64(peak - here)
@@ -100,23 +149,15 @@ def _in_ray_shadow(view, row, col, here, peak, grid, ray):
         fall = load_at(ray.falls + 8 * k, 0.0)
         if fall >= rise:
             return False
-        c = col - 1 - k
-        if c < 0:
-            if not grid.wrap_along:
-                return False
-            c += grid.cols
-        lower = row + load_at(ray.rows + 8 * k, np.int64(0))
-        upper = lower + 1
         weight = load_at(ray.weights + 8 * k, 0.0)
-        if grid.wrap_across:
-            lower -= grid.rows if lower >= grid.rows else 0
-            upper -= grid.rows if upper >= grid.rows else 0
-        elif lower < 0 or upper >= grid.rows:
-            if weight > 0.0 or lower < 0 or lower >= grid.rows:
-                return False
-            upper = lower
-        below = load_at(surface + (lower * grid.cols + c) * ray.width, here)
-        above = load_at(surface + (upper * grid.cols + c) * ray.width, here)
+        if grid.hexagonal:
+            lower, upper = _crossed_hexagons(row, col, k, weight, grid, ray)
+        else:
+            lower, upper = _crossed_squares(row, col, k, weight, grid, ray)
+        if lower < 0:
+            return False
+        below = load_at(surface + lower * ray.width, here)
+        above = load_at(surface + upper * ray.width, here)
         if np.float64(below) + weight * np.float64(above - below) - np.float64(here) > fall:
             return True
     return False

@@ -74,7 +74,11 @@ class AxisShadow(NamedTuple):
 
 
 class RayShadow(NamedTuple):
-    """Shadow lines of an oblique wind; entry ``k`` is where the ray crosses the column ``k + 1`` upwind."""
+    """Shadow lines of an oblique wind; entry ``k`` is where the ray crosses the column ``k + 1`` upwind.
+
+    Of hexagons it is where the ray crosses the ``k + 1``-th upwind line of the lattice, of those lines of
+    cells that lie most squarely across the wind.
+    """
 
     rows: int
     """Address of the row of the cell below the crossing, relative to the sheltered cell (int64)."""
@@ -88,6 +92,13 @@ class RayShadow(NamedTuple):
     """Whether the ray goes towards growing rows."""
     size: int
     width: int
+    cols: int = 0
+    """Of hexagons: address of the column of that cell, relative to the sheltered one (int64); first where the
+    sheltered cell lies in an even row, then where it lies in an odd one."""
+    next_row: int = 1
+    """Of hexagons: row and column of the second cell of a crossing, relative to the first; in the next row
+    half a cell less than the column's number says."""
+    next_col: int = 0
 
 
 class BoxShadow(NamedTuple):

@@ -34,9 +34,15 @@ class Lockstep:
             self._go()
 
     def pause(self) -> None:
-        """Stop where both meet next."""
+        """Stop where both meet next; there both are measured."""
         self.running = False
         self._on_change(False)
+        if not self._away:
+            self._pause_workers()
+
+    def _pause_workers(self) -> None:
+        for worker in self.workers.values():
+            worker.send("pause")
 
     def keep(self) -> None:
         """Let both send their states where they meet next, so that both are of the same step."""
@@ -63,6 +69,8 @@ class Lockstep:
             self.pause()
         elif self.running:
             self._go()
+        else:
+            self._pause_workers()
 
     def _go(self) -> None:
         self._steps = self._pacer.steps if self._left is None else min(self._pacer.steps, self._left)

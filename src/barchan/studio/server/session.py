@@ -8,7 +8,16 @@ from typing import Any
 from barchan.errors import BarchanError, ScenarioError
 from barchan.scenario import Scenario
 from barchan.studio.commands import command_of
-from barchan.studio.protocol import PROTOCOL, Request, is_frame, is_state, message, numbered, read_request
+from barchan.studio.protocol import (
+    ANSWERED,
+    PROTOCOL,
+    Request,
+    is_frame,
+    is_state,
+    message,
+    numbered,
+    read_request,
+)
 from barchan.studio.server.kept_states import KeptStates
 from barchan.studio.server.lockstep import Lockstep
 from barchan.studio.server.queries import QUERIES
@@ -16,9 +25,6 @@ from barchan.studio.server.session_commands import FIRST, SECOND, SESSION
 from barchan.studio.server.starts import Starts
 from barchan.studio.server.worker_handle import WorkerHandle
 from barchan.studio.server.workspace import Workspace
-
-ANSWERED = (BarchanError, OSError, LookupError, TypeError, ValueError, ArithmeticError, MemoryError)
-"""Errors of a request that the browser is told of."""
 
 
 class Session:

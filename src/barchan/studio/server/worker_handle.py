@@ -7,7 +7,7 @@ import threading
 from collections.abc import Callable
 from typing import Any
 
-from barchan.studio.worker.loop import run_worker
+from barchan.studio.worker.loop import run_measurer, run_worker
 
 OnData = Callable[["WorkerHandle", bytes], None]
 OnExit = Callable[["WorkerHandle"], None]
@@ -27,11 +27,17 @@ class WorkerHandle:
         self._on_data, self._on_exit = on_data, on_exit
         self._loop = asyncio.get_running_loop()
         self._connection, theirs = context.Pipe()
+        measured, measuring = context.Pipe()
         self.process = context.Process(
-            target=run_worker, args=(theirs, name), daemon=True, name=f"barchan-{name}"
+            target=run_worker, args=(theirs, name, measured), daemon=True, name=f"barchan-{name}"
         )
         self.process.start()
-        theirs.close()
+        self.measurer = context.Process(
+            target=run_measurer, args=(measuring,), daemon=True, name=f"barchan-{name}-measurer"
+        )
+        self.measurer.start()
+        for end in (theirs, measured, measuring):
+            end.close()
         self._sending = threading.Lock()
         self._thread = threading.Thread(target=self._receive, daemon=True, name=f"barchan-{name}-receiver")
         self._thread.start()
@@ -64,7 +70,9 @@ class WorkerHandle:
     def close(self) -> None:
         """End the worker, politely at first."""
         self.closing = True
+        self.measurer.terminate()
         self.process.terminate()
+        self.measurer.join(PATIENCE)
         self.process.join(PATIENCE)
         if self.process.is_alive():
             self.process.kill()

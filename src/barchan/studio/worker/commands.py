@@ -8,21 +8,16 @@ from barchan.errors import BarchanError
 from barchan.scenario import Scenario, validate
 from barchan.scenario.changes import changed_from
 from barchan.simulation import AnyStroke, BrushStroke, SetParameter, SetWind, event_from
-from barchan.studio.commands import Handlers, command_of
+from barchan.studio.commands import command_of
 from barchan.studio.protocol import Request
+from barchan.studio.worker import questions  # noqa: F401 - registers what is asked
 from barchan.studio.worker.description import description
+from barchan.studio.worker.desk import Desk
 from barchan.studio.worker.frame_sender import FrameSender
-from barchan.studio.worker.rescue import from_bytes, to_bytes
-from barchan.studio.worker.rose import rose_of
+from barchan.studio.worker.handlers import WORKER, Answer
+from barchan.studio.worker.rescue import from_bytes
 from barchan.studio.worker.run import StudioRun, started
-from barchan.studio.worker.saved_runs import open_saved_run, save_run
-from barchan.studio.worker.spacetime import space_time
-from barchan.studio.worker.strata import layers_along
-
-Answer = dict[str, Any] | None
-"""The content of the answer, where there is any."""
-
-WORKER: Handlers[Callable[["RunCommands", Request], Answer]] = Handlers("worker")
+from barchan.studio.worker.saved_runs import open_saved_run
 
 BEGINNINGS = ("start", "open_folder", "resume")
 """Commands that begin another run."""
@@ -38,7 +33,7 @@ class RunCommands:
     """Carries commands out on the worker's run."""
 
     def __init__(
-        self, frames: FrameSender, send: Callable[..., None], send_bytes: Callable[[bytes], None]
+        self, frames: FrameSender, send: Callable[..., None], send_bytes: Callable[[bytes], None], desk: Desk
     ) -> None:
         """No run yet; ``send`` sends control messages, ``send_bytes`` the state that the server keeps."""
         self.frames = frames
@@ -48,8 +43,9 @@ class RunCommands:
         self.number = 0
         """The number of the start that the run goes back to."""
         self._send = send
-        self._send_bytes = send_bytes
-        self._kept: tuple[int, int, int] | None = None
+        self.send_bytes = send_bytes
+        self.desk = desk
+        self.kept: tuple[int, int, int] | None = None
 
     def carry_out(self, request: Request) -> Answer:
         """Carry one command out; returns the answer to it."""
@@ -112,37 +108,24 @@ class RunCommands:
             origin = validate(request["origin"], "scenario")
         elif request.get("changed") and self.origin is not None:
             origin = self.origin
-        self._take(started(changed_from(scenario, origin)), bool(request.get("running")), origin)
+        run = started(changed_from(scenario, origin), self.desk)
+        self._take(run, bool(request.get("running")), origin)
 
     @WORKER.handles("restart")
     def restart(self, request: Request) -> None:
         """Start again with the same scenario and seed."""
         running = bool(request.get("running", self.current.running))
-        self._take(started(self.current.live.scenario), running, self.origin)
+        self._take(started(self.current.live.scenario, self.desk), running, self.origin)
 
     @WORKER.handles("open_folder")
     def open_folder(self, request: Request) -> None:
         """Continue the run in an archive, paused where it ended."""
-        self._take(open_saved_run(Path(request["folder"])), running=False)
+        self._take(open_saved_run(Path(request["folder"]), self.desk), running=False)
 
     @WORKER.handles("resume")
     def resume(self, request: Request) -> None:
         """Continue from a state that the server has kept, paused."""
-        self._take(from_bytes(request["state"]), running=False)
-
-    @WORKER.handles("keep")
-    def keep(self, _: Request) -> None:
-        """Let the server keep the newest state, unless it has it already."""
-        now = id(self.current.live), self.current.live.steps_done, len(self.current.live.events)
-        if now != self._kept and (data := to_bytes(self.current, self.number)):
-            self._kept = now
-            self._send_bytes(data)
-
-    @WORKER.handles("save_folder")
-    def save_folder(self, request: Request) -> Answer:
-        """Save the run as an archive."""
-        frames = save_run(self.current, Path(request["folder"]))
-        return {"frames": frames, "step": self.current.live.steps_done}
+        self._take(from_bytes(request["state"], self.desk), running=False)
 
     @WORKER.handles("run")
     def start_running(self, request: Request) -> None:
@@ -179,11 +162,6 @@ class RunCommands:
         self.current.look_now()
         self.current.live.apply(SetWind(wind=request["wind"]))
         self._describe()
-
-    @WORKER.handles("rose")
-    def rose(self, _: Request) -> Answer:
-        """The roses of the wind."""
-        return {"rose": rose_of(self.current.live)}
 
     @WORKER.handles("stroke")
     def stroke(self, request: Request) -> None:
@@ -231,17 +209,6 @@ class RunCommands:
         self.current.switch(int(request["branch"]))
         self._announce()
 
-    @WORKER.handles("space_time")
-    def space_time(self, request: Request) -> Answer:
-        """The section along a line over the whole run."""
-        return space_time(self.current, [float(place) for place in request["line"]])
-
-    @WORKER.handles("strata")
-    def strata(self, request: Request) -> Answer:
-        """The layers of the bed along a line, with one of their values."""
-        line = [float(place) for place in request["line"]]
-        return layers_along(self.current.shown, line, str(request["by"]))
-
     def _take(self, run: StudioRun, running: bool, origin: Scenario | None = None) -> None:
         """Continue with another run, under the same speed limit, up to its scenario's end.
 
@@ -251,6 +218,7 @@ class RunCommands:
         if self.run:
             run.speed.limit = self.run.speed.limit
         self.run = run
+        self.desk.keep_only(run.measures.number)
         self._announce()
         if running:
             run.run_to_its_end()

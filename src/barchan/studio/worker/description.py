@@ -8,10 +8,11 @@ from barchan.models import models
 from barchan.scenario import Scenario, validate
 from barchan.scenario.changes import changed_from
 from barchan.simulation import Simulation
+from barchan.squares import Squares
 from barchan.studio.worker.brushes import brushes
 from barchan.studio.worker.changes import changes_of
 from barchan.studio.worker.frame_fields import fields_of
-from barchan.studio.worker.live_measures import declared_measures
+from barchan.studio.worker.live_measures import FINEST, ROWS, declared_measures
 from barchan.studio.worker.strata import declared_strata
 
 
@@ -20,7 +21,7 @@ def description(simulation: Simulation, origin: Scenario) -> dict[str, Any]:
 
     Title and citation name every value in which it differs from its ``origin``.
     """
-    lattice, model = simulation.lattice, simulation.model
+    lattice, model = Squares(simulation.lattice).lattice, simulation.model
     sound = validate(simulation.current_data(), "run")
     limits = model.slope_limits().get("bare", ())
     return {
@@ -45,6 +46,8 @@ def description(simulation: Simulation, origin: Scenario) -> dict[str, Any]:
         "strata": declared_strata(simulation),
         "paths": follows_grains(model),
         "measures": declared_measures(simulation),
+        "measured_every": min(simulation.scenario.run.save_every, FINEST),
+        "measured_rows": ROWS,
         "repose": math.degrees(math.atan(limits[0] * lattice.aspect)) if limits else None,
         "repose_slabs": float(limits[0]) if limits else None,
         "facts": {**sound.facts(), **sound.forecast()},

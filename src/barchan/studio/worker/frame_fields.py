@@ -11,6 +11,7 @@ from barchan.analysis.fields import PLAIN, centre_of
 from barchan.fields import GROUND
 from barchan.models import Derived
 from barchan.simulation import Simulation
+from barchan.squares import Squares
 from barchan.studio.protocol import EncodedField
 
 STEPS_OF_CHANGE = 50
@@ -62,12 +63,15 @@ def _derived(simulation: Simulation) -> Iterator[AvailableField]:
 
 
 def surface_fields(simulation: Simulation, with_ground: bool) -> Iterator[EncodedField]:
-    """The depth of all layers (m, or whole units of one height); before it, where wanted, the ground (m)."""
-    bed = simulation.bed
+    """The depth of all layers (m, or whole units of one height); before it, where wanted, the ground (m).
+
+    The browser draws squares: fields of hexagons are brought onto them.
+    """
+    bed, squares = simulation.bed, Squares(simulation.lattice)
     if with_ground:
-        yield EncodedField("ground", bed.ground.astype(np.float32))
-    if any(layer.mass is not None for layer in bed.layers):
-        yield EncodedField("depth", bed.depth.astype(np.float32))
+        yield EncodedField("ground", squares.between(bed.ground).astype(np.float32))
+    if squares.true.hexagonal or any(layer.mass is not None for layer in bed.layers):
+        yield EncodedField("depth", squares.between(bed.depth).astype(np.float32))
     else:
         units = bed.stack.astype(_type_up_to(bed.stack.max()))
         yield EncodedField("depth", units, simulation.lattice.thickness)
@@ -88,6 +92,7 @@ def encoded_field(
     values = _values(simulation, name, earlier)
     if values is None:
         return None
+    values = Squares(simulation.lattice).between(values)
     if values.dtype == np.bool_:
         return EncodedField(name, values.astype(np.uint8))
     low, high = float(values.min()), float(values.max())

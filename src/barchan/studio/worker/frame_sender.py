@@ -6,6 +6,7 @@ from typing import Any
 
 from numpy.typing import NDArray
 
+from barchan.squares import Squares
 from barchan.studio.protocol import FRAMES_IN_FLIGHT, EncodedField, frame
 from barchan.studio.worker.frame_fields import CHANGE, encoded_field, surface_fields
 from barchan.studio.worker.grain_paths import GrainPaths
@@ -99,20 +100,19 @@ class FrameSender:
         return [field for field in found if field is not None]
 
     def _header(self, run: StudioRun) -> dict[str, Any]:
+        squares = Squares(run.shown.lattice).lattice
         header: dict[str, Any] = {
             "shown": self.fields,
             "run": self.name,
             "number": self._number,
-            "rows": run.shown.lattice.rows,
-            "columns": run.shown.lattice.columns,
+            "rows": squares.rows,
+            "columns": squares.columns,
             "status": run.status(),
         }
         steps = run.history.steps
         if steps != self._history_sent:
             header["history"] = self._history_sent = steps
-        if rows := run.measures.unsent():
-            header["measures"] = rows
-        return header
+        return header | run.measures.unsent()
 
     def _may(self, budget: TimeBudget) -> bool:
         """Whether a part may go with a frame; if not, it is owed."""

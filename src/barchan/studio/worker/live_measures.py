@@ -1,83 +1,123 @@
-"""The measures of a running simulation, taken so seldom that they cost little."""
+"""The measures of a run at fixed steps: the same on every machine, whatever the browser does meanwhile."""
 
-import math
+from itertools import count
 from typing import Any
 
 from barchan.analysis.declared_measures import measures_of
-from barchan.analysis.frame_measurer import FrameMeasurer
-from barchan.simulation import Simulation
-from barchan.studio.worker.time_budget import TimeBudget
+from barchan.simulation import Simulation, State
+from barchan.studio.worker.desk import Desk
+from barchan.studio.worker.measuring import Job, Row
 
-LEAST_PAUSE = 0.25
-"""Seconds from one measurement to the next, at least."""
+FINEST = 20
+"""Steps from one measurement to the next at first, at most."""
 
-SHARE = 0.02
-"""Share of the time that may go into measuring."""
+ROWS = 200
+"""Measurements until the interval doubles for the first time; afterwards it doubles whenever the step has."""
 
-MOST_ROWS = 4000
-"""Rows that are kept; beyond, every second one is forgotten."""
+LOOKED_BACK = 64
+"""Kept states that are compared with when a run continues from an earlier one."""
+
+_numbers = count(1)
+
+
+def interval(step: int, first: int) -> int:
+    """Steps from one measurement to the next at a step, where it is ``first`` in the beginning."""
+    return first << (step // (ROWS * first)).bit_length()
+
+
+def next_step(step: int, first: int) -> int:
+    """The next step after this one at which is measured; every one is a multiple of the interval there."""
+    every = interval(max(step, 0), first)
+    return (step // every + 1) * every
 
 
 class LiveMeasures:
-    """Measures a simulation at intervals and keeps a row for each measurement."""
+    """The rows of a run at its fixed steps, and the measures of the state at which it is paused."""
 
-    def __init__(self) -> None:
-        """Begin without any row."""
-        self.rows: list[dict[str, Any]] = []
-        self._unsent: list[dict[str, Any]] = []
-        self._budget = TimeBudget(SHARE, LEAST_PAUSE)
-        self._measurer: FrameMeasurer | None = None
+    def __init__(self, first: int, desk: Desk, past: tuple[State, ...] = ()) -> None:
+        """Begin without any row, after these kept states."""
+        self.first = min(first, FINEST)
+        self.rows: list[Row] = []
+        self.due = next_step(past[-1].step, self.first) if past else 0
+        """The step at which is measured next."""
+        self._desk = desk
+        self._past = tuple(state for state in past if state.step % self.first == 0)[-LOOKED_BACK:]
+        self.number = next(_numbers)
+        """The number of its series at the desk."""
+        self._unsent: list[Row] = []
+        self._replaced = True
+        self.newest = -1
+        """The last of the fixed steps so far."""
+        self._last = -1
 
-    def take(self, simulation: Simulation, at_once: bool = False) -> None:
-        """Measure, if the time for it has come or ``at_once``, and steps were done since."""
-        measurer = self._measurer = self._measurer or FrameMeasurer(simulation.scenario)
-        if measurer.last_step == simulation.steps_done or not (at_once or self._budget.is_due):
-            return
-        with self._budget.spending():
-            row = _row(simulation, measurer)
-        self.rows.append(row)
+    def take(self, simulation: Simulation) -> None:
+        """Measure a simulation where its step is one of the fixed ones."""
+        if simulation.steps_done == self.due:
+            self.take_state(simulation.state())
+
+    def take_state(self, state: State) -> None:
+        """Measure a state, later than those before, where its step is one of the fixed ones."""
+        if state.step >= self.due and state.step % interval(state.step, self.first) == 0:
+            self.due = next_step(state.step, self.first)
+            self.newest = state.step
+            self._submit(state)
+            self._past = ()
+
+    def begin_after(self, step: int) -> None:
+        """Measure at the fixed steps after this one; those before it are past."""
+        self.due = max(self.due, next_step(step, self.first))
+
+    def take_extra(self, simulation: Simulation) -> None:
+        """Measure a simulation that is paused, at whatever step."""
+        step = simulation.steps_done
+        if step != self._last:
+            self._submit(simulation.state(), extra=True)
+
+    def _submit(self, state: State, extra: bool = False) -> None:
+        self._last = state.step
+        past = tuple(earlier for earlier in self._past if earlier.step < state.step)
+        self._desk.submit(Job(self.number, state, past, extra), self._on_row)
+
+    def _on_row(self, row: Row) -> None:
+        if "extra" not in row:
+            self.rows.append(row)
         self._unsent.append(row)
-        if len(self.rows) > MOST_ROWS:
-            self.rows = self.rows[::2]
-        del self._unsent[:-MOST_ROWS]
 
-    def unsent(self) -> list[dict[str, Any]]:
-        """The rows that were not sent yet; they count as sent from now on."""
-        rows, self._unsent = self._unsent, []
-        return rows
+    def has(self, step: int) -> bool:
+        """Whether the state after a step, and so every one before it, is measured."""
+        return bool(self.rows) and self.rows[-1]["step"] >= step
+
+    def up_to(self, step: int) -> list[Row]:
+        """The rows up to a step."""
+        return [row for row in self.rows if row["step"] <= step]
+
+    def unsent(self) -> dict[str, Any]:
+        """What the browser does not have yet: rows, and whether they replace all others."""
+        found: dict[str, Any] = {"measures": self._unsent} if self._unsent or self._replaced else {}
+        if found and self._replaced:
+            found["measures_replaced"] = True
+        self._unsent, self._replaced = [], False
+        return found
 
     def resend(self) -> None:
         """Let all rows count as not sent."""
-        self._unsent = list(self.rows)
+        self._unsent, self._replaced = list(self.rows), True
 
-    def until(self, step: int) -> "LiveMeasures":
-        """The rows up to a step, for another run that continues from there."""
-        earlier = LiveMeasures()
-        earlier.rows = [row for row in self.rows if row["step"] <= step]
+    def until(self, step: int, states: list[State]) -> "LiveMeasures":
+        """The rows up to a step, for a run that continues from there and has these kept ``states``.
+
+        States up to there that are not measured yet are measured for it, too.
+        """
+        rows = self.up_to(step)
+        done = rows[-1]["step"] if rows else -1
+        earlier = LiveMeasures(self.first, self._desk, tuple(s for s in states if s.step <= done))
+        earlier.rows, earlier.newest = rows, done
+        for state in states:
+            if done < state.step <= step:
+                earlier.take_state(state)
+        earlier.begin_after(step)
         earlier.resend()
         return earlier
-
-
-def _row(simulation: Simulation, measurer: FrameMeasurer) -> dict[str, Any]:
-    """The measures of a simulation as it is now, by name, and why some should not be quoted.
-
-    None stands where one has no value.
-    """
-    tally = simulation.tally
-    frame = measurer.measured(
-        simulation.steps_done,
-        simulation.bed,
-        simulation.forcing,
-        simulation.wind_direction,
-        (tally.travel_x, tally.travel_y),
-        lambda: (simulation.model, simulation.bed, simulation.last_segment),
-    )
-    found = [measure.of(frame) for measure in measures_of(simulation.scenario)]
-    return {
-        "step": simulation.steps_done,
-        "values": {v.measure.name: v.value if math.isfinite(v.value) else None for v in found},
-        "doubts": {v.measure.name: v.doubt for v in found if v.doubt},
-    }
 
 
 def declared_measures(simulation: Simulation) -> list[dict[str, str]]:

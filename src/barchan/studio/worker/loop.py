@@ -1,34 +1,52 @@
 """The process of one simulation: it carries out requests, does steps, and sends frames."""
 
+import json
+import os
 import signal
-from multiprocessing.connection import Connection
+from multiprocessing.connection import Connection, wait
 from typing import TYPE_CHECKING, Any
 
-from barchan.errors import BarchanError, ScenarioError
-from barchan.studio.protocol import Request, is_state, message, read_request, state_head
+from barchan.errors import ScenarioError
+from barchan.studio.protocol import ANSWERED, Request, is_state, message, read_request, state_head
 
 if TYPE_CHECKING:
+    from barchan.studio.worker.handlers import Answer
     from barchan.studio.worker.run import StudioRun
 
-CARRIED_OUT_OR_ANSWERED = (
-    BarchanError,
-    OSError,
-    LookupError,
-    TypeError,
-    ValueError,
-    ArithmeticError,
-    MemoryError,
-)
-"""Errors of a request that are answered; a worker survives whatever numbers a request holds."""
+LOOK_AGAIN = 0.05
+"""Seconds between two looks at answers that are owed, for a run at rest."""
+
+NICENESS = 10
+"""How far measuring stands back behind the model and the browser."""
+
+FULL_WAIT = 0.05
+"""Seconds between two looks at a run that waits for its measures."""
 
 
-def run_worker(connection: Connection, name: str) -> None:
-    """Be the worker at this end of a connection until it is closed."""
+def run_measurer(connection: Connection) -> None:
+    """Measure the states that a worker sends until it closes the connection; load nothing until woken."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    if hasattr(os, "nice"):
+        os.nice(NICENESS)
+    try:
+        connection.recv_bytes()
+        from barchan.studio.worker.measuring import Measuring
+
+        measuring = Measuring()
+        connection.send_bytes(b"ready")
+        while True:
+            connection.send_bytes(json.dumps(measuring.answer(connection.recv_bytes())).encode())
+    except (EOFError, BrokenPipeError, ConnectionResetError):
+        return
+
+
+def run_worker(connection: Connection, name: str, measurer: Connection | None = None) -> None:
+    """Be the worker at this end of a connection until it is closed; ``measurer`` measures its states."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is the server's: it ends its workers itself
     from barchan.kernels.core.compile_notice import told_of_compilation
     from barchan.kernels.core.threads import asked_for, thread_count
 
-    worker = Worker(connection, name)
+    worker = Worker(connection, name, measurer)
     one_for_the_browser = asked_for(max(1, thread_count() - 1))
     with one_for_the_browser, told_of_compilation(lambda: worker.send("compiling")):
         try:
@@ -42,15 +60,19 @@ def run_worker(connection: Connection, name: str) -> None:
 class Worker:
     """Takes requests from its connection and answers on it."""
 
-    def __init__(self, connection: Connection, name: str) -> None:
+    def __init__(self, connection: Connection, name: str, measurer: Connection | None = None) -> None:
         """Wait for a scenario."""
         from barchan.studio.worker.commands import RunCommands
+        from barchan.studio.worker.desk import Desk
         from barchan.studio.worker.frame_sender import FrameSender
+        from barchan.studio.worker.owed import OwedAnswers
 
         self.connection = connection
         self.name = name
         self.frames = FrameSender(name, connection.send_bytes)
-        self.commands = RunCommands(self.frames, self.send, connection.send_bytes)
+        self.desk = Desk(measurer)
+        self.owed = OwedAnswers(self.send, lambda request, error: self._refuse(request, reason(error), []))
+        self.commands = RunCommands(self.frames, self.send, connection.send_bytes, self.desk)
 
     def send(self, kind: str, **content: Any) -> None:
         """Send a control message."""
@@ -58,14 +80,22 @@ class Worker:
 
     def receive(self) -> None:
         """Carry out the requests that have come; wait for some where there is nothing else to do."""
-        while self.connection.poll(self._patience()):
+        measured = [self.desk.connection] if self.desk.connection is not None else []
+        if not self.connection.poll():
+            wait([self.connection, *measured], self._patience())
+        while self.connection.poll():
             self.on_data(self.connection.recv_bytes())
 
     def _patience(self) -> float | None:
         run = self.commands.run
         if run is None:
             return None
-        return run.speed.wait() if run.busy else self.frames.wait()
+        if self.desk.full:
+            return FULL_WAIT
+        if run.busy:
+            return run.speed.wait()
+        due = self.frames.wait()
+        return min(LOOK_AGAIN, due or LOOK_AGAIN) if self.owed else due
 
     def on_data(self, data: bytes) -> None:
         """Carry out a request, or continue from the state that the server has kept."""
@@ -80,11 +110,17 @@ class Worker:
             result = self.commands.carry_out(request)
         except ScenarioError as error:
             self._refuse(request, "; ".join(map(str, error.problems)), [vars(p) for p in error.problems])
-        except CARRIED_OUT_OR_ANSWERED as error:
+        except ANSWERED as error:
             self._refuse(request, reason(error), [])
         else:
-            if "id" in request:
-                self.send("done", id=request["id"], **(result or {}))
+            self._answer(request, result)
+
+    def _answer(self, request: Request, result: "Answer") -> None:
+        """Answer a request, or note that its answer is not there yet."""
+        if result is not None and not isinstance(result, dict):
+            self.owed.add(request, result)
+        elif request.get("id") is not None:
+            self.send("done", id=request["id"], **(result or {}))
 
     def _refuse(self, request: Request, text: str, problems: list[dict[str, Any]]) -> None:
         named = {"id": request.get("id"), "command": request["command"]}
@@ -95,6 +131,11 @@ class Worker:
         run = self.commands.run
         if run is None:
             return
+        if not run.busy or run.live.steps_done:
+            self.desk.wake()
+        if self.desk.collect() and not run.busy:
+            self.frames.stale = True  # measures go with frames
+        self.owed.pay()
         if run.busy:
             arrived = self._advance(run)
             self.frames.stale = True
@@ -108,7 +149,7 @@ class Worker:
         """Do some steps; a run whose steps fail is paused at the last state that is whole."""
         try:
             return run.advance_chunk()
-        except CARRIED_OUT_OR_ANSWERED as error:
+        except ANSWERED as error:
             step = run.live.steps_done
             run.recover()
             text = f"the run is paused at step {run.live.steps_done}: after step {step} {reason(error)}"

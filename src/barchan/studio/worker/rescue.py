@@ -7,6 +7,7 @@ from typing import Any
 
 from barchan.simulation import State
 from barchan.studio.protocol import STATE_HEAD, STATE_MAGIC
+from barchan.studio.worker.desk import Desk
 from barchan.studio.worker.history import History
 from barchan.studio.worker.run import StudioRun, resumed
 
@@ -33,11 +34,11 @@ def to_bytes(run: StudioRun, number: int) -> bytes | None:
     return STATE_MAGIC + struct.pack(STATE_HEAD, number, state.step) + content
 
 
-def from_bytes(data: bytes) -> StudioRun:
+def from_bytes(data: bytes, desk: Desk | None = None) -> StudioRun:
     """The run whose state ``to_bytes`` gave, paused; of its past only the measures are left."""
     head = len(STATE_MAGIC) + struct.calcsize(STATE_HEAD)
     saved: _Saved = pickle.loads(memoryview(data)[head:])  # noqa: S301 - a worker of this session wrote it
-    run = resumed(saved.state, History(saved.every))
+    run = resumed(saved.state, History(saved.every), desk)
     run.measures.rows = saved.rows
     run.measures.resend()
     return run

@@ -12,6 +12,7 @@ from barchan.measures import highest_stack
 from barchan.scenario import Scenario
 from barchan.simulation import Simulation, State
 from barchan.studio.worker.branches import Branches
+from barchan.studio.worker.desk import Desk
 from barchan.studio.worker.frame_fields import STEPS_OF_CHANGE
 from barchan.studio.worker.history import FINEST, History
 from barchan.studio.worker.live_measures import LiveMeasures
@@ -29,11 +30,13 @@ millisecond beside its steps, so shorter chunks would cost speed."""
 class StudioRun:
     """A simulation with its speed, its history and its measures."""
 
-    def __init__(self, simulation: Simulation) -> None:
-        """Take a simulation over, paused."""
+    def __init__(self, simulation: Simulation, desk: Desk | None = None) -> None:
+        """Take a simulation over, paused, and let its states be measured at a desk."""
         self.speed = RunSpeed(CHUNK_SECONDS)
-        self.begin(simulation, History(min(simulation.scenario.run.save_every, FINEST)), LiveMeasures())
-        self.measures.take(simulation, at_once=True)
+        self.desk = desk or Desk()
+        every = simulation.scenario.run.save_every
+        self.begin(simulation, History(min(every, FINEST)), LiveMeasures(every, self.desk))
+        self.measures.take(simulation)
         self.branches = Branches(self.live, self.history, self.measures)
 
     def begin(self, simulation: Simulation, history: History, measures: LiveMeasures) -> None:
@@ -73,9 +76,9 @@ class StudioRun:
         self.run(end if end > self.live.steps_done else None)
 
     def pause(self) -> None:
-        """Stop."""
+        """Stop; measures of the state follow, at whatever step it is."""
         self.running = False
-        self.measures.take(self.live, at_once=True)
+        self.measures.take_extra(self.live)
 
     def recover(self) -> None:
         """Pause at the state that was kept last, where steps have failed half-way."""
@@ -84,10 +87,10 @@ class StudioRun:
 
     def advance_chunk(self) -> bool:
         """Do a chunk of steps; returns whether a set target is reached."""
-        steps = self.speed.steps
+        steps = 0 if self.desk.full else self.speed.steps
         if self.target is not None:
             steps = min(steps, self.target - self.live.steps_done)
-        steps = min(steps, self.history.due - self.live.steps_done)
+        steps = min(steps, min(self.history.due, self.measures.due) - self.live.steps_done)
         if steps > 0:
             began = time.perf_counter()
             done = self.live.advance(steps).steps
@@ -99,7 +102,7 @@ class StudioRun:
         if self.live.finished or arrived:
             self.running = False
         if not self.running and not self.brief:
-            self.measures.take(self.live, at_once=True)
+            self.measures.take_extra(self.live)
         return not self.running and self.target is not None
 
     def remember(self) -> None:
@@ -137,7 +140,7 @@ class StudioRun:
             if not self.can_branch:
                 raise BarchanError("an archive keeps its frames to look at; go on from its newest state")
             step = self.looking.steps_done
-            past = self.history.until(step), self.measures.until(step)
+            past = self.history.until(step), self.measures.until(step, self.history.states)
             self.branches.leave(self.live, self.history, self.measures)
             self.begin(self.looking, *past)
             self.branches.add(self.live, *past)
@@ -177,14 +180,18 @@ class StudioRun:
         }
 
 
-def started(scenario: Scenario) -> StudioRun:
+def started(scenario: Scenario, desk: Desk | None = None) -> StudioRun:
     """A run of a scenario, at its beginning."""
-    return StudioRun(Simulation(scenario))
+    return StudioRun(Simulation(scenario), desk)
 
 
-def resumed(state: State, history: History) -> StudioRun:
+def resumed(state: State, history: History, desk: Desk | None = None) -> StudioRun:
     """A run that continues from a state and has this past."""
-    run = StudioRun(Simulation.from_state(state))
-    run.begin(run.live, history, run.measures)
+    run = StudioRun(Simulation.from_state(state), desk)
+    every = run.live.scenario.run.save_every
+    run.begin(run.live, history, LiveMeasures(every, run.desk))
+    for known in history.states:
+        run.measures.take_state(known)
+    run.measures.begin_after(state.step)
     run.branches = Branches(run.live, history, run.measures)
     return run

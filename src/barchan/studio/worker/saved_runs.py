@@ -9,6 +9,8 @@ from barchan.archive.folder import CHECKPOINT, scenario_of
 from barchan.archive.frames import COUNTERS
 from barchan.errors import ArchiveError
 from barchan.simulation import Simulation, State
+from barchan.studio.worker.background import Count
+from barchan.studio.worker.desk import Desk
 from barchan.studio.worker.history import FINEST, History
 from barchan.studio.worker.run import LOOK_ONLY, StudioRun, resumed
 from barchan.version import __version__
@@ -17,20 +19,24 @@ if TYPE_CHECKING:
     import xarray as xr
 
 
-def save_run(run: StudioRun, folder: Path) -> int:
-    """Save a run, with all kept states as frames; returns the number of frames.
+def states_of(run: StudioRun) -> tuple[State, ...]:
+    """The kept states of a run and its newest one, which later steps leave as they are."""
+    now = run.live.state()
+    return (*(state for state in run.history.states if state.step < now.step), now)
+
+
+def save_run(states: tuple[State, ...], folder: Path, count: Count = lambda _done, _of: None) -> int:
+    """Save states of a run as frames, the last one as its newest state; returns the number of frames.
 
     Raises ArchiveError where the folder is not empty or cannot be written.
     """
-    live = run.live
-    archive = Archive.create(folder, Simulation.from_state(run.history.states[0]))
+    live = Simulation.from_state(states[-1])
+    archive = Archive.create(folder, Simulation.from_state(states[0]))
     try:
         archive.log("start", seed=live.scenario.seed, steps=live.scenario.run.steps, version=__version__)
-        for state in run.history.states:
-            if state.step <= live.steps_done:
-                archive.save(Simulation.from_state(state).frame())
-        if live.steps_done > run.history.states[-1].step:
-            archive.save(live.frame())
+        for number, state in enumerate(states):
+            archive.save(Simulation.from_state(state).frame())
+            count(number + 1, len(states))
         archive.checkpoint(live)
         archive.log("interrupted", step=live.steps_done, reason="saved from the studio")
         assert archive.frames is not None
@@ -39,7 +45,7 @@ def save_run(run: StudioRun, folder: Path) -> int:
         archive.close()
 
 
-def open_saved_run(folder: Path) -> StudioRun:
+def open_saved_run(folder: Path, desk: Desk | None = None) -> StudioRun:
     """The run in a folder, at its newest checkpoint, with its frames as its past.
 
     Raises ArchiveError where there is no run to continue.
@@ -50,13 +56,13 @@ def open_saved_run(folder: Path) -> StudioRun:
     try:
         dataset = open_run(folder)
     except ArchiveError:
-        return resumed(last, history)
+        return resumed(last, history, desk)
     with dataset:
         for at in range(dataset.sizes["step"]):
             if int(dataset["step"][at]) < last.step:
                 history.keep(_state_of(dataset.isel(step=at), last))
     history.keep(last)
-    return resumed(last, history)
+    return resumed(last, history, desk)
 
 
 def _state_of(frame: "xr.Dataset", last: State) -> State:

@@ -10,6 +10,7 @@ from barchan.errors import BarchanError
 from barchan.fields import GROUND, LayerInfo, counted, depth_of
 from barchan.lattice import Lattice
 from barchan.simulation import State
+from barchan.squares import Squares
 from barchan.studio.worker.run import StudioRun
 
 COLUMNS = 512
@@ -46,6 +47,8 @@ class _Sampler:
 
     def __init__(self, lattice: Lattice, layers: tuple[LayerInfo, ...], line: list[float]) -> None:
         x0, y0, x1, y1 = line
+        self._squares = Squares(lattice)
+        lattice = self._squares.lattice
         share = np.linspace(0.0, 1.0, COLUMNS)
         self._thickness, self._layers = lattice.thickness, layers
         rows, v = _between((y0 + share * (y1 - y0)) / lattice.cell_size, lattice.rows)
@@ -56,7 +59,10 @@ class _Sampler:
     def section(self, state: State) -> NDArray[np.float64]:
         """Elevation (m) at each place."""
         names = (GROUND.name, *counted(self._layers))
-        here = {name: state.arrays[f"bed/{name}"][self._cells] for name in names}
+        arrays = {name: state.arrays[f"bed/{name}"] for name in names}
+        if self._squares.true.hexagonal:
+            arrays = {name: self._squares.between(one.astype(np.float64)) for name, one in arrays.items()}
+        here = {name: one[self._cells] for name, one in arrays.items()}
         elevation = here[GROUND.name] + depth_of(self._layers, here, self._thickness)
         heights: NDArray[np.float64] = (elevation * self._weights).sum(axis=(0, 1))
         return heights

@@ -1,0 +1,71 @@
+"""Answers that take longer than a step: work in a thread beside the run, and measures that are to come."""
+
+import threading
+from collections.abc import Callable
+from typing import Any, Protocol
+
+from barchan.errors import BarchanError
+from barchan.studio.protocol import ANSWERED
+from barchan.studio.worker.run import StudioRun
+
+Count = Callable[[int, int], None]
+"""Takes how much is done, and of how much."""
+
+
+class Later(Protocol):
+    """Something that will have the content of an answer."""
+
+    done: int
+    of: int
+    """How much is done, of how much."""
+
+    def result(self) -> dict[str, Any] | None:
+        """The content, None as long as there is none; raises what has made it impossible."""
+
+
+class AllMeasured:
+    """The rows of a run at all fixed steps up to now, as soon as every one of them is measured."""
+
+    def __init__(self, current: Callable[[], StudioRun]) -> None:
+        """Wait for the measures that the current run has now."""
+        self.done, self.of = 0, 1
+        self._current, self._measures = current, current().measures
+        self._last = self._measures.newest
+
+    def result(self) -> dict[str, Any] | None:
+        """The rows; raises BarchanError where the run has left the branch that was asked about."""
+        if self._current().measures is not self._measures:
+            raise BarchanError("another run or branch was begun before all steps were measured")
+        rows = self._measures.up_to(self._last)
+        self.done, self.of = len(rows), max(len(rows) + self._current().desk.pending, 1)
+        return {"rows": rows} if self._measures.has(self._last) else None
+
+
+class Background:
+    """A piece of work in a thread; it only reads what no step changes."""
+
+    def __init__(self, work: Callable[[Count], dict[str, Any]]) -> None:
+        """Begin; ``work`` gets a function that counts, and returns the content of the answer."""
+        self.done, self.of = 0, 1
+        self._result: dict[str, Any] | None = None
+        self._error: Exception | None = None
+        self._work = work
+        self._thread = threading.Thread(target=self._run, daemon=True, name="barchan-background")
+        self._thread.start()
+
+    def result(self) -> dict[str, Any] | None:
+        """The content of the answer, None while the work goes on; raises what it has raised."""
+        if self._thread.is_alive():
+            return None
+        if self._error is not None:
+            raise self._error
+        return self._result
+
+    def _count(self, done: int, of: int) -> None:
+        self.done, self.of = done, of
+
+    def _run(self) -> None:
+        try:
+            self._result = self._work(self._count)
+        except ANSWERED as error:
+            self._error = error

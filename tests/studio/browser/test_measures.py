@@ -1,0 +1,57 @@
+"""What comes out of the page as numbers: measures at fixed steps and sections, of one run or of both."""
+
+import csv
+import io
+
+SMALL_PAIR = "window.barchan.app.runs.length === 2 && window.barchan.app.runs[1].ready"
+
+
+def saved(studio, label: str) -> list[dict[str, str]]:
+    with studio.page.expect_download() as download:
+        studio.page.get_by_label(label).click()
+    return list(csv.DictReader(io.StringIO(download.value.path().read_text("utf-8"))))
+
+
+def test_the_measures_of_both_runs_are_saved_at_the_same_fixed_steps(studio):
+    page = studio.page
+    page.get_by_role("tab", name="Measures").click()
+    assert "every 10 steps; from step 2" in page.locator(".series .readout").inner_text()
+    studio.ask("window.barchan.app.ask({ command: 'compare', model: 'momiji' })")
+    studio.until(f"{SMALL_PAIR} && window.barchan.app.runs[1].status.step > 25")
+    studio.ask("window.barchan.app.send({ command: 'pause' })")
+    studio.until("!window.barchan.app.running")
+    rows = saved(studio, "Save the measures as CSV")
+    steps = {run: [int(row["step"]) for row in rows if row["run"] == run] for run in "AB"}
+    assert steps["A"][:3] == [0, 10, 20]
+    assert steps["A"] == steps["B"]
+    assert {row["model"] for row in rows} == {"werner", "momiji"}
+    now = studio.status()["step"]
+    studio.until(f"window.barchan.app.runs.every((run) => run.measures.at(-1).step === {now})")
+    page.get_by_role("tab", name="Section").click()
+    page.wait_for_timeout(300)
+    profile = saved(studio, "Save the section as CSV")
+    assert {"elevation_a_m", "elevation_b_m", "slope_b_degrees"} <= set(profile[0])
+    assert [row["elevation_a_m"] for row in profile] != [row["elevation_b_m"] for row in profile]
+    page.screenshot(path=studio.folder / "section-of-both.png")
+    studio.ask("window.barchan.app.send({ command: 'alone' })")
+
+
+def test_saving_shows_how_far_it_is_while_the_run_goes_on(studio):
+    studio.ask("window.barchan.app.send({ command: 'limit', rate: 30 })")  # few states, and quickly written
+    studio.ask("window.barchan.app.send({ command: 'restart' })")
+    studio.until(
+        "window.barchan.app.runs[0].history.length < 9 && window.barchan.app.runs[0].status.step > 30"
+    )
+    studio.ask(
+        """window.seen = [];
+        window.barchan.app.connection.ask(
+            { command: 'save', name: 'beside', run: 'a' },
+            (done, of) => window.seen.push([done, of, window.barchan.app.runs[0].status.step]),
+        ).then((answer) => (window.saved = answer))"""
+    )
+    studio.until("window.saved !== undefined")
+    saved_at, seen = studio.ask("window.saved.step"), studio.ask("window.seen")
+    assert studio.ask("window.saved.frames") == seen[-1][1]
+    assert [row[0] for row in seen] == sorted(row[0] for row in seen)
+    studio.step_beyond(saved_at)
+    studio.ask("window.barchan.app.send({ command: 'limit', rate: null })")

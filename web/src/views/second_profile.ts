@@ -1,0 +1,47 @@
+/** The profile of the other of two runs, along the same line, in the section of the first. */
+
+import type { App } from "../core/app";
+import { type Profile, ends, profile } from "../core/profile";
+import type { Run } from "../core/run";
+import type { SectionLine } from "../core/section";
+import { themeColour } from "../ui/dom";
+
+export interface Second {
+  run: Run;
+  profile: Profile;
+  ends: [number, number];
+}
+
+/** The other run along a line; null where there is none, or it has another lattice for the moment. */
+export function secondProfile(app: App, run: Run, line: SectionLine): Second | null {
+  const other = app.runs.find((one) => one !== run && one.ready);
+  if (!other || other.rows !== run.rows || other.columns !== run.columns) return null;
+  const found = profile(other, line);
+  return { run: other, profile: found, ends: ends(found.surface) };
+}
+
+export function drawSecond(c: CanvasRenderingContext2D, second: Second, x: (d: number) => number, y: (z: number) => number): void {
+  const { distance, surface } = second.profile;
+  c.save();
+  c.strokeStyle = themeColour("second");
+  c.lineWidth = 1.8;
+  c.setLineDash([6, 3]);
+  c.beginPath();
+  distance.forEach((d, i) => c.lineTo(x(d), y(surface[i]!)));
+  c.stroke();
+  c.restore();
+}
+
+/** The profiles of one run, or of two along the same line, as a table of text. */
+export function sectionCsv(run: Run, own: Profile, second: Second | null): string {
+  const columns = (p: Profile, mark: string): [string, (i: number) => string][] => [
+    [`elevation${mark}_m`, (i) => p.surface[i]!.toFixed(4)],
+    [`ground${mark}_m`, (i) => p.ground[i]!.toFixed(4)],
+    [`slope${mark}_degrees`, (i) => p.slope[i]!.toFixed(4)],
+    [`shadow${mark}`, (i) => (p.shadow ? String(Number(p.shadow[i]! > 0.5)) : "")],
+  ];
+  const mark = (one: Run) => (second ? `_${one.name}` : "");
+  const all = [...columns(own, mark(run)), ...(second ? columns(second.profile, mark(second.run)) : [])];
+  const rows = Array.from(own.distance, (d, i) => [d.toFixed(4), ...all.map(([, value]) => value(i))].join());
+  return `${[["distance_m", ...all.map(([name]) => name)].join(), ...rows].join("\n")}\n`;
+}
