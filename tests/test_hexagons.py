@@ -128,6 +128,20 @@ def test_exports_are_squares_and_say_that_they_were_hexagons(frames, tmp_path):
     assert told["changes"]["brought_from_hexagons"]["rows"] == 18
 
 
+@pytest.mark.parametrize("name", ["dunes.ply", "dunes.glb", "dunes.tif", "dunes.png"])
+def test_meshes_and_maps_of_hexagons_have_their_squares(frames, tmp_path, name):
+    if name.endswith("tif"):
+        pytest.importorskip("rasterio")
+    frames.barchan.export(tmp_path / name)
+    told = json.loads((tmp_path / f"{name}.json").read_text("utf-8"))
+    assert (told["frame"]["rows"], told["frame"]["columns"]) == (16, 16)
+
+
+def test_text_grids_that_know_only_squares_refuse_those_over_hexagons(frames, tmp_path):
+    with pytest.raises(barchan.BarchanError, match="allowed here: square ones"):
+        frames.barchan.export(tmp_path / "dunes.asc")
+
+
 def test_the_volume_of_a_run_on_hexagons_is_that_of_its_slabs(frames):
     measured = frames.barchan.measures()
     slabs = frames["sand"].sum(("y", "x")).values

@@ -102,12 +102,13 @@ def colours_of(source: Source) -> NDArray[np.float32]:
     """Colours (red, green, blue from 0 to 1, as screens show them) of all vertices, without shade."""
     from matplotlib.colors import Normalize
 
+    from barchan.analysis.on_squares import on_squares
     from barchan.figures.bare import with_bare_ground
     from barchan.figures.layers import overlaid
     from barchan.figures.maps import surface_range
     from barchan.figures.style import SMOOTHING, colour_map, material_of, smooth
 
-    frame, scenario = source.frame(source.steps[0]), source.scenario
+    frame, scenario = on_squares(source.frame(source.steps[0]), source.scenario)
     shown = smooth(frame["elevation"].values, SMOOTHING, scenario)
     norm = Normalize(*surface_range(frame, scenario))
     base = np.asarray(colour_map("natural", material_of(scenario))(norm(shown)))[..., :3]

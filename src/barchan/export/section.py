@@ -3,6 +3,7 @@
 from pathlib import Path
 from typing import Any
 
+from barchan.analysis.on_squares import on_squares
 from barchan.export.source import Source
 from barchan.export.tables import heading, write_table
 from barchan.figures.section_lines import section_along_wind, through_highest
@@ -10,7 +11,8 @@ from barchan.figures.section_lines import section_along_wind, through_highest
 
 def write(path: Path, source: Source) -> dict[str, Any]:
     """Write a row for each cell of the section, from its upwind end: distance, place, fields."""
-    frame, scenario, grid = source.frame(source.steps[0]), source.scenario, source.grid
+    frame, scenario = on_squares(source.frame(source.steps[0]), source.scenario)
+    grid = source.grid
     at = source.options.at
     place = through_highest(frame, scenario) if at is None else at
     line = section_along_wind(scenario, float(frame["wind_direction"]), place)
