@@ -55,7 +55,8 @@ def changed_from(scenario: Scenario, before: Scenario) -> Scenario:
         for name, separator, limit in _WORDS
         if getattr(before, name)
     }
-    named = scenario.model_copy(update={**words, "look_for": before.look_for})
+    question = before.question if scenario.model.name == before.model.name else ""
+    named = scenario.model_copy(update={**words, "look_for": before.look_for, "question": question})
     return (
         named.model_copy(update={"look_for": _expected(named, before)}) if told and before.look_for else named
     )

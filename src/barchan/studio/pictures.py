@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 
 FOLDER = Path(__file__).parents[1] / "presets" / "pictures"
 WIDTH, HEIGHT = 320, 200
-FINER = 3
+FINER = 2
 """Times as many pixels are drawn as are kept, so that edges are smooth."""
 LARGEST = 15_000
 """Bytes of a picture at most: it is saved with less quality where it would be larger."""
@@ -46,7 +46,6 @@ RENDER = """async ([width, height]) => {
 }"""
 
 TITLE = {"width": 3840, "height": 2160}
-TITLE_SCENARIO = ("momiji-barchans", 1000)
 
 
 @contextmanager
@@ -66,9 +65,9 @@ def studio_page() -> Iterator["Page"]:
         with sync_playwright() as engine:
             path = shutil.which("chromium") or shutil.which("google-chrome")
             browser = engine.chromium.launch(executable_path=path, args=FLAGS)
-            page = browser.new_page(viewport={"width": 480, "height": 360})
+            page = browser.new_page(viewport={"width": 320, "height": 240})
             page.goto(address)
-            page.wait_for_function("window.barchan?.app.runs[0]?.ready", timeout=60_000)
+            wait_for(page, f"window.barchan && {RUN}?.ready", 60.0)
             page.evaluate("window.barchan.app.view.set({ turning: false, theme: 'light' })")
             yield page
             browser.close()
@@ -77,20 +76,24 @@ def studio_page() -> Iterator["Page"]:
         server.wait(20)
 
 
-def run_preset(page: "Page", name: str, steps: int | None, patience: float) -> int:
-    """Run a preset to a step or its end, or for so many seconds; returns the step where it stands."""
+def wait_for(page: "Page", expression: str, seconds: float) -> None:
+    """Wait until an expression holds, for so many seconds at most."""
+    end = time.monotonic() + seconds
+    while not page.evaluate(expression) and time.monotonic() < end:
+        time.sleep(0.1)
+
+
+def run_preset(page: "Page", name: str, patience: float) -> int:
+    """Run a preset to its end, or for so many seconds; returns the step where it stands."""
     data: dict[str, Any] = load_scenario(name, [("run.seed", str(SEED))]).data()
     page.evaluate(f"void ({RUN}.status = null)")
     page.evaluate("(scenario) => void window.barchan.app.create(scenario, true)", data)
     page.evaluate("void window.barchan.app.send({ command: 'limit', rate: null })")
-    until = min(steps or data["run"]["steps"], data["run"]["steps"])
-    there = f"{RUN}.fits && ({RUN}.status?.step >= {until} || {RUN}.status?.finished)"
-    page.wait_for_function(f"{RUN}.fits && {RUN}.status?.step > 0", timeout=300_000)
-    end = time.monotonic() + patience
-    while not page.evaluate(there) and time.monotonic() < end:
-        time.sleep(0.1)
+    there = f"{RUN}.fits && ({RUN}.status?.step >= {data['run']['steps']} || {RUN}.status?.finished)"
+    wait_for(page, f"{RUN}.fits && {RUN}.status?.step > 0", 300.0)
+    wait_for(page, there, patience)
     page.evaluate("void window.barchan.app.send({ command: 'pause' })")
-    page.wait_for_function("!window.barchan.app.running")
+    wait_for(page, "!window.barchan.app.running", 60.0)
     page.evaluate("window.barchan.stage.look('oblique')")
     return int(page.evaluate(f"{RUN}.status.step"))
 
@@ -114,7 +117,7 @@ def draw(names: list[str]) -> None:
     FOLDER.mkdir(exist_ok=True)
     with studio_page() as page:
         for name in names or preset_names():
-            step = run_preset(page, name, None, PATIENCE)
+            step = run_preset(page, name, PATIENCE)
             image = rendered(page, FINER * WIDTH, FINER * HEIGHT)
             small = image.resize((WIDTH, HEIGHT), Image.Resampling.LANCZOS)
             save(small, FOLDER / f"{name}.webp", LARGEST)
@@ -125,7 +128,7 @@ def draw(names: list[str]) -> None:
 def draw_title(path: Path) -> None:
     """Draw the title picture, at most half a megabyte."""
     with studio_page() as page:
-        run_preset(page, *TITLE_SCENARIO, patience=300.0)
+        run_preset(page, showpiece(), 300.0)
         save(rendered(page, TITLE["width"], TITLE["height"]), path, 500_000)
 
 

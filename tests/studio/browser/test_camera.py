@@ -21,6 +21,7 @@ CORNERS = """(() => {
 
 
 def begin(studio, **lattice):
+    studio.page.set_viewport_size({"width": 500, "height": 320})
     scenario = {
         "barchan": 2,
         "title": json.dumps(lattice),
@@ -54,7 +55,7 @@ def test_a_field_of_any_shape_fills_the_view_from_everywhere(studio, rows, colum
 
 def test_the_field_stays_in_view_when_the_window_and_the_dock_change_and_beside_another(studio):
     begin(studio, rows=48, columns=64)
-    for width, height in ((1280, 720), (760, 900)):
+    for width, height in ((640, 360), (380, 450)):
         studio.page.set_viewport_size({"width": width, "height": height})
         studio.picture()
         assert_filled(studio)

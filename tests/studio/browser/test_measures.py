@@ -17,7 +17,7 @@ def test_the_measures_of_both_runs_are_saved_at_the_same_fixed_steps(studio):
     page.get_by_role("tab", name="Measures").click()
     assert "every 10 steps; from step 2" in page.locator(".series .readout").inner_text()
     studio.ask("window.barchan.app.ask({ command: 'compare', model: 'momiji' })")
-    studio.until(f"{SMALL_PAIR} && window.barchan.app.runs[1].status.step > 25")
+    studio.until(f"{SMALL_PAIR} && window.barchan.app.runs[1].status?.step > 25")
     studio.ask("window.barchan.app.send({ command: 'pause' })")
     studio.until("!window.barchan.app.running")
     rows = saved(studio, "Save the measures as CSV")
@@ -40,7 +40,7 @@ def test_saving_shows_how_far_it_is_while_the_run_goes_on(studio):
     studio.ask("window.barchan.app.send({ command: 'limit', rate: 30 })")  # few states, and quickly written
     studio.ask("window.barchan.app.send({ command: 'restart' })")
     studio.until(
-        "window.barchan.app.runs[0].history.length < 9 && window.barchan.app.runs[0].status.step > 30"
+        "window.barchan.app.runs[0].history.length < 9 && window.barchan.app.runs[0].status?.step > 30"
     )
     studio.ask(
         """window.seen = [];

@@ -9,6 +9,8 @@ type Colour = [number, number, number];
 
 /** Light from the sky, which shadows keep. */
 const SKY = 0.35;
+/** How much brighter than level ground a slope towards the sun may be. */
+const BRIGHTEST = 1.2;
 
 export function hillShade(
   app: App,
@@ -31,7 +33,8 @@ export function hillShade(
       const at = row * columns + column;
       const dx = ((surface[row * columns + east]! - surface[row * columns + west]!) * exaggeration) / ((east - west || 1) * cell);
       const dy = ((surface[north * columns + column]! - surface[south * columns + column]!) * exaggeration) / ((north - south || 1) * cell);
-      const shade = SKY + (1 - SKY) * Math.max((light[2] - dx * light[0] - dy * light[1]) / Math.hypot(dx, dy, 1), 0);
+      const lit = Math.max((light[2] - dx * light[0] - dy * light[1]) / Math.hypot(dx, dy, 1), 0) / light[2];
+      const shade = Math.min(SKY + (1 - SKY) * lit, BRIGHTEST);
       const [r, g, b] = colour(at);
       image.data.set([r * shade, g * shade, b * shade, 255], 4 * ((rows - 1 - row) * columns + column));
     }

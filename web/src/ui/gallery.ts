@@ -69,7 +69,7 @@ function lead(app: App, preset: Preset, close: () => void, onTour: () => void): 
       h(
         "div",
         { className: "buttons" },
-        h("button", { type: "button", className: "primary", onclick: () => begin(true) }, "turn the wind, watch the horns: a tour in three steps"),
+        h("button", { type: "button", className: "primary", onclick: () => begin(true) }, "turn the wind, watch the horns grow: a tour in three steps"),
         h("button", { type: "button", onclick: () => begin(false) }, "only watch"),
       ),
     ),

@@ -44,7 +44,7 @@ export class Tour {
     const status = () => this.app.current?.status;
     return [
       {
-        text: `Wait until dunes stand: sand that the wind moves gathers in heaps, and their ends run ahead as horns. The arrow shows where the wind blows.`,
+        text: `Wait until dunes stand: sand that the wind moves gathers in heaps with a steep side in the lee. The arrow shows where the wind blows; it comes from two sides in turn.`,
         label: "go on",
         act: () => this.choose(1),
         done: () => (status()?.step ?? 0) >= GROWN,
@@ -56,7 +56,7 @@ export class Tour {
         done: () => Math.abs(((((status()?.wind ?? 0) - this.windAtStart) % 360) + 540) % 360 - 180) > 30,
       },
       {
-        text: "Watch the horns: slip faces move to the new lee side, old horns waste and new ones grow. Press 2 for the direction of the crests, drag the slider below to compare.",
+        text: "Watch the horns: under one wind slip faces move to the new lee side, and low ends run ahead as horns. Press 2 for the direction of the crests, drag the slider below to compare.",
         label: "done",
         act: () => this.end(),
         done: () => false,
