@@ -51,6 +51,8 @@ export type CommandName =
   | "revive"
   /** Save a run in the session's folder. */
   | "save"
+  /** Write a run for another program, as a file for the page to fetch. */
+  | "export"
   /** Continue a run of the session's folder. */
   | "open"
   /** Ask what is wrong with a scenario's text. */

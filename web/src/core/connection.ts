@@ -98,6 +98,13 @@ export class Connection {
     return content as T;
   }
 
+  /** A file of the server's, as it is. */
+  async file(path: string): Promise<Blob> {
+    const answer = await fetch(`api/${path}`, { headers: { "x-barchan-token": this.token } });
+    if (!answer.ok) throw new Error((await answer.json().catch(() => ({}))).text ?? answer.statusText);
+    return answer.blob();
+  }
+
   picture(name: string): string {
     return `api/pictures/${name}?token=${encodeURIComponent(this.token)}`;
   }

@@ -7,6 +7,7 @@ import type { JsonObject, Problem } from "../core/protocol";
 import type { Stage } from "../scene/stage";
 import { dialog, formDialog } from "./dialog";
 import { download, h } from "./dom";
+import { exportRun } from "./exports";
 import { menu } from "./menu";
 
 /** Whether a file's name ends in one of some suffixes. */
@@ -34,6 +35,7 @@ export class Files {
       null,
       ["Open a saved run …", () => void this.open()],
       ["Save the run …", () => this.saveRun()],
+      ["Export for other programs …", () => void exportRun(this.app).catch((error) => this.app.refused(error))],
       null,
       ["Save a picture (P)", () => void this.savePicture()],
     ]);

@@ -10,7 +10,7 @@ from starlette.applications import Starlette
 from starlette.concurrency import run_in_threadpool
 from starlette.middleware.gzip import GZipMiddleware
 from starlette.requests import Request
-from starlette.responses import JSONResponse, PlainTextResponse, Response
+from starlette.responses import FileResponse, JSONResponse, PlainTextResponse, Response
 from starlette.routing import Mount, Route, WebSocketRoute
 from starlette.staticfiles import StaticFiles
 from starlette.websockets import WebSocket, WebSocketDisconnect
@@ -63,6 +63,12 @@ def application(session: Session, guard: Guard) -> Starlette:
         picture = gallery.thumbnail(request.path_params["name"])
         return Response(picture, media_type="image/webp") if picture else Response(status_code=404)
 
+    async def exported(request: Request) -> Response:
+        try:
+            return FileResponse(session.workspace.export(**request.path_params))
+        except BarchanError as error:
+            return JSONResponse({"text": str(error)}, 404)
+
     async def upload(request: Request) -> Response:
         return await _upload(request, session)
 
@@ -74,6 +80,8 @@ def application(session: Session, guard: Guard) -> Starlette:
         Route("/api/schema", guarded(json_of(gallery.schema))),
         Route("/api/colours", guarded(json_of(colours))),
         Route("/api/files", guarded(json_of(gallery.files_taken))),
+        Route("/api/formats", guarded(json_of(gallery.formats))),
+        Route("/api/exports/{number}/{name}", guarded(exported)),
         Route("/api/pictures/{name}", guarded(thumbnail)),
         Route("/api/upload", guarded(upload), methods=["POST"]),
         WebSocketRoute("/connection", connect),

@@ -74,3 +74,24 @@ def schema() -> dict[str, Any]:
 def files_taken() -> dict[str, tuple[str, ...]]:
     """Suffixes of the files that a page may upload, as ground and as a wind record."""
     return {"heights": HEIGHTS, "records": RECORDS}
+
+
+@cache
+def formats() -> list[dict[str, Any]]:
+    """The formats that a run can be written in, those whose libraries are installed."""
+    from importlib.util import find_spec
+
+    from barchan.export.formats import FORMATS
+
+    return [
+        {
+            "name": one.name,
+            "suffix": one.suffixes[0],
+            "meaning": one.meaning,
+            "series": one.series,
+            "one_field": one.fields == "one",
+            "smooth": "smooth" in one.options,
+        }
+        for one in FORMATS
+        if not one.needs or find_spec(one.needs[0]) is not None
+    ]

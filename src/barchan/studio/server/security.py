@@ -29,10 +29,10 @@ HEADERS = {  # {host} is the name and port that the page was asked for under
     "Cache-Control": "no-store",
 }
 
-RESERVED = {"studio-uploads", "con", "prn", "aux", "nul"} | {
+RESERVED = {"studio-uploads", "studio-exports", "con", "prn", "aux", "nul"} | {
     f"{d}{n}" for d in ("com", "lpt") for n in range(1, 10)
 }
-"""Names that no run may have, in any case and with any suffix: the folder of uploads, devices of Windows."""
+"""Names that no run may have, in any case and with any suffix: the studio's folders, devices of Windows."""
 
 _NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]{0,99}")
 

@@ -74,6 +74,15 @@ def save(session: "Session", request: Request) -> None:
     worker.send("save_folder", folder=str(folder), id=request.get("id"))
 
 
+@SESSION.handles("export")
+def export(session: "Session", request: Request) -> None:
+    """Write a run for another program, into a folder of its own in the session's folder."""
+    target = session.workspace.new_export(str(request["name"]))
+    options = {key: request[key] for key in ("format", "smooth", "fields") if request.get(key) is not None}
+    worker = session.workers[request.get("run") or FIRST]
+    worker.send("export_to", target=str(target), options=options, id=request.get("id"))
+
+
 @SESSION.handles("open")
 def open_run(session: "Session", request: Request) -> None:
     """Continue an archive of the session's folder."""

@@ -12,6 +12,8 @@ from barchan.wind.records.reading import SUFFIXES
 
 UPLOADS = "studio-uploads"
 
+EXPORTS = "studio-exports"
+
 QUOTA = 1 << 30
 """Bytes of all uploaded files."""
 
@@ -88,6 +90,21 @@ class Workspace:
         if folder.is_file() or (folder.is_dir() and any(folder.iterdir())):
             raise BarchanError(f"'{name}' is in use in {self.folder}; choose another name")
         return folder
+
+    def new_export(self, name: str) -> Path:
+        """A file of that name in a new folder for exports; raises BarchanError for any but a plain name."""
+        if not is_plain_name(name):
+            raise BarchanError(f"'{name}' cannot be a file's name; allowed: letters, digits, dots, dashes")
+        home = self.folder / EXPORTS
+        used = [int(path.name) for path in home.iterdir() if path.name.isdigit()] if home.is_dir() else []
+        return home / str(max(used, default=0) + 1) / name
+
+    def export(self, number: str, name: str) -> Path:
+        """An exported file; raises BarchanError where there is none of that name."""
+        path = self.folder / EXPORTS / number / name
+        if not (number.isdigit() and is_plain_name(name) and path.is_file()):
+            raise BarchanError(f"no exported file {number}/{name}")
+        return path
 
     def runs(self) -> list[str]:
         """Names of the runs that can be opened."""

@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 
 from barchan.studio.protocol import Request
 from barchan.studio.worker.background import AllMeasured, Background
+from barchan.studio.worker.exporting import export_states
 from barchan.studio.worker.handlers import WORKER, Answer
 from barchan.studio.worker.rescue import to_bytes
 from barchan.studio.worker.rose import rose_of
@@ -30,6 +31,16 @@ def save_folder(commands: "RunCommands", request: Request) -> Answer:
     """Save the run as an archive, while it goes on."""
     states, folder = states_of(commands.current), Path(request["folder"])
     return Background(lambda count: {"frames": save_run(states, folder, count), "step": states[-1].step})
+
+
+@WORKER.handles("export_to")
+def export_to(commands: "RunCommands", request: Request) -> Answer:
+    """Write the run for another program, while it goes on; what is looked at is the last frame of it."""
+    target, options = Path(request["target"]), dict(request["options"])
+    shown = commands.current.shown.steps_done
+    states = [state for state in states_of(commands.current) if state.step <= shown]
+    place = target.parent.name
+    return Background(lambda count: {"file": f"{place}/{export_states(states, target, options, count)}"})
 
 
 @WORKER.handles("measured")

@@ -1,0 +1,38 @@
+"""Kept states of a run written for other programs."""
+
+import zipfile
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+from barchan.archive import dataset_of
+from barchan.export import export
+from barchan.export.formats import format_of
+from barchan.simulation import Simulation, State
+from barchan.studio.worker.background import Count
+
+
+def export_states(states: Sequence[State], target: Path, options: dict[str, Any], count: Count) -> str:
+    """Write states as a format of ``barchan export``; the name of the file for the page to fetch.
+
+    Formats that hold a series get all states, the others the last one. Several files become one ``.zip``
+    beside them. Raises ExportError for what ``export`` refuses.
+    """
+    chosen = format_of(target, options.get("format"))
+    used = states if chosen.series else states[-1:]
+    frames = []
+    for number, state in enumerate(used):
+        frames.append(Simulation.from_state(state).frame())
+        count(number + 1, len(used) + 1)
+    dataset = dataset_of(Simulation.from_state(used[-1]), frames)
+    target.parent.mkdir(parents=True, exist_ok=True)
+    written = export(dataset, target, **options)
+    files = [path for path in target.parent.rglob("*") if path.is_file()]
+    data = [path for path in files if path != written[-1]]
+    if len(data) == 1:
+        return data[0].name
+    packed = target.with_suffix(".zip")
+    with zipfile.ZipFile(packed, "w", zipfile.ZIP_DEFLATED) as archive:
+        for path in files:
+            archive.write(path, path.relative_to(target.parent))
+    return packed.name

@@ -1,0 +1,73 @@
+"""Runs exported from the page: read back by other libraries, and nothing else can be fetched."""
+
+import io
+import zipfile
+
+import httpx
+import numpy as np
+import pytest
+import trimesh
+
+
+@pytest.fixture
+def exported(served):
+    """Runs 20 steps, exports them under a name, and fetches the file."""
+
+    def fetch(name, **options):
+        with served.browser() as browser:
+            browser.until_frame()
+            browser.send("pause")
+            browser.send("run", steps=20)
+            browser.until_frame(lambda status: status["step"] >= 20 and not status["running"])
+            browser.send("export", name=name, id=3, **options)
+            answer = browser.until(
+                lambda header, _: header.get("id") == 3 and header["type"] in ("done", "refused")
+            )[0]
+        if answer["type"] == "refused":
+            return answer, None
+        headers = {"x-barchan-token": served.guard.token}
+        return answer, httpx.get(f"{served.address}/api/exports/{answer['file']}", headers=headers)
+
+    return fetch
+
+
+def test_a_grid_of_the_shown_state_is_fetched(exported):
+    """32 rows of 48 values; the elevation of a field in whole slabs of a third of a metre."""
+    _, answer = exported("dunes.asc")
+    lines = answer.text.splitlines()
+    heads = dict(line.split() for line in lines[:6])
+    values = np.loadtxt(io.StringIO("\n".join(lines[6:])))
+    assert (int(heads["ncols"]), int(heads["nrows"])) == (48, 32) == values.shape[::-1]
+    assert np.abs(values * 3 - np.rint(values * 3)).max() < 1e-3
+
+
+def test_a_mesh_is_smoothed_on_request(exported):
+    _, answer = exported("dunes.glb", smooth=1.0)
+    mesh = trimesh.load(io.BytesIO(answer.content), file_type="glb", force="mesh")
+    assert len(mesh.vertices) == 32 * 48
+
+
+def test_several_files_come_in_one_archive_with_all_kept_states(exported):
+    _, answer = exported("dunes.pvd")
+    with zipfile.ZipFile(io.BytesIO(answer.content)) as archive:
+        names = archive.namelist()
+    assert "dunes.pvd" in names
+    assert sum(name.endswith(".vti") for name in names) >= 2
+    assert "dunes.pvd.json" in names
+
+
+@pytest.mark.parametrize("name", ["../dunes.asc", "dunes.doc", "dunes"])
+def test_other_names_are_refused(exported, name):
+    answer, _ = exported(name)
+    assert answer["type"] == "refused"
+
+
+@pytest.mark.parametrize("path", ["1/../../scenario.json", "x/dunes.asc", "1/none.asc"])
+def test_only_exported_files_can_be_fetched(served, path):
+    headers = {"x-barchan-token": served.guard.token}
+    assert httpx.get(f"{served.address}/api/exports/{path}", headers=headers).status_code == 404
+
+
+def test_without_the_token_there_are_neither_formats_nor_files(served):
+    for path in ("formats", "exports/1/dunes.asc"):
+        assert httpx.get(f"{served.address}/api/{path}").status_code == 403
