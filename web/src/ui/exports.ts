@@ -30,8 +30,8 @@ export async function exportRun(app: App): Promise<void> {
   const smooth = h("input", { type: "number", min: "0", max: "20", step: "0.1", value: "0", "aria-label": "Smoothing in cells" });
   const name = h("input", { type: "text", value: "dunes", required: true, pattern: "[A-Za-z0-9_\\-]+", "aria-label": "Name of the file" });
   const told = h("p", { className: "hint" });
-  const one = h("div", { className: "row" }, h("label", {}, "field ", field));
-  const soft = h("div", { className: "row", title: SMOOTHING }, h("label", {}, "smoothing (cells) ", smooth));
+  const one = h("div", { className: "row" }, h("span", {}, "field"), field);
+  const soft = h("div", { className: "row", title: SMOOTHING }, h("span", {}, "smoothing (cells)"), smooth);
 
   const chosen = () => formats.find((format) => format.name === choice.value)!;
   const show = () => {
@@ -51,6 +51,6 @@ export async function exportRun(app: App): Promise<void> {
     download(file.split("/").at(-1)!, await app.connection.file(`exports/${file}`));
     app.note("info", `Exported ${file.split("/").at(-1)}; it is kept in studio-exports, with a file that tells what its numbers mean.`);
   };
-  formDialog("Export for other programs", "export", save, h("div", { className: "row" }, choice), one, soft, h("div", { className: "row" }, h("label", {}, "name ", name)), told);
+  formDialog("Export for other programs", "export", save, h("div", { className: "row" }, h("span", {}, "format"), choice), one, soft, h("div", { className: "row" }, h("span", {}, "name"), name), told);
   show();
 }
