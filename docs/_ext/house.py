@@ -33,6 +33,7 @@ ABOUT = {
     "ground": "terrain, first sand",
     "aeolian": "physics of wind and sand",
     "heights": "surfaces in whole numbers",
+    "squares": "hexagons on squares",
     "bed": "ground, layers, fields on a lattice",
     "streams": "random streams",
     "lattice": "cells and edges",

@@ -63,7 +63,11 @@ def test_the_axis_of_orientations_is_labelled_from_0_to_180(measured):
 def test_measures_of_the_model_have_panels_below():
     scenario = tiny(model={"name": "nield_baas"})
     panels = time_series(measure_series(simulate(scenario), scenario), scenario).axes
-    own = ["mean grass", "mean mesquite", "mean shrub"]
+    own = [
+        *("mean grass", "mean mesquite", "mean shrub"),
+        *("plants on the floor between dunes", "plants on windward sides"),
+        *("plants on crests", "plants on lee sides"),
+    ]
     assert [axes.get_title("left") for axes in panels[len(SHOWN) :]] == own
     scenario = tiny(model={"name": "momiji"})
     (panel,) = time_series(measure_series(simulate(scenario), scenario), scenario).axes[len(SHOWN) :]

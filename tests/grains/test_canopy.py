@@ -15,7 +15,7 @@ from barchan.kernels.grains.flight import BLOCK
 from barchan.kernels.grains.wind import find_wind
 from barchan.models import model
 from barchan.simulation import PlantStroke, SetParameter, Simulation
-from barchan.studio.server.gallery import colours
+from barchan.studio.colours import colours
 from barchan.studio.worker.brushes import brushes
 from barchan.wind.segment import Segment
 from tests.grains.keys import nested

@@ -232,7 +232,7 @@ def test_a_damaged_file_is_refused(tmp_path, suffix):
 def test_a_file_that_is_missing_or_of_an_unknown_kind_is_refused(tmp_path):
     assert refused(tmp_path / "none.npy") == "no such file"
     assert refused(tmp_path / "a.bmp") == (
-        "is of an unknown kind; allowed: .npy, .png, .tif, .tiff, .asc, .xyz, .nc, .hgt"
+        "is of an unknown kind; allowed: .npy, .png, .jpg, .jpeg, .tif, .tiff, .asc, .xyz, .nc, .hgt"
     )
 
 

@@ -27,7 +27,8 @@ def show(condition, surface, direction=270.0):
         if direction == 270.0
         else tiny(lattice__rows=ROWS, lattice__columns=COLUMNS, wind__direction=direction)
     )
-    bed = SimpleNamespace(ground=np.zeros(surface.shape), depth=surface - surface.min() + 1.0)
+    ground, depth = np.zeros(surface.shape), surface - surface.min() + 1.0
+    bed = SimpleNamespace(ground=ground, depth=depth, lattice=scenario.lattice)
     simulation = SimpleNamespace(
         bed=bed, scenario=scenario, forcing=scenario.forcing(), steps_done=1, wind_direction=direction
     )

@@ -53,6 +53,9 @@ def test_a_stalled_browser_neither_halts_the_run_nor_grows_memory(served):
         return last - first
 
     with served.browser() as browser:
+        browser.until_frame()
+        browser.send("limit", rate=None)
+        browser.send("run", steps=1_000_000)
         browser.until_frame(lambda status: status["step"] > 3000)
         lively = steps_in(browser, 1.0)
         browser.confirms = False
@@ -307,7 +310,7 @@ def test_a_recorded_wind_has_its_roses(served):
     with served.browser() as browser:
         browser.until_frame()
         browser.send("rose", run="a", id=1)
-        assert browser.until_message("done", id=1)["rose"] is None
+        assert browser.until_message("done", id=1)["rose"]["days"] is None
         browser.send("create", scenario=recorded.data(), running=False)
         browser.until(lambda message, _: message.get("scenario", {}).get("wind", {}).get("kind") == "record")
         browser.send("rose", run="a", id=2)

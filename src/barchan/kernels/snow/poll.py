@@ -229,7 +229,7 @@ def run_polls(pack, rules, work, count, peak, tally):
         feed(pack, rules, row, col)
         # 4 hop, 5 rest?
         along, across, state = take_off(
-            rules.slabs.box, None, along, across, wind.hop_along, wind.hop_across, state
+            rules.slabs.box, None, along, across, wind.hop_along, wind.hop_across, state, grid
         )
         row, col, state, inside, stays, sheltered, way_along, way_across = carry(
             pack, rules, view, along, across, False, state, peak
