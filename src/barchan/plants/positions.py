@@ -27,7 +27,8 @@ def cover_at(position: str) -> ModelMeasure:
         spacing = dominant_spacing(surface, lattice.cell_size, wind.direction, lattice.periodic)
         reach = half_spacing(spacing, lattice.cell_size, surface.shape)
         found = positions(surface, lattice.cell_size, wind.direction, reach, lattice.periodic)
-        return mean_by_position(Squares(lattice).between(model.effectiveness(bed)), found)[Position[position.upper()]]
+        cover = Squares(lattice).between(model.effectiveness(bed))
+        return mean_by_position(cover, found)[Position[position.upper()]]
 
     return ModelMeasure(f"plants_{position}", TITLES[position], "-", compute)
 
