@@ -8,6 +8,8 @@ AXE = files("axe_playwright_python").joinpath("axe.min.js")
 STATES = ("no token", "wrong token", "replaced", "too much", "other version", "no answer", "connecting")
 RULES = "{ runOnly: ['wcag2a', 'wcag2aa', 'wcag21aa', 'best-practice'], resultTypes: ['violations'] }"
 
+pytestmark = pytest.mark.extended
+
 
 @pytest.fixture
 def faults(studio):

@@ -19,6 +19,8 @@ CORNERS = """(() => {
 })()"""
 """Corners of the block as shares of half the view, from -1 to 1 where they are seen."""
 
+pytestmark = pytest.mark.extended
+
 
 def begin(studio, **lattice):
     studio.page.set_viewport_size({"width": 500, "height": 320})

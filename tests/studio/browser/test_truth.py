@@ -10,6 +10,8 @@ from barchan.scenario import load_scenario
 RUN = "window.barchan.app.runs[0]"
 PLANTS = [("lattice.rows", "32"), ("lattice.columns", "48"), ("run.seed", "3"), ("run.save_every", "10")]
 
+pytestmark = pytest.mark.extended
+
 
 LISTEN = """void (CanvasRenderingContext2D.prototype.fillText = new Proxy(
     CanvasRenderingContext2D.prototype.fillText,

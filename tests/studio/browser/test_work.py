@@ -4,12 +4,15 @@ import io
 import json
 
 import numpy as np
+import pytest
 from PIL import Image
 
 from tests.studio.browser.test_messages import fill
 
 RUN = "window.barchan.app.runs[0]"
 SCENARIO = f"{RUN}.description.scenario"
+
+pytestmark = pytest.mark.extended
 
 
 def test_a_quick_stroke_of_the_brush_leaves_one_even_ridge(studio):
