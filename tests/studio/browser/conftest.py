@@ -150,6 +150,7 @@ def studio(chromium, server):
     fresh = {**load_scenario("barchans", list(SMALL.items())).data(), "citation": str(uuid.uuid4())}
     studio.ask(f"window.barchan.app.create({json.dumps(fresh)}, true)")
     studio.until(f"window.barchan.app.runs[0].description.scenario.citation === '{fresh['citation']}'")
+    studio.ask("window.barchan.app.send({ command: 'limit', rate: 40 })")  # a test before may have changed it
     studio.ask("void (window.barchan.app.runs[0].status = null)")
     studio.until("window.barchan.app.running")
     yield studio
