@@ -10,6 +10,8 @@ from tests.studio.browser.conftest import SMALL
 
 RUN = "window.barchan.app.runs[0]"
 
+pytestmark = pytest.mark.extended
+
 
 def test_every_preset_stands_in_one_group_and_asks_a_question():
     listed = [name for names in groups().values() for name in names]
