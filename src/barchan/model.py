@@ -87,8 +87,10 @@ class ModelMeasure:
     name: str
     title: str
     unit: str
-    compute: Callable[[Any, Bed, Segment], float]
-    """Computes it from the model, a bed and the wind over it."""
+    compute: Callable[..., float]
+    """Computes it from the model, a bed and the wind over it, or from what ``shared`` makes of them."""
+    shared: Callable[[Any, Bed, Segment], Any] | None = None
+    """Makes of the model, a bed and the wind what several measures need, once for all of them."""
 
 
 @dataclass(frozen=True)

@@ -161,4 +161,4 @@ def in_rows(values: list[Value]) -> list[list[Value]]:
 
 
 def _own(own: ModelMeasure) -> Measure[MeasuredFrame]:
-    return Measure(own.name, own.title, own.unit, lambda m: float(own.compute(*m.modelled())))
+    return Measure(own.name, own.title, own.unit, lambda m: m.of_model(own))

@@ -4,7 +4,7 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,7 +18,7 @@ from barchan.measures.orientation import Orientation, crest_orientation
 from barchan.measures.relief import bedform_height
 from barchan.measures.slopes import Slopes, slip_face_angle, streamwise_slopes
 from barchan.measures.spacing import dominant_spacing
-from barchan.models import Model
+from barchan.models import Model, ModelMeasure
 from barchan.scenario import Scenario
 from barchan.squares import Squares
 from barchan.wind.segment import Segment
@@ -69,6 +69,22 @@ class MeasuredFrame:
     def cell_size(self) -> float:
         """Width of a cell (m)."""
         return self.scenario.lattice.cell_size
+
+    def of_model(self, measure: ModelMeasure) -> float:
+        """A measure that only the model can give."""
+        if measure.shared is None:
+            return float(measure.compute(*self._parts))
+        if measure.shared not in self._shared:
+            self._shared[measure.shared] = measure.shared(*self._parts)
+        return float(measure.compute(self._shared[measure.shared]))
+
+    @cached_property
+    def _parts(self) -> tuple[Model, Bed, Segment]:
+        return self.modelled()
+
+    @cached_property
+    def _shared(self) -> dict[Callable[..., Any], Any]:
+        return {}
 
     @cached_property
     def unit_height(self) -> float:

@@ -86,9 +86,9 @@ def report_of(contents: Contents) -> str:
             "Runs",
             _scenarios(contents),
             runs_table(contents.variants, contents.unfinished),
-            _command(contents),
+            made_by(contents.command, contents.seconds),
         ),
-        section("method", "How to read this", _method(reference.label)),
+        section("method", "How to read this", points(METHOD.format(reference=reference.label))),
     ]
     return page(contents.title, *parts)
 
@@ -281,12 +281,13 @@ def runs_table(variants: Sequence[Variant], unfinished: Mapping[str, str]) -> st
     return "".join(parts)
 
 
-def _command(contents: Contents) -> str:
+def made_by(command: str, seconds: float) -> str:
+    """Version, date, how long it took (s), and the command that makes a report again."""
     when = datetime.now(UTC).strftime("%Y-%m-%d %H:%M UTC")
-    told = f"Made with Barchan {__version__} on {when} in {contents.seconds:.0f} s, pictures included, by:"
-    return paragraph(told) + f"<pre><code>{text(contents.command)}</code></pre>"
+    told = f"Made with Barchan {__version__} on {when} in {seconds:.0f} s, pictures included, by:"
+    return paragraph(told) + f"<pre><code>{text(command)}</code></pre>"
 
 
-def _method(reference: str) -> str:
-    points = METHOD.format(reference=reference).strip().split("\n\n")
-    return "<ul>" + "".join(f"<li>{text(point)}</li>" for point in points) + "</ul>"
+def points(paragraphs: str) -> str:
+    """Paragraphs with empty lines between, as a list."""
+    return "<ul>" + "".join(f"<li>{text(one)}</li>" for one in paragraphs.strip().split("\n\n")) + "</ul>"

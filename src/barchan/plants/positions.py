@@ -14,24 +14,23 @@ TITLES = {
 }
 
 
-def cover_at(position: str) -> ModelMeasure:
-    """The mean effectiveness of all plants on the cells of a position; NaN where there is none."""
+def cover_by_position(model: Any, bed: Bed, wind: Segment) -> dict[str, float]:
+    """The mean effectiveness of all plants on the cells of each position; NaN where it has none."""
+    from barchan.measures.landform import half_spacing
+    from barchan.measures.positions import mean_by_position, positions
+    from barchan.measures.spacing import dominant_spacing
+    from barchan.squares import Squares, bedforms_of
 
-    def compute(model: Any, bed: Bed, wind: Segment) -> float:
-        from barchan.measures.landform import half_spacing
-        from barchan.measures.positions import Position, mean_by_position, positions
-        from barchan.measures.spacing import dominant_spacing
-        from barchan.squares import Squares, bedforms_of
-
-        lattice, surface = bed.lattice, bedforms_of(bed)
-        spacing = dominant_spacing(surface, lattice.cell_size, wind.direction, lattice.periodic)
-        reach = half_spacing(spacing, lattice.cell_size, surface.shape)
-        found = positions(surface, lattice.cell_size, wind.direction, reach, lattice.periodic)
-        cover = Squares(lattice).between(model.effectiveness(bed))
-        return mean_by_position(cover, found)[Position[position.upper()]]
-
-    return ModelMeasure(f"plants_{position}", TITLES[position], "-", compute)
+    lattice, surface = bed.lattice, bedforms_of(bed)
+    spacing = dominant_spacing(surface, lattice.cell_size, wind.direction, lattice.periodic)
+    reach = half_spacing(spacing, lattice.cell_size, surface.shape)
+    found = positions(surface, lattice.cell_size, wind.direction, reach, lattice.periodic)
+    means = mean_by_position(Squares(lattice).between(model.effectiveness(bed)), found)
+    return {position.name.lower(): mean for position, mean in means.items()}
 
 
-COVER_BY_POSITION = tuple(map(cover_at, TITLES))
+COVER_BY_POSITION = tuple(
+    ModelMeasure(f"plants_{name}", title, "-", lambda means, name=name: means[name], cover_by_position)
+    for name, title in TITLES.items()
+)
 """Measures of the plants on each part of the dunes."""

@@ -2,17 +2,15 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from datetime import UTC, datetime
 
 from barchan.comparison.drawing import Picture
 from barchan.comparison.page import Markup, Strong, figure, page, paragraph, section, table, text
 from barchan.comparison.published.judging import Result, Verdict
 from barchan.comparison.published.results import Experiment, PublishedSet
-from barchan.comparison.report import SCENARIOS, number, runs_table
-from barchan.comparison.statistics import Spread, spread
+from barchan.comparison.report import SCENARIOS, made_by, points, runs_table, spread_text
+from barchan.comparison.statistics import spread
 from barchan.comparison.variants import Variant
 from barchan.scenario.summary import field_size
-from barchan.version import __version__
 
 METHOD = """
 A reported number comes of one run whose random numbers are not known. It agrees where it lies in the
@@ -70,8 +68,13 @@ def report_of(contents: Contents) -> str:
         paragraph(_counted([verdict for one in contents.sections for verdict in one.verdicts])),
         section("overview", "Overview", _overview(contents.sections)),
         *(_section(one) for one in contents.sections),
-        section("runs", "Runs", runs_table(contents.variants, contents.unfinished), _made(contents)),
-        section("method", "How to read this", _method()),
+        section(
+            "runs",
+            "Runs",
+            runs_table(contents.variants, contents.unfinished),
+            made_by(contents.command, contents.seconds),
+        ),
+        section("method", "How to read this", points(METHOD)),
     ]
     return page(chosen.title, *parts)
 
@@ -138,21 +141,7 @@ def _cases(cases: Sequence[Variant]) -> str:
 
 
 def _final(variant: Variant, name: str) -> str:
-    found: Spread = spread(list(variant.finals(name).values()))
-    if not found.count:
-        return "–"
-    return number(found.mean) + (f" ± {found.deviation:.2g}" if found.count > 1 else "")
-
-
-def _made(contents: Contents) -> str:
-    when = datetime.now(UTC).strftime("%Y-%m-%d %H:%M UTC")
-    told = f"Made with Barchan {__version__} on {when} in {contents.seconds:.0f} s, pictures included, by:"
-    return paragraph(told) + f"<pre><code>{text(contents.command)}</code></pre>"
-
-
-def _method() -> str:
-    points = METHOD.strip().split("\n\n")
-    return "<ul>" + "".join(f"<li>{text(point)}</li>" for point in points) + "</ul>"
+    return spread_text(spread(list(variant.finals(name).values())), len(variant.reports))
 
 
 def claims_rows(sections: Sequence[Section]) -> list[dict[str, str]]:
