@@ -5,6 +5,7 @@ import math
 import numpy as np
 import pytest
 
+from barchan.analysis import time_series
 from barchan.analysis.declared_measures import MEASURES, PER_YEAR
 from barchan.analysis.time_series import last_measures, measure_series, measured_frames
 from barchan.entry import simulate
@@ -172,3 +173,14 @@ def test_the_stress_is_highest_on_relief():
     stress = measure_series(simulate(scenario), scenario)["highest_stress"].values
     assert stress[0] == pytest.approx(1.0)
     assert (stress[1:] > 1.0).all()
+
+
+def test_a_frame_is_modelled_once_for_all_measures_of_its_model(monkeypatch):
+    """Seven measures of plants, each of which needs the model: each frame is modelled once."""
+    asked = []
+    found = time_series.as_modelled
+    monkeypatch.setattr(time_series, "as_modelled", lambda *given: asked.append(1) or found(*given))
+    scenario = tiny(model={"name": "nield_baas"})
+    run = simulate(scenario)
+    measure_series(run, scenario)
+    assert len(asked) == run.sizes["step"]
