@@ -22,7 +22,13 @@ from barchan.studio.server.app import CLIENT
 
 FLAGS = ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
 PATIENCE = 60.0
-SMALL = {"lattice.rows": "48", "lattice.columns": "64", "run.seed": "3", "run.save_every": "10"}
+SMALL = {
+    "lattice.rows": "48",
+    "lattice.columns": "64",
+    "run.seed": "3",
+    "run.save_every": "10",
+    "run.steps": "100000",  # no run ends by itself while the tests are at it
+}
 
 
 @pytest.fixture(scope="package")

@@ -13,7 +13,7 @@ from barchan.kernels.bed.active_layer import slide
 from barchan.kernels.bed.grid import neighbour
 from barchan.kernels.bed.loose import slide_loose
 from barchan.kernels.bed.slopes import has_sand, steepest
-from barchan.kernels.bed.state import STABLE, ActiveLayer, Grid, Repose, Stacks, unstable_cells
+from barchan.kernels.bed.state import DOWN, STABLE, ActiveLayer, Grid, Repose, Stacks, unstable_cells
 from barchan.kernels.core.borrow import borrowed
 from barchan.kernels.core.inlining import never_inline
 from barchan.kernels.core.internal import internal
@@ -105,7 +105,7 @@ def relax_queue(stacks, orders, unstable, progress, most, key, grid, repose, mix
         col = cell % grid.cols
         order = np.int64(mix(key + np.uint64(slides)) % number_of_orders)
         here = np.int64(stacks.surface[cell])
-        direction = steepest(stacks, orders, order, row, col, here, -1, at_rest, grid, repose)
+        direction = steepest(stacks, orders, order, row, col, here, DOWN, at_rest, grid, repose)
         if direction == STABLE:
             continue
         r, c = neighbour(row, col, direction, grid)

@@ -19,6 +19,7 @@ from barchan.kernels.bed.state import (
     NORTHWEST,
     SHUFFLED,
     SIXFOLD,
+    SLIDING,
     SOUTH,
     SOUTHEAST,
     SOUTHWEST,
@@ -249,7 +250,7 @@ def next_on_slope(stacks, orders, order, row, col, state, sign, grid, repose):
     """
     plain = UPSLOPE if sign > 0 else DOWNSLOPE
     here = np.int64(stacks.surface[np.uint64(row * grid.cols + col)]) - sign * repose.slab
-    direction = steepest(stacks, orders, order, row, col, here, sign, False, grid, repose)
+    direction = steepest(stacks, orders, order, row, col, here, sign, SLIDING, grid, repose)
     if direction == STABLE:
         return row, col, order, state, False
     if repose.random_order and order == plain:

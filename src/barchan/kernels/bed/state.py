@@ -103,9 +103,18 @@ BARRED = -(1 << 62)
 """Code of a neighbour to which sand may not slide: it sorts below every other."""
 
 
-DOWNSLOPE, UPSLOPE, SHUFFLED = range(3)
+DOWNSLOPE, UPSLOPE, SHUFFLED = map(np.int64, range(3))
 """Rows of a table of neighbour orders: for a slab that slides down, for one that slides in from above, and
-room for a random order of either."""
+room for a random order of either. Kernels get them as numbers of one type: for whole numbers of Python the
+compiler would translate a kernel once for each value."""
+
+
+UP, DOWN = np.int64(1), np.int64(-1)
+"""Signs of steps up and down a slope."""
+
+
+AT_REST, SLIDING = np.bool_(True), np.bool_(False)
+"""Whether the static limit holds for sand, or that of sand that slides."""
 
 
 class Repose(NamedTuple):

@@ -113,7 +113,8 @@ def smooth_slopes(ground, rule, before, marks):
     ground, before, marks = borrowed((ground, before, marks))
     grid, parcel = ground.grid, ground.scale.parcel
     cols = grid.cols
-    before[:] = ground.level
+    for cell in range(before.size):
+        before[cell] = ground.level[cell]
     highest = np.empty(grid.rows, np.uint8)
     factors = rule.gain * FACE_WEIGHT / parcel, rule.gain * CORNER_WEIGHT / parcel
     for row in range(grid.rows):

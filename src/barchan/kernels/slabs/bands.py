@@ -11,7 +11,7 @@ from barchan.kernels.bed.levels import measure_levels
 from barchan.kernels.core.atomics import add, give_way, load, store, swap
 from barchan.kernels.core.borrow import borrowed
 from barchan.kernels.core.inlining import never_inline
-from barchan.kernels.core.internal import internal
+from barchan.kernels.core.internal import internal, woven
 from barchan.kernels.core.random import derive
 from barchan.kernels.core.work_queue import wait_a_moment
 from barchan.kernels.slabs.flights import forget_flights
@@ -36,7 +36,7 @@ _AHEAD = 3
 """Rounds whose polls are counted before the slowest band begins them."""
 
 
-@internal()
+@woven()
 def run_band(stacks, rules, work, schedule, part, band, first, count, peak, tally):
     """Run a band's polls of a round, from poll ``first`` on; returns a height that no cell exceeds now.
 
@@ -44,7 +44,6 @@ def run_band(stacks, rules, work, schedule, part, band, first, count, peak, tall
     ``start`` to ``stop`` of a shuffled round through the lattice are polled, to which every band gives the
     same share of its own cells, so that a part of a round is spread over the field.
     """
-    never_inline()
     cols, polls = rules.grid.cols, work.polls
     exhausted = tally[EXHAUSTED]
     redraw = schedule.forced and not schedule.each_once
@@ -75,7 +74,8 @@ def run_band(stacks, rules, work, schedule, part, band, first, count, peak, tall
 def _remember(before, surface):
     """Keep the surface as it is when a round begins (None: nobody asks for it)."""
     if before is not None:
-        before[:] = surface
+        for cell in range(surface.size):  # of a slice the compiler would make the text of an error too
+            before[cell] = surface[cell]
 
 
 @internal()
@@ -184,10 +184,9 @@ def _peak_about(plan, band, wrap):
     return peak
 
 
-@internal()
+@woven()
 def _run(stacks, rules, work, schedule, plan, band, number, tally):
     """Run a band's polls of a round; or end the round before, and count the polls of the next one."""
-    never_inline()
     if band == plan.peaks.size:
         if number > 0:
             _end_round(work.flights, stacks, rules, work, plan, number - 1, tally)

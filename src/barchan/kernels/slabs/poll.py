@@ -9,7 +9,7 @@ import numpy as np
 
 from barchan.kernels.bed.relax import CHECKED, NO_END, enqueue, enqueue_about, relax_queue
 from barchan.kernels.bed.slopes import next_on_slope, steepest
-from barchan.kernels.bed.state import DOWNSLOPE, STABLE, UPSLOPE
+from barchan.kernels.bed.state import AT_REST, DOWN, DOWNSLOPE, STABLE, UP, UPSLOPE
 from barchan.kernels.core.borrow import borrowed
 from barchan.kernels.core.inlining import never_inline
 from barchan.kernels.core.internal import internal
@@ -50,32 +50,32 @@ def _relax_about(stacks, orders, unstable, row, col, key, grid, repose):
 
 
 @internal(forceinline=True)
-def _is_too_steep(stacks, orders, order, row, col, sign, grid, repose):
+def _is_too_steep(stacks, orders, row, col, sign, grid, repose):
     """Whether a step up (``sign`` 1) or down (-1) from a cell exceeds the static limit."""
+    order = UPSLOPE if sign > 0 else DOWNSLOPE
     here = np.int64(stacks.surface[row * grid.cols + col])
-    return steepest(stacks, orders, order, row, col, here, sign, True, grid, repose) != STABLE
+    return steepest(stacks, orders, order, row, col, here, sign, AT_REST, grid, repose) != STABLE
 
 
 @internal(forceinline=True)
-def _next_on_slope(unstable, stacks, rules, order, row, col, state, sign):
+def _next_on_slope(unstable, stacks, orders, order, row, col, state, sign, grid, repose):
     """One step up (``sign`` 1) or down (-1) a slope that does not stand, where slabs slide one by one.
 
     Where there is a static limit (``unstable``) an avalanche follows once the cell itself has changed.
     """
     if unstable is not None:
         return row, col, order, state, False
-    return next_on_slope(stacks, rules.orders, order, row, col, state, sign, rules.grid, rules.repose)
+    return next_on_slope(stacks, orders, order, row, col, state, sign, grid, repose)
 
 
 @internal(forceinline=True)
-def _relax_after(unstable, stacks, rules, order, row, col, state, sign):
+def _relax_after(unstable, stacks, orders, relaxation_orders, row, col, state, sign, grid, repose):
     """Let an avalanche go from a cell that was lowered (``sign`` 1) or raised (-1); the random state."""
     if unstable is None:
         return state
     state += GOLDEN
-    if _is_too_steep(stacks, rules.orders, order, row, col, sign, rules.grid, rules.repose):
-        orders, key = rules.relaxation_orders, mix(state)
-        _relax_about(stacks, orders, unstable, row, col, key, rules.grid, rules.repose)
+    if _is_too_steep(stacks, orders, row, col, sign, grid, repose):
+        _relax_about(stacks, relaxation_orders, unstable, row, col, mix(state), grid, repose)
     return state
 
 
@@ -90,12 +90,15 @@ def _strays(sliding, row, band, grid):
 @internal()
 def lay_down(unstable, stacks, rules, row, col, state):
     """Lay a slab on a cell and let it slide down the slope; returns the height of the cell that it raises."""
+    grid, repose, orders = rules.grid, rules.repose, rules.orders
     order, sliding = DOWNSLOPE, True
     while sliding:
-        row, col, order, state, sliding = _next_on_slope(unstable, stacks, rules, order, row, col, state, -1)
-    cell = np.uint64(row * rules.grid.cols + col)
-    height = _change(stacks, stacks.sand, cell, rules.repose.slab, 1)
-    _relax_after(unstable, stacks, rules, DOWNSLOPE, row, col, state, -1)
+        row, col, order, state, sliding = _next_on_slope(
+            unstable, stacks, orders, order, row, col, state, DOWN, grid, repose
+        )
+    cell = np.uint64(row * grid.cols + col)
+    height = _change(stacks, stacks.sand, cell, repose.slab, 1)
+    _relax_after(unstable, stacks, orders, rules.relaxation_orders, row, col, state, DOWN, grid, repose)
     return height
 
 
@@ -111,7 +114,8 @@ def run_polls(stacks, rules, work, band, count, redraw, target, peak, tally):
     stacks, rules, work = borrowed((stacks, rules, work))
     surface = stacks.surface.ctypes.data
     view = View(surface, address_of(work.before, surface), band.near)
-    grid, polls, unstable = rules.grid, work.polls, work.unstable
+    grid, repose, orders, relaxation_orders = rules.grid, rules.repose, rules.orders, rules.relaxation_orders
+    polls, unstable = work.polls, work.unstable
     moved = tally[MOVED]
     left = 0
     capped = 0
@@ -136,11 +140,13 @@ def run_polls(stacks, rules, work, band, count, redraw, target, peak, tally):
         # 3 take the slab, and let the slope above feed its cell
         r, c, order, sliding = row, col, UPSLOPE, True
         while sliding:
-            r, c, order, state, sliding = _next_on_slope(unstable, stacks, rules, order, r, c, state, 1)
+            r, c, order, state, sliding = _next_on_slope(
+                unstable, stacks, orders, order, r, c, state, UP, grid, repose
+            )
             if _strays(sliding, r, band, grid):
                 return np.int64(STRAYED)
-        _change(stacks, stacks.sand, np.uint64(r * grid.cols + c), rules.repose.slab, -1)
-        state = _relax_after(unstable, stacks, rules, UPSLOPE, r, c, state, 1)
+        _change(stacks, stacks.sand, np.uint64(r * grid.cols + c), repose.slab, -1)
+        state = _relax_after(unstable, stacks, orders, relaxation_orders, r, c, state, UP, grid, repose)
         # 4 hop, 5 settle?
         along, across, state = take_off(
             rules.box, rules.speedup, along, across, hop_along, hop_across, state, grid
@@ -162,13 +168,13 @@ def run_polls(stacks, rules, work, band, count, redraw, target, peak, tally):
             row, col, order, sliding = across >> 32, along >> 32, DOWNSLOPE, True
             while sliding:
                 row, col, order, state, sliding = _next_on_slope(
-                    unstable, stacks, rules, order, row, col, state, -1
+                    unstable, stacks, orders, order, row, col, state, DOWN, grid, repose
                 )
                 if _strays(sliding, row, band, grid):
                     return np.int64(STRAYED)
             cell = np.uint64(row * grid.cols + col)
-            peak = max(peak, _change(stacks, stacks.sand, cell, rules.repose.slab, 1))
-            _relax_after(unstable, stacks, rules, DOWNSLOPE, row, col, state, -1)
+            peak = max(peak, _change(stacks, stacks.sand, cell, repose.slab, 1))
+            _relax_after(unstable, stacks, orders, relaxation_orders, row, col, state, DOWN, grid, repose)
         if moved == target:
             break
     tally[MOVED] = moved

@@ -8,18 +8,16 @@ import numpy as np
 from numba import njit
 
 from barchan.kernels.bed.levels import measure_levels
-from barchan.kernels.core.inlining import never_inline
-from barchan.kernels.core.internal import internal
+from barchan.kernels.core.internal import woven
 from barchan.kernels.core.random import derive
 from barchan.kernels.slabs.bands import run_band
 from barchan.kernels.slabs.polling import band_of, count_polls_by_row, polls_in_band, shuffle_bands
 from barchan.kernels.slabs.state import EXHAUSTED, MOVED, Round
 
 
-@internal()
+@woven()
 def _run_round(stacks, rules, work, schedule, part, tally):
     """Run one round of polls, band by band in random order, until its target is reached."""
-    never_inline()
     polls = work.polls
     peak = np.int64(stacks.surface.max())
     exhausted = tally[EXHAUSTED]
@@ -36,7 +34,7 @@ def _run_round(stacks, rules, work, schedule, part, tally):
         first += count
 
 
-@internal()
+@woven()
 def _walk(stacks, rules, work, schedule, step_key, first, count, tally):
     """Run rounds through all cells until ``count`` slabs have moved or a whole round has moved none."""
     cells = rules.grid.rows * rules.grid.cols
