@@ -8,7 +8,7 @@ import numpy as np
 from numba import njit
 
 from barchan.kernels.bed.levels import measure_levels
-from barchan.kernels.core.internal import woven
+from barchan.kernels.core.internal import internal, woven
 from barchan.kernels.core.random import derive
 from barchan.kernels.slabs.bands import run_band
 from barchan.kernels.slabs.polling import band_of, count_polls_by_row, polls_in_band, shuffle_bands
@@ -34,39 +34,36 @@ def _run_round(stacks, rules, work, schedule, part, tally):
         first += count
 
 
-@woven()
-def _walk(stacks, rules, work, schedule, step_key, first, count, tally):
-    """Run rounds through all cells until ``count`` slabs have moved or a whole round has moved none."""
-    cells = rules.grid.rows * rules.grid.cols
+@internal()
+def _round_of(schedule, step_key, number, first, count, cells, target):
+    """One of the rounds of a step: all of its polls; or all cells, again and again, in an order of their own."""
+    poll_key = derive(step_key, 0)
+    if not schedule.each_once:
+        return Round(0, first, first + count, step_key, poll_key, -1)
     poll_key = derive(derive(step_key, 4), first)
-    target = tally[MOVED] + count
-    number = 0
-    going = True
-    while going:
-        moved = tally[MOVED]
-        part = Round(number, 0, cells, derive(poll_key, number), poll_key, target)
-        _run_round(stacks, rules, work, schedule, part, tally)
-        number += 1
-        going = tally[MOVED] < target and tally[MOVED] > moved and rules.interruption[0] == 0
-        if tally[MOVED] == moved:
-            tally[EXHAUSTED] += 1
+    return Round(number, 0, cells, derive(poll_key, number), poll_key, target)
 
 
 @njit(cache=True, nogil=True)
 def run_forced_steps(stacks, rules, work, schedule, key, step, steps, first, count, tally):
     """Run the polls ``first`` to ``first + count`` of each of ``steps`` steps from ``step`` on.
 
-    The stacks are changed in place; their surface has room for ``SIMD_WIDTH`` numbers before it. ``key`` is
-    the random stream's. Moved slabs, travel and the rest are added to ``tally``. Work that is broken off
-    leaves stacks and tally as they happen to be.
+    Where each cell is polled once, rounds through all cells go on until ``count`` slabs have moved or a whole
+    round has moved none. The stacks are changed in place; their surface has room for ``SIMD_WIDTH`` numbers
+    before it. ``key`` is the random stream's. Moved slabs, travel and the rest are added to ``tally``. Work
+    that is broken off leaves stacks and tally as they happen to be.
     """
+    cells = rules.grid.rows * rules.grid.cols
     for s in range(steps):
-        if rules.interruption[0] != 0:
-            return
         step_key = derive(key, step + s)
         measure_levels(stacks.surface, stacks.levels)
-        if schedule.each_once:
-            _walk(stacks, rules, work, schedule, step_key, first, count, tally)
-        else:
-            part = Round(0, first, first + count, step_key, derive(step_key, 0), -1)
+        target = tally[MOVED] + count
+        number, going = 0, rules.interruption[0] == 0
+        while going:
+            moved = tally[MOVED]
+            part = _round_of(schedule, step_key, number, first, count, cells, target)
             _run_round(stacks, rules, work, schedule, part, tally)
+            number += 1
+            going = schedule.each_once and moved < tally[MOVED] < target and rules.interruption[0] == 0
+            if schedule.each_once and tally[MOVED] == moved:
+                tally[EXHAUSTED] += 1
