@@ -6,7 +6,7 @@ import statistics
 from collections.abc import Iterator
 from pathlib import Path
 
-from benchmarks import exports, grains, kernel, measures, plain, program, threads
+from benchmarks import exports, grains, kernel, measures, plain, program, threads, trials
 
 PAGE = Path(__file__).parents[1] / "docs" / "benchmarks.md"
 NOTES = Path(__file__).with_name("notes.md")
@@ -58,6 +58,9 @@ def report(only: str) -> Iterator[str]:
     if not only or "plain".startswith(only):
         yield ""
         yield from plain.report()
+    if not only or "trials".startswith(only):
+        yield ""
+        yield from trials.report()
     if not only or "grains".startswith(only):
         yield ""
         yield "| grains in flight | million updates/s, one thread | two | same bits |"

@@ -50,13 +50,13 @@ CASES = (
 )
 
 
-def compiled(folder: str) -> ctypes.CDLL | None:
+def compiled(folder: str, source: Path = SOURCE) -> ctypes.CDLL | None:
     """The loop, compiled into a folder; None without a compiler."""
     compiler = shutil.which("cc") or shutil.which("gcc") or shutil.which("clang")
     if compiler is None:
         return None
     library = Path(folder) / "plain.so"
-    subprocess.run([compiler, *FLAGS, "-o", library, SOURCE], check=True)
+    subprocess.run([compiler, *FLAGS, "-o", library, source], check=True)
     return ctypes.CDLL(str(library))
 
 
@@ -70,9 +70,9 @@ def measure(case: Case, library: ctypes.CDLL) -> tuple[float, float, bool]:
     kernel, loop = [], []
     same = True
     for repetition in range(case.repetitions + 1):
-        mine, seconds = _by_kernel(model, flat, case.steps)
+        mine, seconds = by_kernel(model, flat, case.steps)
         kernel.append(seconds)
-        plain, seconds = _by_loop(library, model, flat, case.steps)
+        plain, seconds = by_loop(library, model, flat, case.steps)
         loop.append(seconds)
         same &= np.array_equal(mine, plain)
         if not repetition:
@@ -82,23 +82,30 @@ def measure(case: Case, library: ctypes.CDLL) -> tuple[float, float, bool]:
     return statistics.median(kernel) / polls, statistics.median(loop) / polls, bool(same)
 
 
-def _by_kernel(model, sand, steps):
+def by_kernel(model, sand, steps):
+    """The bed that the kernel makes of flat ``sand`` on one thread, and the seconds it takes."""
     bed = Bed(model.lattice, np.zeros(model.lattice.shape), sand)
     whole = threads.thread_count
     threads.thread_count = lambda: 1
     try:
-        began = time.perf_counter()
+        began = time.process_time()
         model.advance(bed, Segment(0, steps, 0, model.lattice.cells, 270.0), Stream(1, "transport"))
-        return bed.sand, time.perf_counter() - began
+        return bed.sand, time.process_time() - began
     finally:
         threads.thread_count = whole
 
 
-def _by_loop(library, model, sand, steps):
+def shadow_line(model: Werner) -> tuple[float, float]:
+    """How far the shadow line falls in a cell (slabs), and where in its cell it starts (cells)."""
+    fall = math.tan(math.radians(model.parameters.shadow_angle)) / model.lattice.aspect
+    return fall, 0.5 if model.parameters.shadow_from == "edge" else 0.0
+
+
+def by_loop(library, model, sand, steps):
+    """The bed that the loop makes of flat ``sand``, and the seconds it takes."""
     rules, lattice = model.parameters, model.lattice
     bed = sand.copy()
-    fall = math.tan(math.radians(rules.shadow_angle)) / lattice.aspect
-    start = 0.5 if rules.shadow_from == "edge" else 0.0
+    fall, start = shadow_line(model)
     falls = np.floor((np.arange(1, lattice.columns + 1) - start) * fall).astype(np.int32)
     chances = [ctypes.c_uint64(round(chance * 2**32)) for chance in (rules.p_s, rules.p_ns)]
     numbers = (
@@ -109,7 +116,7 @@ def _by_loop(library, model, sand, steps):
         rules.face_limit(lattice),
     )
     key = ctypes.c_uint64(Stream(1, "transport").key)
-    began = time.perf_counter()
+    began = time.process_time()
     library.run_steps(
         bed.ctypes.data_as(ctypes.c_void_p),
         falls.ctypes.data_as(ctypes.c_void_p),
@@ -120,7 +127,7 @@ def _by_loop(library, model, sand, steps):
         ctypes.c_int64(0),
         ctypes.c_int64(steps),
     )
-    return bed, time.perf_counter() - began
+    return bed, time.process_time() - began
 
 
 def report():

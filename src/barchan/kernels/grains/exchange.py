@@ -21,7 +21,7 @@ MIDDLE = 4
 """Parcels of a patch on the middle stack, where none is missing."""
 
 
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+@njit(cache=True, nogil=True, error_model="numpy", inline="always")
 def pile_up(cell, parcels, ground):
     """Add parcels to a stack, or take them off it."""
     ground.sand[cell] += parcels
@@ -36,7 +36,7 @@ def _share(direction):
     return 2 if ROW_STEP[direction] * COL_STEP[direction] == 0 else 1
 
 
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+@njit(cache=True, nogil=True, error_model="numpy", inline="always")
 def _lay_row(west, at_sides, between, ground):
     """Lay parcels on three cells side by side."""
     pile_up(np.uint64(west), at_sides, ground)

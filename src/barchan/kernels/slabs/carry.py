@@ -80,14 +80,8 @@ def sticks_by_chance(mobility, sandy, wind, cell, chance):
 
 @internal(forceinline=True)
 def sticks_in_shadow(axis, ray, box, grid, sticks, view, along, across, here, peak):
-    """Whether a slab stays where it landed, by chance or because it landed in shadow.
-
-    The test along an axis is so short that it is made in any case: there is no branch to mispredict.
-    """
-    if axis is None or box is not None:
-        if sticks:
-            return True
-    return sticks | in_shadow(view, along, across, here, peak, grid, axis, ray, box)
+    """Whether a slab stays where it landed, by chance or because it landed in shadow."""
+    return sticks or in_shadow(view, along, across, here, peak, grid, axis, ray, box)
 
 
 @internal(forceinline=True)

@@ -13,12 +13,14 @@ from barchan.kernels.bed.state import AT_REST, DOWN, DOWNSLOPE, STABLE, UP, UPSL
 from barchan.kernels.core.borrow import borrowed
 from barchan.kernels.core.inlining import never_inline
 from barchan.kernels.core.internal import internal
+from barchan.kernels.core.prefetch import prefetch
 from barchan.kernels.core.random import GOLDEN, mix
 from barchan.kernels.slabs.carry import HOPS_FAR, IS_CAPPED, LEAVES, carry, first_hop, take_off
 from barchan.kernels.slabs.erosion import find_eroding_cell, may_erode
 from barchan.kernels.slabs.flights import address_of, put_aside
 from barchan.kernels.slabs.shadow import is_near
 from barchan.kernels.slabs.state import (
+    BLOCK,
     CAPPED,
     EXHAUSTED,
     FULL,
@@ -29,6 +31,10 @@ from barchan.kernels.slabs.state import (
     TRAVEL_ALONG,
     View,
 )
+
+
+AHEAD = 6
+"""Polls by which the memory of a cell is asked for beforehand."""
 
 
 @internal(forceinline=True)
@@ -87,6 +93,16 @@ def _strays(sliding, row, band, grid):
     return not is_near(row, band.touched, grid)
 
 
+@internal(forceinline=True)
+def _fetch(polls, k, surface, bytes_of_row, width):
+    """Ask for the memory about the cell of a later poll: on large fields it takes longer than a whole poll."""
+    later = np.uint64(k & (BLOCK - 1))
+    address = surface + polls.rows[later] * bytes_of_row + polls.cols[later] * width
+    prefetch(address)
+    prefetch(address + bytes_of_row)
+    prefetch(address - bytes_of_row)
+
+
 @internal()
 def lay_down(unstable, stacks, rules, row, col, state):
     """Lay a slab on a cell and let it slide down the slope; returns the height of the cell that it raises."""
@@ -121,7 +137,9 @@ def run_polls(stacks, rules, work, band, count, redraw, target, peak, tally):
     capped = 0
     travel_along = np.int64(0)
     travel_across = np.int64(0)
+    bytes_of_row = grid.cols * stacks.surface.itemsize
     for k in range(count):
+        _fetch(polls, k + AHEAD, surface, bytes_of_row, stacks.surface.itemsize)
         # 1 choose a cell
         row, col, state = polls.rows[np.uint64(k)], polls.cols[np.uint64(k)], polls.states[np.uint64(k)]
         # 2 may it erode?
