@@ -7,3 +7,8 @@ from hypothesis import settings
 os.environ.setdefault("NUMBA_NUM_THREADS", "2")
 settings.register_profile("default", deadline=None, derandomize=True)
 settings.load_profile("default")
+
+
+def pytest_collection_modifyitems(items):
+    """Random scenarios come first: they take long, and at the end all but one processor would wait for them."""
+    items.sort(key=lambda item: "random_runs" not in item.nodeid)
