@@ -10,5 +10,5 @@ settings.load_profile("default")
 
 
 def pytest_collection_modifyitems(items):
-    """Random scenarios come first: they take long, and at the end all but one processor would wait for them."""
+    """Random scenarios come first: at the end all processors but one would wait for them."""
     items.sort(key=lambda item: "random_runs" not in item.nodeid)
