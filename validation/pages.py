@@ -71,8 +71,11 @@ THEMES = (
     Theme(
         "snow",
         "Snow",
-        "Waves and dunes of snow, the greatest dune that moves, forms over wind and age, grains that bond.",
-        ("snow_ranges", "snow_arrest", "snow_diagram", "snow_sintering"),
+        "Waves and dunes of snow, the greatest dune that moves, forms over wind and age, storms, arrest, wear.",
+        (
+            *("snow_ranges", "snow_arrest", "snow_diagram", "snow_falling_wind", "snow_rest", "snow_retreat"),
+            *("snow_order", "snow_sintering"),
+        ),
     ),
     Theme(
         "nature",
