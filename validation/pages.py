@@ -71,7 +71,7 @@ THEMES = (
     Theme(
         "snow",
         "Snow",
-        "Waves and dunes of snow, the greatest dune that moves, forms over wind and age, storms, arrest, wear.",
+        "Waves and dunes of snow, the greatest dune that moves, forms over wind and age, arrest and wear.",
         (
             *("snow_ranges", "snow_arrest", "snow_diagram", "snow_falling_wind", "snow_rest", "snow_retreat"),
             *("snow_order", "snow_sintering"),
