@@ -208,7 +208,10 @@ def test_a_joined_record_is_saved_with_its_weather(here, barchan, ridge):
     [
         (["ridge.json", "--weather", "hut.smet"], "a scenario names one as wind.weather"),
         (["ridge.csv", "--weather", "none.smet"], "none.smet: 1 problem no such file"),
-        (["ridge.csv", "--weather", "ridge.csv"], "ridge.csv: 1 problem holds neither temperature nor snowfall"),
+        (
+            ["ridge.csv", "--weather", "ridge.csv"],
+            "ridge.csv: 1 problem holds neither temperature nor snowfall",
+        ),
     ],
 )
 def test_a_second_record_that_cannot_be_joined_is_refused(barchan, ridge, words, said):
