@@ -1,8 +1,8 @@
 """Which forms follow one another in a series of storms?
 
-Bare ground, 3.2 × 12.8 m, open along the wind, cells and hops of 0.1 m, -10 °C. 12 kg/m² fall within six
-hours of 8 m/s; 12 hours of 11 m/s; then calm for 4.5 days; then 12 hours of 15 m/s with drift from upwind.
-Classes by `barchan.measures.snow_forms`; five seeds.
+Bare ground, 2.4 × 11.2 m, open along the wind with drift from upwind at half of saturation, cells and hops of
+0.1 m, quanta of 2 kg/m², -10 °C. 12 kg/m² fall within six hours of 8 m/s; then 12 hours of 11 m/s, calm for
+4.5 days, and 12 hours of 15 m/s. Classes by `barchan.measures.snow_forms`; five seeds.
 """
 
 from collections import Counter
@@ -22,7 +22,8 @@ STAGES = (
 
 def series(seed):
     """Class, relief and skewness at the end of each stage."""
-    simulation = fine([winds for _, winds in STAGES], seed, influx=0.5)
+    winds = [winds for _, winds in STAGES]
+    simulation = fine(winds, seed, rows=24, columns=112, influx=0.5, quantum=2)
     found = {}
     for name, winds in STAGES:
         advance(simulation, winds["seconds"] / 3600.0 - 0.5)

@@ -2,7 +2,7 @@
 
 60 kg/m² of loose drift, 2.4 × 9.6 m, periodic, cells and hops of 0.1 m, quanta of 2 kg/m², bonds growing. Six
 hours of 12 m/s, then a weaker wind for 24 hours. Forms are at rest once they travel less than 0.05 m/h for
-good; frames are half an hour apart, and hours are counted from the fall of the wind. Five seeds.
+good; frames are half an hour apart, and hours are counted from the fall of the wind. Three seeds.
 """
 
 import numpy as np
@@ -15,7 +15,8 @@ from validation.study import Row, over_seeds, spread
 TITLE = "Age of snow at arrest"
 
 GROWING, WATCHED, BETWEEN = 6.0, 24.0, 0.5
-CASES = tuple((wind, cold) for wind in (7.0, 7.9, 9.0) for cold in (-20.0, -10.0, -1.0))
+CASES = ((7.0, -10.0), (7.9, -20.0), (7.9, -10.0), (7.9, -1.0), (9.0, -10.0))
+REPEATED = (1, 2, 3)
 
 
 def age(wind, temperature, seed):
@@ -36,7 +37,7 @@ def age(wind, temperature, seed):
 
 
 def rows():
-    for (wind, cold), found in zip(CASES, over_seeds(age, CASES), strict=True):
+    for (wind, cold), found in zip(CASES, over_seeds(age, CASES, REPEATED), strict=True):
         ages = found["age"]
         moving = sum(np.isinf(ages))
         rested = [value for value in ages if np.isfinite(value)]
@@ -45,9 +46,9 @@ def rows():
         yield Row(
             f"{wind:g} m/s, {cold:g} °C",
             expected,
-            f"{text}; {moving} of 5 still move after {WATCHED:g} h; way {spread(found['distance'])} m, first "
+            f"{text}; {moving} of 3 still move after {WATCHED:g} h; way {spread(found['distance'])} m, first "
             f"{spread(found['speed'])} m/h",
-            f"{sum(value <= 24.0 for value in ages)} of 5 seeds" if expected else "",
+            f"{sum(value <= 24.0 for value in ages)} of 3 seeds" if expected else "",
         )
 
 
