@@ -3,7 +3,7 @@
 60 kg/m² of loose drift, 2.4 × 9.6 m, periodic, cells and hops of 0.1 m, quanta of 2 kg/m², bonds growing;
 12 m/s for 6 hours. Then the wind stops at once, and nothing moves any more; or it falls evenly to 6 m/s
 within 12 hours, or goes on for 12 hours. Relief and skewness of slopes at 6 and at 18 hours. Creep by
-impacts, the default, and by the threshold; with bonds that grow and without; five seeds.
+impacts, the default, and by the threshold; with bonds that grow and without; four seeds.
 """
 
 from validation.snow_scenes import advance, at_rest, falling, fine, part
@@ -12,6 +12,7 @@ from validation.study import Row, over_seeds, spread
 TITLE = "Dunes of snow under a wind that falls"
 
 GROWING, ENDING = 6.0, 12.0
+REPEATED = (1, 2, 3, 4)
 ENDINGS = ("falls", "goes on")
 CASES = (
     ("impacts", -10.0, True),
@@ -49,7 +50,7 @@ def after(law, temperature, bonds, ending, seed):
 
 def rows():
     cases = [(*case, ending) for case in CASES for ending in ENDINGS]
-    found = dict(zip(cases, over_seeds(after, cases), strict=True))
+    found = dict(zip(cases, over_seeds(after, cases, REPEATED), strict=True))
     for law, cold, bonds in CASES:
         first = found[law, cold, bonds, "falls"]
         where = f"creep by {law}, {cold:g} °C{'' if bonds else ', no bonds'}"
@@ -62,7 +63,7 @@ def rows():
 def _row(what, found):
     text = f"{_cm(found['relief'])} cm, skewness {spread(found['skew'])}"
     survive = sum(kept >= 0.5 for kept in found["kept"])
-    return Row(what, "", f"{text}; {spread(found['kept'])} of the relief", f"{survive} of 5 keep half of it")
+    return Row(what, "", f"{text}; {spread(found['kept'])} of the relief", f"{survive} of 4 keep half of it")
 
 
 def _cm(values):
@@ -70,4 +71,13 @@ def _cm(values):
 
 
 READING = """
+Under a steady wind dunes keep their relief or grow, and a sudden stop leaves them as they are. A wind that
+falls within half a day planes them where bonds grow: at -10 °C a quarter of the relief is left, at -20 °C,
+where bonds grow half as fast, half of it. Without bonds four fifths are left, and slip faces stay. So what
+planes is not creep but bonding: as the wind falls, snow that lands in the troughs soon withstands it there,
+while the crests, where the stress is greatest, go on giving. In one run watched from hour to hour relief
+went from 15 to 5 cm while the wind fell from 9 to 6.5 m/s, and less than a tenth of the surface had bonded:
+the troughs hold by young bonds. Creep by impacts is better than creep by the threshold, which leaves a
+tenth, but does not cure it. Sommer et al. (2018) saw no hardening while drift erodes; bonds that do not
+grow under drift are not modelled.
 """

@@ -1,7 +1,7 @@
 """How old is snow when its forms come to rest?
 
 60 kg/m² of loose drift, 2.4 × 9.6 m, periodic, cells and hops of 0.1 m, quanta of 2 kg/m², bonds growing. Six
-hours of 12 m/s, then a weaker wind for 24 hours. Forms are at rest once they travel less than 0.05 m/h for
+hours of 12 m/s, then a weaker wind for 12 hours. Forms are at rest once they travel less than 0.05 m/h for
 good; frames are half an hour apart, and hours are counted from the fall of the wind. Three seeds.
 """
 
@@ -14,8 +14,8 @@ from validation.study import Row, over_seeds, spread
 
 TITLE = "Age of snow at arrest"
 
-GROWING, WATCHED, BETWEEN = 6.0, 24.0, 0.5
-CASES = ((7.0, -10.0), (7.9, -20.0), (7.9, -10.0), (7.9, -1.0), (9.0, -10.0))
+GROWING, WATCHED, BETWEEN = 6.0, 12.0, 0.5
+CASES = ((7.0, -10.0), (7.9, -10.0), (7.9, -1.0))
 REPEATED = (1, 2, 3)
 
 
@@ -53,4 +53,9 @@ def rows():
 
 
 READING = """
+Where the wind cannot start fresh drift (7.5 m/s at -10 °C, 8.8 m/s at -1 °C) but grains in the air keep it
+moving, forms come to rest within one to three hours and about a metre. In 7.9 m/s at -10 °C, little above
+that threshold, they do not come to rest: a carpet of drift that always comes down anew, and so stays young,
+travels over snow that has bonded, ever faster as its relief falls. So rest within a day, which is expected
+below 8 m/s, comes out up to the threshold of fresh drift only.
 """

@@ -3,7 +3,7 @@
 A plate of snow of 300 kg/m³, 4 cm thick, on a hard base, from two fifths of an open field of 1.2 × 4.8 m on;
 cells of 0.05 m, quanta of 1 kg/m², -10 °C, drift from upwind at half of saturation. Retreat is the area in
 which the plate has less than half of its thickness after an hour of wind, over the edge's length; thinning is
-that of its far third. Five seeds.
+that of its far third. Four seeds.
 """
 
 import numpy as np
@@ -15,6 +15,7 @@ from validation.study import Row, over_seeds, spread
 
 TITLE = "Retreat of steps"
 
+REPEATED = (1, 2, 3, 4)
 CELL, HOURS = 0.05, 1.0
 CASES = tuple((wind, age) for wind in (12.0, 15.0) for age in (6.0, 24.0, 120.0, 480.0))
 
@@ -51,15 +52,21 @@ def withstands(wind, age):
 
 
 def rows():
-    for (wind, age), found in zip(CASES, over_seeds(retreat, CASES), strict=True):
+    for (wind, age), found in zip(CASES, over_seeds(retreat, CASES, REPEATED), strict=True):
         ways, stripped = found["retreat"], sum(lost > 20.0 for lost in found["thinning"])
         what = f"{wind:g} m/s over snow of {age:g} h, which withstands {withstands(wind, age):.1f} m/s"
         if stripped:
-            yield Row(what, "", f"stripped within the hour in {stripped} of 5 seeds")
+            yield Row(what, "", f"stripped within the hour in {stripped} of 4 seeds")
             continue
         within = sum(0.05 <= way <= 0.5 for way in ways)
-        yield Row(what, "0.05 to 0.5 m/h", f"{spread(ways)} m/h", f"{within} of 5 seeds within")
+        strong = wind == 15.0
+        expected, verdict = ("0.05 to 0.5 m/h", f"{within} of 4 seeds within") if strong else ("", "")
+        yield Row(what, expected, f"{spread(ways)} m/h", verdict)
 
 
 READING = """
+Where the plate withstands the wind on the flat, its surface holds and its edge goes back by abrasion alone,
+the slower the older its bonds are. Where it does not, it is stripped within the hour, whatever its edge. So
+a step retreats at the observed rate only in winds not far below what its snow withstands; far below, as in
+snow of weeks under 12 m/s, it hardly moves.
 """
