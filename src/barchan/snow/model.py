@@ -109,6 +109,10 @@ class SnowModel(Model):
         hops = self.parameters.hop / self.parameters.p_s
         return self.parameters.erosion_chance * hops * self.parameters.quantum / density
 
+    def friction_velocity(self, wind: Segment) -> float:
+        """Friction velocity (m/s) over flat snow, of the wind that ``conditions`` gives."""
+        return self.parameters.drift.friction_velocity(self.conditions(wind).wind)
+
     def conditions(self, segment: Segment) -> Conditions:
         """Wind and temperature of a segment: of gusts the mean wind, weighted by what each moves."""
         wind = segment.speed if segment.driving_speed is None else segment.driving_speed

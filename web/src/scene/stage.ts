@@ -4,7 +4,7 @@ import * as THREE from "three";
 import type { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import type { App } from "../core/app";
 import type { Run } from "../core/run";
-import { Camera, type Viewpoint } from "./camera";
+import { Camera, type Standpoint, type Viewpoint } from "./camera";
 import { type LightUniforms, lightUniforms, shine, sunOf } from "./light";
 import { lookOf } from "./looks";
 import { type Place, pick } from "./pick";
@@ -44,6 +44,7 @@ export class Stage {
   private dirty = true;
   private wasDirty = false;
   private section: Ends | null = null;
+  private readonly resized = new ResizeObserver(() => this.resize());
   private readonly still = matchMedia("(prefers-reduced-motion: reduce)");
 
   constructor(
@@ -60,7 +61,7 @@ export class Stage {
     this.view = new Camera(this.canvas);
     this.view.onMoved = () => this.redraw();
     this.view.mayTurn = () => app.view.look.turning && !this.still.matches && !this.plain && this.shown.some(({ run }) => run.ready);
-    new ResizeObserver(() => this.resize()).observe(host);
+    this.resized.observe(host);
     app.framed.watch((run) => this.refresh(run));
     app.changed.watch(() => this.all());
     app.view.changed.watch(() => this.all());
@@ -85,6 +86,15 @@ export class Stage {
   look(from: Viewpoint): void {
     this.view.look(from);
     this.redraw();
+  }
+
+  standpoint(): Standpoint {
+    return this.view.standpoint();
+  }
+
+  /** Look from where one has looked before. */
+  stand(place: Standpoint): void {
+    this.view.stand(place);
   }
 
   /** Turn and tilt the camera by angles (radians), and come nearer by a factor. */
@@ -168,6 +178,18 @@ export class Stage {
     return this.view.heading();
   }
 
+  /** Draw no more, and give back what the graphics card holds: browsers allow few such scenes at a time. */
+  dispose(): void {
+    this.renderer.setAnimationLoop(null);
+    this.resized.disconnect();
+    this.view.controls.dispose();
+    for (const { terrain } of this.shown) terrain.dispose();
+    this.shown = [];
+    this.renderer.dispose();
+    this.renderer.forceContextLoss();
+    this.canvas.remove();
+  }
+
   private all(): void {
     this.match();
     for (const { run } of this.shown) this.stale.add(run);
@@ -184,7 +206,9 @@ export class Stage {
   private match(): void {
     if (sameRuns(this.shown, this.app.runs)) return;
     const linear = this.renderer.extensions.has("OES_texture_float_linear");
-    this.shown = this.app.runs.map((run) => this.shown.find((one) => one.run === run) ?? shownOf(this.app, run, linear));
+    const before = this.shown;
+    this.shown = this.app.runs.map((run) => before.find((one) => one.run === run) ?? shownOf(this.app, run, linear, this.host));
+    for (const one of before) if (!this.shown.includes(one)) one.terrain.dispose();
     this.resize();
   }
 
@@ -209,7 +233,7 @@ export class Stage {
     for (const { run, terrain, light } of this.shown) {
       if (!run.ready || (only && !only.has(run))) continue;
       terrain.begin(run);
-      shine(light, sunOf(this.app.view.look, terrain.firstWind!), isDark());
+      shine(light, sunOf(this.app.view.look, terrain.firstWind!), isDark(this.host));
       terrain.update(run, this.renderer, !full);
     }
     const ready = this.shown.find(({ run, terrain }) => run.ready && terrain.drawn.length);
@@ -241,7 +265,7 @@ export class Stage {
       light.level.value = this.view.level();
       section.update(this.section, terrain, run.rows, run.columns);
       around.group.visible = !transparent;
-      const plain = new THREE.Color(...lookOf(run.material).plain).multiplyScalar(isDark() ? 0.55 : 1);
+      const plain = new THREE.Color(...lookOf(run.material).plain).multiplyScalar(isDark(this.host) ? 0.55 : 1);
       around.update(this.camera, terrain.block(run.columns), plain, !this.plain);
       const left = (width / count) * number;
       this.renderer.setViewport(left, 0, width / count, height);
@@ -266,11 +290,11 @@ export class Stage {
   }
 }
 
-const isDark = (): boolean => document.documentElement.dataset.theme === "dark";
+const isDark = (host: Element): boolean => getComputedStyle(host).colorScheme === "dark";
 
-function shownOf(app: App, run: Run, linear: boolean): Shown {
+function shownOf(app: App, run: Run, linear: boolean, host: Element): Shown {
   const light = lightUniforms();
-  const terrain = new Terrain(app, light, linear);
+  const terrain = new Terrain(app, light, linear, host);
   const around = new Surroundings(light);
   const section = new SectionMark();
   const scene = new THREE.Scene();
