@@ -5,6 +5,7 @@ import { Connection, type ConnectionState, Refused } from "./connection";
 import { type Level, Notices, problemText } from "./notices";
 import { type Command, type Description, type Json, type JsonObject, type Message, type RunName, readFrame } from "./protocol";
 import { Run } from "./run";
+import { Sharing } from "./sharing";
 import { Signal } from "./signal";
 import { type Schema } from "./schema";
 import { View } from "./view";
@@ -32,6 +33,9 @@ export class App {
   pairRuns: boolean | null = null;
   /** The step that the server kept last of all runs, after one was lost; null where there is none. */
   kept: number | null = null;
+  readonly sharing: Sharing;
+  /** Whether the scenario of this page's link is offered in another window, so that this one can be closed. */
+  handedOn = false;
   readonly notices = new Notices();
   readonly described = new Signal<Run>();
   readonly framed = new Signal<Run>();
@@ -39,10 +43,13 @@ export class App {
   readonly compiling = new Signal<void>();
   private readonly unconfirmed: RunName[] = [];
 
+  /** A window that is ``watching`` commands nothing. */
   constructor(
     readonly connection: Connection,
     readonly view: View,
+    readonly watching = false,
   ) {
+    this.sharing = new Sharing(view, (command) => this.send(command));
     this.connection.message.watch((message) => this.onMessage(message));
     this.connection.frame.watch((data) => this.onFrame(data));
     this.connection.state.watch((state) => this.onState(state));
@@ -97,9 +104,9 @@ export class App {
     this.notices.note(level, text);
   }
 
-  /** Send a command; without a run's name all runs carry it out. */
+  /** Send a command; without a run's name all runs carry it out. A window that watches has none but this to say: a frame is drawn. */
   send(command: Command): void {
-    this.connection.send(command);
+    if (!this.watching || command.command === "confirm") this.connection.send(command);
   }
 
   /** Send a command and wait for its answer; null where it was refused, which the page then says. */
@@ -157,6 +164,11 @@ export class App {
       this.pairRuns = Boolean(message.running);
       this.changed.send();
     },
+    watchers: (message) => {
+      this.sharing.count(message);
+      this.changed.send();
+    },
+    look: (message) => this.sharing.follow(message),
     compiling: () => {
       this.note("info", "Compiling kernels; only the first run of a model does.");
       this.compiling.send();

@@ -10,7 +10,7 @@ from barchan.scenario.changes import changed_from
 from barchan.simulation import AnyStroke, BrushStroke, SetParameter, SetWind, event_from
 from barchan.studio.commands import command_of
 from barchan.studio.protocol import Request
-from barchan.studio.worker import questions  # noqa: F401 - registers what is asked
+from barchan.studio.worker import bookmark_commands, questions  # noqa: F401 - register what they carry out
 from barchan.studio.worker.description import description
 from barchan.studio.worker.desk import Desk
 from barchan.studio.worker.frame_sender import FrameSender
@@ -86,7 +86,7 @@ class RunCommands:
             run.speed.limit = self.run.speed.limit
         self.run = run
         self.desk.keep_only(run.measures.number)
-        self._announce()
+        self.announce()
         if running:
             run.run_to_its_end()
 
@@ -96,7 +96,7 @@ class RunCommands:
         self.frames.attach()
         if self.run is not None:
             self.current.measures.resend()
-            self._describe()
+            self.describe()
 
     @WORKER.handles("confirm")
     def confirm(self, _: Request) -> None:
@@ -168,14 +168,14 @@ class RunCommands:
         """A parameter of the model takes a new value."""
         self.current.look_now()
         self.current.live.apply(SetParameter(key=str(request["key"]), value=request["value"]))
-        self._describe()
+        self.describe()
 
     @WORKER.handles("wind")
     def set_wind(self, request: Request) -> None:
         """Replace the wind from now on."""
         self.current.look_now()
         self.current.live.apply(SetWind(wind=request["wind"]))
-        self._describe()
+        self.describe()
 
     @WORKER.handles("stroke")
     def stroke(self, request: Request) -> None:
@@ -214,22 +214,22 @@ class RunCommands:
     def branch(self, _: Request) -> Answer:
         """Continue from the state that is looked at."""
         self.current.branch()
-        self._announce()
+        self.announce()
         return {"step": self.current.live.steps_done}
 
     @WORKER.handles("switch")
     def switch(self, request: Request) -> None:
         """Return to another branch."""
         self.current.switch(int(request["branch"]))
-        self._announce()
+        self.announce()
 
-    def _announce(self) -> None:
+    def announce(self) -> None:
         """Send everything again: the run's past is another one."""
         self.frames.forget()
         self.current.measures.resend()
-        self._describe()
+        self.describe()
 
-    def _describe(self) -> None:
+    def describe(self) -> None:
         """Send what the run consists of."""
         run = self.current
         branches = run.branches.listing(run.live.steps_done)
@@ -238,6 +238,7 @@ class RunCommands:
             **description(run.live, self.origin or run.live.scenario),
             branches=branches,
             branch=run.branches.current,
+            bookmarks=run.bookmarks.data(),
         )
 
 

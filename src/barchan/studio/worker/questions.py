@@ -30,7 +30,9 @@ def keep(commands: "RunCommands", _: Request) -> None:
 def save_folder(commands: "RunCommands", request: Request) -> Answer:
     """Save the run as an archive, while it goes on."""
     states, folder = states_of(commands.current), Path(request["folder"])
-    return Background(lambda count: {"frames": save_run(states, folder, count), "step": states[-1].step})
+    bookmarks = commands.current.bookmarks_here()
+    step = states[-1].step
+    return Background(lambda count: {"frames": save_run(states, folder, count, bookmarks), "step": step})
 
 
 @WORKER.handles("export_to")
@@ -39,6 +41,8 @@ def export_to(commands: "RunCommands", request: Request) -> Answer:
     target, options = Path(request["target"]), dict(request["options"])
     shown = commands.current.shown.steps_done
     states = [state for state in states_of(commands.current) if state.step <= shown]
+    if request.get("states") is not None:
+        states = states[-max(1, int(request["states"])) :]
     place = target.parent.name
     return Background(lambda count: {"file": f"{place}/{export_states(states, target, options, count)}"})
 
