@@ -21,6 +21,7 @@ import { icon } from "./ui/icons";
 import { Paint } from "./ui/paint";
 import { Panel } from "./ui/panel";
 import { Pointer } from "./ui/pointer";
+import { Ruler } from "./ui/ruler";
 import { Side } from "./ui/side";
 import { StateNotice } from "./ui/state_notice";
 import { Tabs } from "./ui/tabs";
@@ -58,7 +59,9 @@ const files = new Files(app, stage);
 files.accept(scene);
 const paint = new Paint(app);
 const section = new SectionView(app, stage, () => pointer.drawLine());
-const pointer = new Pointer(stage, hud, paint, section);
+const ruler = new Ruler(app, stage);
+scene.append(ruler.element);
+const pointer = new Pointer(stage, hud, paint, section, ruler);
 const log = new LogView(app);
 const series = new SeriesView(app);
 const dock = new Dock([section, series, new SpaceTimeView(app, section), log]);
@@ -75,6 +78,7 @@ const bar = new Bar(app, [
   button("Presets (G)", "Presets", () => showGallery()),
   files.menu,
   new Compare(app).element,
+  button("Ruler: measure between two places (M)", icon("ruler"), () => ruler.toggle()),
   button("Keys and mouse (?)", "?", () => help(shortcuts)),
   button("Full screen (F)", icon("full"), () => full.toggle()),
   side.button,
@@ -108,6 +112,7 @@ const shortcuts: Shortcut[] = [
   control("z", false, "undo painting", () => app.send({ command: "undo" })),
   control("z", true, "redo painting", () => app.send({ command: "redo" })),
   key("l", "draw the line of the section", () => pointer.drawLine(), "L"),
+  key("m", "ruler: measure between two places", () => ruler.toggle(), "M"),
   key("1", "section", () => dock.toggle(0)),
   key("2", "measures", () => dock.toggle(1)),
   key("3", "space–time", () => dock.toggle(2)),

@@ -21,10 +21,12 @@ from barchan.studio.protocol import (
 from barchan.studio.server.kept_states import KeptStates
 from barchan.studio.server.lockstep import Lockstep
 from barchan.studio.server.queries import QUERIES
+from barchan.studio.server.reports import Reports
 from barchan.studio.server.session_commands import FIRST, SECOND, SESSION
 from barchan.studio.server.starts import Starts
 from barchan.studio.server.worker_handle import WorkerHandle
 from barchan.studio.server.workspace import Workspace
+from barchan.version import __version__
 
 
 class Session:
@@ -43,6 +45,7 @@ class Session:
         self.lockstep: Lockstep | None = None
         self._keeping: asyncio.TimerHandle | None = None
         self.outbox: asyncio.Queue[bytes] | None = None
+        self.reports = Reports(self)
         if archive is not None:
             self.first: Request = {"command": "open_folder", "folder": str(archive)}
         else:
@@ -69,7 +72,7 @@ class Session:
             self.outbox.put_nowait(b"")
         self.outbox = asyncio.Queue()
         running = self.lockstep is not None and self.lockstep.running
-        self._send("hello", protocol=PROTOCOL, runs=list(self.workers), running=running)
+        self.tell("hello", protocol=PROTOCOL, version=__version__, runs=list(self.workers), running=running)
         for worker in self.workers.values():
             worker.send("attach")
             if not worker.process.is_alive():
@@ -92,13 +95,14 @@ class Session:
         except ANSWERED as error:
             self._refuse(request, str(error) or type(error).__name__, [])
 
-    def _send(self, kind: str, **content: Any) -> None:
+    def tell(self, kind: str, **content: Any) -> None:
+        """Send the browser a message, where there is one."""
         if self.outbox is not None:
             self.outbox.put_nowait(message(kind, **content))
 
     def _refuse(self, request: Request, text: str, problems: list[dict[str, Any]]) -> None:
         named = {"id": request.get("id"), "command": request.get("command")}
-        self._send("refused", **named, text=text, problems=problems)
+        self.tell("refused", **named, text=text, problems=problems)
 
     def _carry_out(self, request: Request) -> None:
         # Workers check by themselves whether they have a run.
@@ -108,7 +112,7 @@ class Session:
         if command.owner == "worker":
             self._pass_on(request)
         elif command.owner == "query":
-            self._send("done", id=request.get("id"), **QUERIES[command.name](self.workspace, request))
+            self.tell("done", id=request.get("id"), **QUERIES[command.name](self.workspace, request))
         else:
             command_of(command.name, has_run=FIRST in self.scenarios)
             SESSION[command.name](self, request)
@@ -163,6 +167,8 @@ class Session:
             elif content["type"] == "begun":
                 self._on_begun(worker.name, content)
                 return
+            elif self.reports.takes(content):
+                return
             elif content["type"] == "arrived" and self.lockstep is not None:
                 self.lockstep.arrived(worker.name)
         if self.outbox is not None:
@@ -172,6 +178,7 @@ class Session:
         """A worker ended by itself."""
         if self.workers.get(worker.name) is worker:
             worker.process.join()
+            self.reports.lose(worker.name)
             self.pair_again()
             self._report_loss(worker)
             if (missed := self.starts.lost(worker.name)) is not None:
@@ -185,7 +192,7 @@ class Session:
 
     def _report_loss(self, worker: WorkerHandle) -> None:
         kept = self.kept.common_step(list(self.workers))
-        self._send("lost", run=worker.name, code=worker.process.exitcode, kept=kept)
+        self.tell("lost", run=worker.name, code=worker.process.exitcode, kept=kept)
 
     def _on_begun(self, name: str, content: dict[str, Any]) -> None:
         """A worker has begun a run, or refused to."""
@@ -221,15 +228,16 @@ class Session:
             self.worker(name).send_bytes(numbered(state, start.number))
 
     def _on_lockstep(self, running: bool) -> None:
-        self._send("lockstep", running=running)
+        self.tell("lockstep", running=running)
 
     def report_runs(self) -> None:
         """Let the browser know the names of the runs."""
-        self._send("runs", runs=list(self.workers))
+        self.tell("runs", runs=list(self.workers))
 
     def end_second(self) -> None:
         """End the second simulation."""
         self.lockstep = None
+        self.reports.lose(SECOND)
         worker = self.workers.pop(SECOND, None)
         if worker is not None:
             worker.close()

@@ -22,7 +22,7 @@ from barchan.studio.worker.saved_runs import open_saved_run
 BEGINNINGS = ("start", "open_folder", "resume")
 """Commands that begin another run."""
 
-UNSEEN = ("confirm", "keep")
+UNSEEN = ("confirm", "keep", "break_off")
 """Commands that change nothing that a frame shows."""
 
 SLOWEST, FASTEST = 0.1, 1e6
@@ -46,6 +46,8 @@ class RunCommands:
         self.send_bytes = send_bytes
         self.desk = desk
         self.kept: tuple[int, int, int] | None = None
+        self.break_off: Callable[[object], None] = lambda _: None
+        """Breaks the work on the answer to a request off, by its id."""
 
     def carry_out(self, request: Request) -> Answer:
         """Carry one command out; returns the answer to it."""
@@ -82,7 +84,7 @@ class RunCommands:
         self.frames.attach()
         if self.run is not None:
             self.current.measures.resend()
-            self._describe()
+            self.describe()
 
     @WORKER.handles("confirm")
     def confirm(self, _: Request) -> None:
@@ -154,14 +156,14 @@ class RunCommands:
         """A parameter of the model takes a new value."""
         self.current.look_now()
         self.current.live.apply(SetParameter(key=str(request["key"]), value=request["value"]))
-        self._describe()
+        self.describe()
 
     @WORKER.handles("wind")
     def set_wind(self, request: Request) -> None:
         """Replace the wind from now on."""
         self.current.look_now()
         self.current.live.apply(SetWind(wind=request["wind"]))
-        self._describe()
+        self.describe()
 
     @WORKER.handles("stroke")
     def stroke(self, request: Request) -> None:
@@ -227,15 +229,19 @@ class RunCommands:
         """Send everything again: the run's past is another one."""
         self.frames.forget()
         self.current.measures.resend()
-        self._describe()
+        self.describe()
 
-    def _describe(self) -> None:
+    def describe(self) -> None:
         """Send what the run consists of."""
         run = self.current
         branches = run.branches.listing(run.live.steps_done)
+        content = description(run.live, self.origin or run.live.scenario)
+        overlay = self.frames.overlay
+        if overlay is not None and overlay.fits(run.live):
+            content["fields"] += overlay.fields()
         self._send(
             "scenario",
-            **description(run.live, self.origin or run.live.scenario),
+            **content,
             branches=branches,
             branch=run.branches.current,
         )

@@ -73,6 +73,7 @@ class Worker:
         self.desk = Desk(measurer)
         self.owed = OwedAnswers(self.send, lambda request, error: self._refuse(request, reason(error), []))
         self.commands = RunCommands(self.frames, self.send, connection.send_bytes, self.desk)
+        self.commands.break_off = self.owed.break_off
 
     def send(self, kind: str, **content: Any) -> None:
         """Send a control message."""
