@@ -5,7 +5,9 @@ import "./layout.css";
 import "./messages.css";
 import "./first_minute.css";
 import { App } from "./core/app";
+import { SocketConnection } from "./core/socket";
 import { takeToken } from "./core/token";
+import { View } from "./core/view";
 import { sceneIn } from "./scene/scene_view";
 import type { Stage } from "./scene/stage";
 import { Bar } from "./ui/bar";
@@ -36,7 +38,7 @@ import { SeriesView } from "./views/series";
 import { SpaceTimeView } from "./views/spacetime";
 
 const opensGallery = location.hash === "#gallery";
-const app = new App(takeToken());
+const app = new App(new SocketConnection(takeToken()), new View());
 
 function themed(): void {
   const { theme } = app.view.look;

@@ -30,6 +30,8 @@ class Sheet:
     """By row and column, row 0 at the south edge, column 0 at the west edge."""
     unit: str
     meaning: str
+    along_wind: bool = False
+    """Whether it is the size of something that points where the wind blows."""
 
 
 @dataclass(frozen=True)
@@ -91,7 +93,8 @@ class Source:
         values = Squares(self.scenario.lattice).between(found.values)
         values = changed(values, self.scenario.lattice.periodic, self.options)
         self._note(name, values)
-        return Sheet(name, values, str(found.attrs["unit"]), str(found.attrs["long_name"]))
+        unit, meaning = str(found.attrs["unit"]), str(found.attrs["long_name"])
+        return Sheet(name, values, unit, meaning, bool(found.attrs.get("along_wind")))
 
     def _note(self, name: str, values: NDArray) -> None:
         known = values[np.isfinite(values)]

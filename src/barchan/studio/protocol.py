@@ -137,6 +137,13 @@ def is_frame(data: bytes) -> bool:
     return data.startswith(MAGIC)
 
 
+def fields_in(data: bytes) -> list[str]:
+    """Names of the fields that a frame holds."""
+    (length,) = struct.unpack_from("<I", data, len(MAGIC))
+    begin = len(MAGIC) + 4
+    return [field["name"] for field in json.loads(data[begin : begin + length])["encoded"]]
+
+
 def padding(length: int) -> bytes:
     """Bytes that fill up to a multiple of four, as browsers need for arrays of numbers."""
     return b"\0" * (-length % 4)

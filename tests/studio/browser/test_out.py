@@ -146,7 +146,7 @@ def test_the_report_of_two_runs_is_broken_off_and_written(studio):
     sheet.get_by_role("button", name="write the report").click()
     sheet.get_by_role("button", name="cancel").click()
     sheet.get_by_text("Broken off").wait_for()
-    with page.expect_download() as download:
+    with page.expect_download(timeout=120_000) as download:
         sheet.get_by_role("button", name="write the report").click()
     text = Path(download.value.path()).read_text("utf-8")
     assert "werner" in text

@@ -18,8 +18,6 @@ export interface Restart {
 }
 
 export class App {
-  readonly connection: Connection;
-  readonly view = new View();
   runs: Run[] = [];
   /** The run whose parameters the panel shows. */
   selected: RunName = "a";
@@ -47,8 +45,10 @@ export class App {
   readonly compiling = new Signal<void>();
   private readonly unconfirmed: RunName[] = [];
 
-  constructor(token: string) {
-    this.connection = new Connection(token);
+  constructor(
+    readonly connection: Connection,
+    readonly view: View,
+  ) {
     this.connection.message.watch((message) => this.onMessage(message));
     this.connection.frame.watch((data) => this.onFrame(data));
     this.connection.state.watch((state) => this.onState(state));
@@ -57,7 +57,7 @@ export class App {
 
   start(): void {
     this.connection.connect();
-    if (this.connection.hasToken) void this.load();
+    if (this.connection.allowed) void this.load();
   }
 
   private state: ConnectionState = "connecting";

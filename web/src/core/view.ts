@@ -74,13 +74,14 @@ export class View {
   /** Fields that other parts of the page need beside the coloured one. */
   readonly needed = new Set<string>();
 
-  constructor() {
-    this.look = stored(KEY, LOOK, CHOICES);
+  /** Settings that are kept in the browser from one visit to the next, or are those of `usual` each time. */
+  constructor(private readonly usual?: Partial<Look>) {
+    this.look = usual ? { ...LOOK, ...usual } : stored(KEY, LOOK, CHOICES);
   }
 
   set(change: Partial<Look>): void {
     Object.assign(this.look, change);
-    keep(KEY, this.look);
+    if (!this.usual) keep(KEY, this.look);
     this.changed.send();
   }
 

@@ -50,6 +50,6 @@ export function shadedMap(app: App, run: Run, heights: Float32Array): HTMLCanvas
   const steep = Math.max((STEEP * across) / Math.max(limits[1] - limits[0], 1e-9) / 4, 1);
   const image = document.createElement("canvas");
   [image.width, image.height] = [run.columns, run.rows];
-  image.getContext("2d")!.putImageData(hillShade(app, run, heights, colours, steep, SUN), 0, 0);
+  image.getContext("2d")!.putImageData(hillShade(app, run, heights, colours, steep, SUN, document.documentElement), 0, 0);
   return image;
 }

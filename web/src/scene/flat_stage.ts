@@ -33,6 +33,8 @@ export class FlatStage {
   drawn = 0;
   private maps: Map[] = [];
   private dirty = true;
+  private next = 0;
+  private readonly resized = new ResizeObserver(() => this.redraw());
   private zoom = 1;
   private section: Ends | null = null;
   private ruler: Ends | null = null;
@@ -51,16 +53,23 @@ export class FlatStage {
       event.preventDefault();
       this.turn(0, 0, event.deltaY > 0 ? 1.1 : 0.9);
     });
-    new ResizeObserver(() => this.redraw()).observe(host);
+    this.resized.observe(host);
     app.framed.watch(() => this.redraw());
     app.changed.watch(() => this.redraw());
     app.view.changed.watch(() => this.redraw());
     app.overlay.changed.watch(() => this.redraw());
     const tick = () => {
       if (this.dirty) this.draw();
-      requestAnimationFrame(tick);
+      this.next = requestAnimationFrame(tick);
     };
     tick();
+  }
+
+  /** Draw no more. */
+  dispose(): void {
+    cancelAnimationFrame(this.next);
+    this.resized.disconnect();
+    this.canvas.remove();
   }
 
   look(_from: string): void {
@@ -174,7 +183,7 @@ export class FlatStage {
     const surface = smoothed(run.surface, run.rows, run.columns, look.smoothing, lattice.periodic);
     const exaggeration = look.exaggeration ?? STEEPER;
     const colours = colouring(this.app, run, surface);
-    picture.getContext("2d")!.putImageData(hillShade(this.app, run, surface, colours, exaggeration, this.sun()), 0, 0);
+    picture.getContext("2d")!.putImageData(hillShade(this.app, run, surface, colours, exaggeration, this.sun(), this.host), 0, 0);
     return { run, picture, exaggeration, colouring: colours, extent: [run.columns * lattice.cell_size, run.rows * lattice.cell_size] };
   }
 

@@ -41,8 +41,9 @@ export class Shown {
     app: App,
     readonly run: Run,
     linear: boolean,
+    host: Element,
   ) {
-    this.terrain = new Terrain(app, this.light, linear);
+    this.terrain = new Terrain(app, this.light, linear, host);
     this.scene.add(this.around.group, this.terrain.group, this.marks.section.group, this.marks.ruler.group);
   }
 

@@ -31,6 +31,9 @@ export class Stage {
   private shooting: ShotOptions | null = null;
   /** Settled when the picture that was begun last is there: they are drawn one after the other. */
   private lastShot: Promise<unknown> = Promise.resolve();
+  private readonly resized = new ResizeObserver(() => this.resize());
+  /** Aborted when the scene is given up. */
+  private readonly given = new AbortController();
   private readonly still = matchMedia("(prefers-reduced-motion: reduce)");
 
   constructor(
@@ -47,13 +50,13 @@ export class Stage {
     this.view = new Camera(this.canvas);
     this.view.onMoved = () => this.redraw();
     this.view.mayTurn = () => app.view.look.turning && !this.still.matches && !this.plain && this.shown.some(({ run }) => run.ready);
-    new ResizeObserver(() => this.resize()).observe(host);
+    this.resized.observe(host);
     app.framed.watch((run) => this.refresh(run));
     app.changed.watch(() => this.all());
     app.view.changed.watch(() => this.all());
     app.overlay.changed.watch(() => this.all());
-    this.canvas.addEventListener("webglcontextlost", () => this.lose(true));
-    this.canvas.addEventListener("webglcontextrestored", () => this.lose(false));
+    this.canvas.addEventListener("webglcontextlost", () => this.lose(true), { signal: this.given.signal });
+    this.canvas.addEventListener("webglcontextrestored", () => this.lose(false), { signal: this.given.signal });
     this.look("oblique");
     this.renderer.setAnimationLoop(() => this.tick());
   }
@@ -186,6 +189,19 @@ export class Stage {
     this.app.changed.send();
   }
 
+  /** Draw no more, and give back what the graphics card holds: browsers allow few such scenes at a time. */
+  dispose(): void {
+    this.given.abort();
+    this.renderer.setAnimationLoop(null);
+    this.resized.disconnect();
+    this.view.controls.dispose();
+    for (const { terrain } of this.shown) terrain.dispose();
+    this.shown = [];
+    this.renderer.dispose();
+    this.renderer.forceContextLoss();
+    this.canvas.remove();
+  }
+
   private all(): void {
     this.match();
     for (const { run } of this.shown) this.stale.add(run);
@@ -202,7 +218,9 @@ export class Stage {
   private match(): void {
     if (this.shooting || sameRuns(this.shown, this.app.runs)) return;
     const linear = this.renderer.extensions.has("OES_texture_float_linear");
-    this.shown = this.app.runs.map((run) => this.shown.find((one) => one.run === run) ?? new Shown(this.app, run, linear));
+    const before = this.shown;
+    this.shown = this.app.runs.map((run) => before.find((one) => one.run === run) ?? new Shown(this.app, run, linear, this.host));
+    for (const one of before) if (!this.shown.includes(one)) one.terrain.dispose();
     this.resize();
   }
 
@@ -266,7 +284,7 @@ export class Stage {
 
   /** Whether the scene is at dusk, as the picture that is being drawn asks, or the page's theme. */
   private get dark(): boolean {
-    return this.shooting?.dark ?? document.documentElement.dataset.theme === "dark";
+    return this.shooting?.dark ?? getComputedStyle(this.host).colorScheme === "dark";
   }
 
   private aspect(): number {

@@ -39,7 +39,7 @@ export class Terrain {
   readonly uniforms: Record<string, THREE.IUniform>;
   private usual = Number.POSITIVE_INFINITY;
   private lastStep = -1;
-  private readonly paths = new PathLines();
+  private readonly paths: PathLines;
   private readonly plants: Plants;
   private readonly relief: Relief;
   private readonly top: THREE.ShaderMaterial;
@@ -54,7 +54,9 @@ export class Terrain {
     private readonly app: App,
     light: LightUniforms,
     private readonly linear: boolean,
+    host: Element,
   ) {
+    this.paths = new PathLines(host);
     this.uniforms = { ...terrainUniforms(), ...light };
     this.uniforms.tints!.value = TINTS.map((tint) => new THREE.Vector3(...tint));
     const { uniforms } = this;
@@ -81,6 +83,16 @@ export class Terrain {
     this.set(run, plain);
     this.relief.render(renderer, run.columns, run.rows, plain ? PLAIN : FULL);
     this.paths.update(run, this, this.exaggeration);
+  }
+
+  /** Give back what the graphics card holds. */
+  dispose(): void {
+    this.textures?.dispose();
+    this.relief.dispose();
+    this.paths.dispose();
+    this.uniforms.map!.value?.dispose();
+    for (const part of [...this.group.children, this.plants.mesh]) if (part instanceof THREE.Mesh) part.geometry.dispose();
+    for (const material of [this.top, this.side, this.plants.mesh.material]) material.dispose();
   }
 
   /** Height in the scene of a height of the run. */

@@ -137,9 +137,14 @@ export function fitCanvas(canvas: HTMLCanvasElement): { context: CanvasRendering
   return { context, width, height };
 }
 
-/** A colour of the page's theme. */
-export function themeColour(name: string): string {
-  return getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
+/** Whether an element, of the page or of a view in it, has the focus. */
+export function isActive(element: Element): boolean {
+  return (element.getRootNode() as Document | ShadowRoot).activeElement === element;
+}
+
+/** A colour of the theme of an element, which is the page's unless it has its own. */
+export function themeColour(name: string, of: Element = document.documentElement): string {
+  return getComputedStyle(of).getPropertyValue(`--${name}`).trim();
 }
 
 /** Round marks on an axis from `low` to `high`, about `count` of them. */

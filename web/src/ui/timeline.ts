@@ -1,7 +1,7 @@
 /** The run's past: look back, play, return to now, go on from an earlier state. */
 
 import type { App } from "../core/app";
-import { button, h, short } from "./dom";
+import { button, h, isActive, short } from "./dom";
 
 const PLAY_PAUSE = 90;
 
@@ -85,7 +85,8 @@ export class Timeline {
     }, PLAY_PAUSE);
   }
 
-  private stop(): void {
+  /** End a replay. */
+  stop(): void {
     if (this.playing !== null) clearInterval(this.playing);
     this.playing = null;
     this.play.textContent = "replay";
@@ -97,7 +98,7 @@ export class Timeline {
     if (!status) return;
     const { history, at } = this.place();
     this.slider.max = String(Math.max(history.length - 1, 0));
-    if (document.activeElement !== this.slider || !status.looking || this.playing !== null) {
+    if (!isActive(this.slider) || !status.looking || this.playing !== null) {
       this.slider.value = String(status.looking ? at : history.length - 1);
     }
     this.slider.setAttribute("aria-valuetext", `step ${status.step}`);

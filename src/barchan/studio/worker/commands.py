@@ -78,6 +78,20 @@ class RunCommands:
         assert self.run is not None
         return self.run
 
+    def take(self, run: StudioRun, running: bool, origin: Scenario | None = None) -> None:
+        """Continue with another run, under the same speed limit, up to its scenario's end.
+
+        Without an origin it is one of its own.
+        """
+        self.origin = origin or run.live.scenario
+        if self.run:
+            run.speed.limit = self.run.speed.limit
+        self.run = run
+        self.desk.keep_only(run.measures.number)
+        self._announce()
+        if running:
+            run.run_to_its_end()
+
     @WORKER.handles("attach")
     def attach(self, _: Request) -> None:
         """A browser came."""
@@ -111,23 +125,23 @@ class RunCommands:
         elif request.get("changed") and self.origin is not None:
             origin = self.origin
         run = started(changed_from(scenario, origin), self.desk)
-        self._take(run, bool(request.get("running")), origin)
+        self.take(run, bool(request.get("running")), origin)
 
     @WORKER.handles("restart")
     def restart(self, request: Request) -> None:
         """Start again with the same scenario and seed."""
         running = bool(request.get("running", self.current.running))
-        self._take(started(self.current.live.scenario, self.desk), running, self.origin)
+        self.take(started(self.current.live.scenario, self.desk), running, self.origin)
 
     @WORKER.handles("open_folder")
     def open_folder(self, request: Request) -> None:
         """Continue the run in an archive, paused where it ended."""
-        self._take(open_saved_run(Path(request["folder"]), self.desk), running=False)
+        self.take(open_saved_run(Path(request["folder"]), self.desk), running=False)
 
     @WORKER.handles("resume")
     def resume(self, request: Request) -> None:
         """Continue from a state that the server has kept, paused."""
-        self._take(from_bytes(request["state"], self.desk), running=False)
+        self.take(from_bytes(request["state"], self.desk), running=False)
 
     @WORKER.handles("run")
     def start_running(self, request: Request) -> None:
@@ -210,20 +224,6 @@ class RunCommands:
         """Return to another branch."""
         self.current.switch(int(request["branch"]))
         self._announce()
-
-    def _take(self, run: StudioRun, running: bool, origin: Scenario | None = None) -> None:
-        """Continue with another run, under the same speed limit, up to its scenario's end.
-
-        Without an origin it is one of its own.
-        """
-        self.origin = origin or run.live.scenario
-        if self.run:
-            run.speed.limit = self.run.speed.limit
-        self.run = run
-        self.desk.keep_only(run.measures.number)
-        self._announce()
-        if running:
-            run.run_to_its_end()
 
     def _announce(self) -> None:
         """Send everything again: the run's past is another one."""

@@ -32,6 +32,8 @@ class StudioRun:
 
     def __init__(self, simulation: Simulation, desk: Desk | None = None) -> None:
         """Take a simulation over, paused, and let its states be measured at a desk."""
+        self.continues = True
+        """Whether there is a state that it can go on from; frames alone hold none."""
         self.speed = RunSpeed(CHUNK_SECONDS)
         self.desk = desk or Desk()
         every = simulation.scenario.run.save_every
@@ -60,7 +62,7 @@ class StudioRun:
     @property
     def busy(self) -> bool:
         """Whether there are steps to do."""
-        return self.running and self.live.finished is None
+        return self.running and self.continues and self.live.finished is None
 
     def run(self, target: int | None = None, brief: bool = False) -> None:
         """Run, on and on or up to a step; ``brief`` where it will continue at once from there."""

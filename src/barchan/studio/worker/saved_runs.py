@@ -1,13 +1,17 @@
 """Runs of the studio saved as archives, and archives continued in the studio."""
 
+import json
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from barchan.analysis.fields import scenario_at
 from barchan.archive import Archive, open_run
 from barchan.archive.checkpoint import read_checkpoint
 from barchan.archive.folder import CHECKPOINT, scenario_of
 from barchan.archive.frames import COUNTERS
 from barchan.errors import ArchiveError
+from barchan.scenario import Scenario
 from barchan.simulation import Simulation, State
 from barchan.studio.worker.background import Count
 from barchan.studio.worker.desk import Desk
@@ -63,6 +67,29 @@ def open_saved_run(folder: Path, desk: Desk | None = None) -> StudioRun:
                 history.keep(_state_of(dataset.isel(step=at), last))
     history.keep(last)
     return resumed(last, history, desk)
+
+
+def run_of_frames(frames: "xr.Dataset", scenario: Scenario, desk: Desk | None = None) -> StudioRun:
+    """The frames of a run to look at, the last one first; no run goes on from them.
+
+    Raises ArchiveError where there are none.
+    """
+    if not frames.sizes.get("step"):
+        raise ArchiveError("the run has no frames")
+    pattern = _as_changed(Simulation(scenario).state(), frames, scenario)
+    history = History(min(scenario.run.save_every, FINEST))
+    for at in range(frames.sizes["step"]):
+        history.keep(_state_of(frames.isel(step=at), pattern))
+    run = resumed(history.states[-1], history, desk)
+    run.continues = False
+    return run
+
+
+def _as_changed(state: State, frames: "xr.Dataset", scenario: Scenario) -> State:
+    """The state with the events of the frames, and the parameters and the wind in force after them."""
+    now = scenario_at(frames.isel(step=-1), scenario).data()
+    events = json.loads(frames.attrs.get("events", "[]"))
+    return replace(state, data={**state.data, "model": now["model"], "wind": now["wind"], "events": events})
 
 
 def _state_of(frame: "xr.Dataset", last: State) -> State:
