@@ -1,6 +1,6 @@
 """The frames of a run as exports see them: chosen steps and fields, smoothed or resampled on request."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Literal
@@ -45,6 +45,8 @@ class Source:
     options: Options
     ranges: dict[str, tuple[float, float]] = field(default_factory=dict)
     """Lowest and highest value of each field in all frames that were looked at."""
+    progress: Callable[[int], None] | None = None
+    """Takes the number of frames that are drawn, where somebody asks for it."""
 
     @cached_property
     def grid(self) -> Grid:

@@ -64,6 +64,9 @@ COMMANDS = _table(
     Command("look", "worker", "Look back at a step; null for the newest state."),
     Command("branch", "worker", "Continue from the state that is looked at."),
     Command("switch", "worker", "Return to another branch."),
+    Command("bookmark", "worker", "Set bookmarks, or name known ones otherwise."),
+    Command("unbookmark", "worker", "Remove a bookmark."),
+    Command("visit", "worker", "Look at a bookmark's moment, on the branch that holds it."),
     Command("measured", "worker", "Ask for the measures at every fixed step up to now."),
     Command("space_time", "worker", "Ask for the section along a line over the whole run."),
     Command("overlay", "worker", "Compare the surface with the terrain in a file; without a path with none."),
@@ -71,6 +74,7 @@ COMMANDS = _table(
     Command("create", "session", "Start a scenario, in both runs where two are compared.", needs_run=False),
     Command("compare", "session", "Start a second run with another model, or another value of one key."),
     Command("alone", "session", "End the second run.", needs_run=False),
+    Command("share_look", "session", "Show those who watch the surface in the same way.", needs_run=False),
     Command(
         "revive",
         "session",

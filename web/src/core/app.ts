@@ -6,6 +6,7 @@ import { type Level, Notices, problemText } from "./notices";
 import { Overlay } from "./overlay";
 import { type Command, type Description, type Json, type JsonObject, type Message, type RunName, readFrame } from "./protocol";
 import { Run } from "./run";
+import { Sharing } from "./sharing";
 import { Signal } from "./signal";
 import { type Schema } from "./schema";
 import { View } from "./view";
@@ -37,6 +38,9 @@ export class App {
   pairRuns: boolean | null = null;
   /** The step that the server kept last of all runs, after one was lost; null where there is none. */
   kept: number | null = null;
+  readonly sharing: Sharing;
+  /** Whether the scenario of this page's link is offered in another window, so that this one can be closed. */
+  handedOn = false;
   readonly notices = new Notices();
   readonly overlay = new Overlay();
   readonly described = new Signal<Run>();
@@ -45,10 +49,13 @@ export class App {
   readonly compiling = new Signal<void>();
   private readonly unconfirmed: RunName[] = [];
 
+  /** A window that is ``watching`` commands nothing. */
   constructor(
     readonly connection: Connection,
     readonly view: View,
+    readonly watching = false,
   ) {
+    this.sharing = new Sharing(view, (command) => this.send(command));
     this.connection.message.watch((message) => this.onMessage(message));
     this.connection.frame.watch((data) => this.onFrame(data));
     this.connection.state.watch((state) => this.onState(state));
@@ -103,9 +110,9 @@ export class App {
     this.notices.note(level, text);
   }
 
-  /** Send a command; without a run's name all runs carry it out. */
+  /** Send a command; without a run's name all runs carry it out. A window that watches has none but this to say: a frame is drawn. */
   send(command: Command): void {
-    this.connection.send(command);
+    if (!this.watching || command.command === "confirm") this.connection.send(command);
   }
 
   /** Send a command and wait for its answer; null where it was refused, which the page then says. */
@@ -164,6 +171,11 @@ export class App {
       this.pairRuns = Boolean(message.running);
       this.changed.send();
     },
+    watchers: (message) => {
+      this.sharing.count(message);
+      this.changed.send();
+    },
+    look: (message) => this.sharing.follow(message),
     compiling: () => {
       this.note("info", "Compiling kernels; only the first run of a model does.");
       this.compiling.send();

@@ -1,6 +1,6 @@
 /** Names that server and client share; written by `python -m barchan.studio.commands`. */
 
-export const PROTOCOL = 5;
+export const PROTOCOL = 6;
 
 export type CommandName =
   /** A frame was drawn; another one may follow. */
@@ -35,6 +35,12 @@ export type CommandName =
   | "branch"
   /** Return to another branch. */
   | "switch"
+  /** Set bookmarks, or name known ones otherwise. */
+  | "bookmark"
+  /** Remove a bookmark. */
+  | "unbookmark"
+  /** Look at a bookmark's moment, on the branch that holds it. */
+  | "visit"
   /** Ask for the measures at every fixed step up to now. */
   | "measured"
   /** Ask for the section along a line over the whole run. */
@@ -49,6 +55,8 @@ export type CommandName =
   | "compare"
   /** End the second run. */
   | "alone"
+  /** Show those who watch the surface in the same way. */
+  | "share_look"
   /** Start lost runs again, at their beginning or from the kept state. */
   | "revive"
   /** Save a run in the session's folder. */
@@ -87,6 +95,10 @@ export type MessageType =
   | "compiling"
   /** A run has done the steps that it was asked for. */
   | "arrived"
+  /** How many browsers watch; only for the one that commands. */
+  | "watchers"
+  /** How the browser that commands shows the surface; only for those that watch. */
+  | "look"
   /** The process of a run has ended by itself; the newest step that all runs can continue from. */
   | "lost"
   /** How far the answer to a request is. */

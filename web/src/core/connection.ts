@@ -4,7 +4,7 @@ import type { Command, Message, Problem, RunName } from "./protocol";
 import { Signal } from "./signal";
 
 /** How the page stands with the server; every kind has its own words and its own way out. */
-export type ConnectionState = "connecting" | "open" | "no token" | "wrong token" | "replaced" | "too much" | "other version" | "no answer";
+export type ConnectionState = "connecting" | "open" | "no token" | "wrong token" | "replaced" | "too much" | "full" | "other version" | "no answer";
 
 export class Refused extends Error {
   constructor(

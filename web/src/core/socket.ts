@@ -3,10 +3,12 @@
 import { PROTOCOL } from "./commands";
 import { Connection, type ConnectionState } from "./connection";
 import type { Command, Message } from "./protocol";
+import { type Access, watchQuery } from "./token";
 
 const REPLACED = 4001;
 const NOT_ALLOWED = 4403;
 const TOO_MUCH = 4429;
+const FULL = 4503;
 const FORBIDDEN = 403;
 /** Milliseconds between two attempts to reach a server that does not answer. */
 const AGAIN = 1000;
@@ -15,8 +17,11 @@ export class SocketConnection extends Connection {
   private socket: WebSocket | null = null;
   private again: ReturnType<typeof setTimeout> | undefined;
 
-  constructor(private readonly token: string) {
+  private readonly token: string;
+
+  constructor(private readonly access: Access) {
     super();
+    this.token = access.token;
   }
 
   /** Whether the address holds a token at all. */
@@ -66,13 +71,14 @@ export class SocketConnection extends Connection {
     if (typeof data !== "string") return this.frame.send(data);
     const message = JSON.parse(data) as Message;
     if (message.type === "hello") this.state.send(message.protocol === PROTOCOL ? "open" : "other version");
+    if (message.watching && !this.access.watching) location.replace(watchQuery(this.token)); // it was the token of those who watch
     this.onMessage(message);
   }
 
   private onClose(code: number): void {
     this.socket = null;
     this.abandon("The connection to the studio's server was lost before it answered.");
-    const final = { [REPLACED]: "replaced", [NOT_ALLOWED]: "wrong token", [TOO_MUCH]: "too much" } as const;
+    const final = { [REPLACED]: "replaced", [NOT_ALLOWED]: "wrong token", [TOO_MUCH]: "too much", [FULL]: "full" } as const;
     const reason: ConnectionState | undefined = final[code as keyof typeof final];
     this.state.send(reason ?? "no answer");
     if (!reason) this.again = setTimeout(() => this.connect(), AGAIN);

@@ -61,7 +61,7 @@ export const LOOK: Look = {
   theme: "system",
 };
 
-const CHOICES = {
+export const CHOICES = {
   map: ["perceptual", "grey", "red-green"],
   contours: ["off", "interval", "count"],
   side: ["surface", "difference"],
@@ -82,6 +82,12 @@ export class View {
   set(change: Partial<Look>): void {
     Object.assign(this.look, change);
     if (!this.usual) keep(KEY, this.look);
+    this.changed.send();
+  }
+
+  /** Show the surface as another window does; the browser does not keep that. */
+  follow(look: Look): void {
+    Object.assign(this.look, look);
     this.changed.send();
   }
 

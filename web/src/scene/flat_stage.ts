@@ -2,6 +2,7 @@
 
 import type { App } from "../core/app";
 import type { Run } from "../core/run";
+import type { Standpoint } from "./camera";
 import { type Colouring, colouring } from "./colouring";
 import { hillShade } from "./hill_shade";
 import { type Ends, INKS } from "./line_mark";
@@ -74,6 +75,15 @@ export class FlatStage {
 
   look(_from: string): void {
     this.zoom = 1;
+    this.redraw();
+  }
+
+  standpoint(): Standpoint {
+    return { viewpoint: "top", position: [], target: [], zoom: this.zoom };
+  }
+
+  stand({ viewpoint, zoom }: Standpoint): void {
+    this.zoom = viewpoint === "top" && Number.isFinite(zoom) ? Math.min(Math.max(zoom, 1), 16) : 1;
     this.redraw();
   }
 

@@ -4,7 +4,7 @@ import * as THREE from "three";
 import type { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import type { App } from "../core/app";
 import type { Run } from "../core/run";
-import { Camera, type Viewpoint } from "./camera";
+import { Camera, type Standpoint, type Viewpoint } from "./camera";
 import { shine, sunOf } from "./light";
 import { type Place, pick } from "./pick";
 import { Quality } from "./quality";
@@ -78,6 +78,15 @@ export class Stage {
   look(from: Viewpoint): void {
     this.view.look(from);
     this.redraw();
+  }
+
+  standpoint(): Standpoint {
+    return this.view.standpoint();
+  }
+
+  /** Look from where one has looked before. */
+  stand(place: Standpoint): void {
+    this.view.stand(place);
   }
 
   /** Turn and tilt the camera by angles (radians), and come nearer by a factor. */

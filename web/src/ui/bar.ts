@@ -4,6 +4,7 @@ import type { App } from "../core/app";
 import { button, duration, h, metres, short } from "./dom";
 import { icon } from "./icons";
 import { Speed } from "./speed";
+import { watchingNote } from "./watching";
 
 export class Bar {
   readonly element: HTMLElement;
@@ -31,21 +32,25 @@ export class Bar {
       "header",
       { className: "bar" },
       h("div", { className: "name" }, this.title, this.model),
-      h(
-        "div",
-        { className: "controls", role: "group", "aria-label": "Run" },
-        this.play,
-        button("One step (.)", icon("step"), () => this.step(1)),
-        this.count,
-        button("do these steps", "do", () => this.step(Number(this.count.value) || 1)),
-        this.limit.element,
-        button("Restart with the same seed (R)", icon("restart"), () => this.restart()),
-      ),
+      app.watching ? watchingNote() : this.controls(),
       h("dl", { className: "status", "aria-label": "Status" }, ...this.status()),
       h("div", { className: "extras" }, ...extras),
     );
     app.framed.watch(() => this.show());
     app.changed.watch(() => this.show());
+  }
+
+  private controls(): HTMLElement {
+    return h(
+      "div",
+      { className: "controls", role: "group", "aria-label": "Run" },
+      this.play,
+      button("One step (.)", icon("step"), () => this.step(1)),
+      this.count,
+      button("do these steps", "do", () => this.step(Number(this.count.value) || 1)),
+      this.limit.element,
+      button("Restart with the same seed (R)", icon("restart"), () => this.restart()),
+    );
   }
 
   toggle(): void {

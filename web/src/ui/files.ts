@@ -10,6 +10,8 @@ import { exportRun, reportSheet } from "./exports";
 import { menu } from "./menu";
 import { overlaySheet } from "./overlay";
 import { pictureSheet } from "./picture";
+import { askForLink, copyScenarioLink } from "./scenario_links";
+import { letOthersWatch } from "./watching";
 
 /** Whether a file's name ends in one of some suffixes. */
 const ends = (name: string, suffixes: string[]): boolean => suffixes.some((suffix) => name.toLowerCase().endsWith(suffix));
@@ -33,6 +35,8 @@ export class Files {
     this.menu = menu("File", "Files", [
       ["Load a scenario …", () => this.choose()],
       ["Save the scenario", () => this.saveScenario()],
+      ["Copy a link of this scenario …", () => void copyScenarioLink(this.app).catch((error) => this.app.refused(error))],
+      ["Open a link of a scenario …", () => askForLink(this.app, this)],
       null,
       ["Open a saved run …", () => void this.open()],
       ["Save the run …", () => this.saveRun()],
@@ -42,6 +46,8 @@ export class Files {
       null,
       ["Save a picture (P)", () => void this.savePicture()],
       ["Picture with title and scale …", () => pictureSheet(this.app, this.stage)],
+      null,
+      ["Let others watch …", () => void letOthersWatch(this.app).catch((error) => this.app.refused(error))],
     ]);
   }
 
@@ -94,7 +100,8 @@ export class Files {
     } else this.offer(name, problems, scenario);
   }
 
-  private offer(name: string, problems: Problem[], scenario: JsonObject | null): void {
+  /** List what is wrong with a scenario, and load the rest of it where that is asked for. */
+  offer(name: string, problems: Problem[], scenario: JsonObject | null): void {
     const rest = async () => {
       sheet.close();
       if (await this.app.create(scenario!)) this.app.note("warning", `Loaded ${name} without what was wrong.`);

@@ -11,6 +11,8 @@ const SHAPES = {
   back: ["M5.5 3 L2.5 6 L5.5 9", "M2.5 6 H9.5 A3.5 3.5 0 0 1 9.5 13 H6"],
   up: ["M8 13 V3", "M4 7 L8 3 L12 7"],
   down: ["M8 3 V13", "M4 9 L8 13 L12 9"],
+  eye: ["M1 8 C3.5 3 12.5 3 15 8 C12.5 13 3.5 13 1 8 Z", "M8 5.8 A2.2 2.2 0 1 0 8.01 5.8"],
+  pen: ["M3 13 L4 9.5 L10.5 3 L13 5.5 L6.5 12 L3 13", "M9 4.5 L11.5 7"],
   remove: ["M4 4 L12 12", "M12 4 L4 12"],
   latest: ["M3 3 L10 8 L3 13 Z", "M12 3 V13"],
   beside: ["M2 3 H7 V13 H2 Z", "M9 3 H14 V13 H9 Z"],
@@ -21,7 +23,7 @@ const SHAPES = {
 
 export type Icon = keyof typeof SHAPES;
 
-const OUTLINES = new Set<Icon>(["panel", "beside", "ruler"]);
+const OUTLINES = new Set<Icon>(["panel", "beside", "eye", "ruler"]);
 
 export function icon(name: Icon): SVGElement {
   const paths = SHAPES[name].map((d) => svg("path", { d, class: d.endsWith("Z") && !OUTLINES.has(name) ? "solid" : "line" }));

@@ -21,12 +21,17 @@ export class Timeline {
   private playing: ReturnType<typeof setInterval> | null = null;
   private waiting = false;
 
-  constructor(private readonly app: App) {
+  /** ``mark`` sets a bookmark at what is shown, where there are bookmarks. */
+  constructor(
+    private readonly app: App,
+    mark?: () => void,
+  ) {
     this.play = button("replay from here", "replay", () => this.togglePlay());
     this.now = button("Return to now (End)", "now", () => this.live());
     this.branch = button("Go on from here; what came later stays as a branch", "go on from here", () => void this.goOn());
     this.slider.addEventListener("input", () => this.look(Number(this.slider.value)));
-    this.element = h("div", { className: "timeline" }, this.play, this.slider, this.label, this.branches, this.branch, this.now);
+    this.element = h("div", { className: "timeline" }, this.play, this.slider, this.label, mark && button("Mark this moment (K)", "mark", mark), this.branches, this.branch, this.now);
+    this.slider.disabled = app.watching;
     app.framed.watch(() => this.show());
     app.changed.watch(() => this.show());
     app.described.watch(() => this.offer());

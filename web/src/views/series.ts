@@ -29,7 +29,7 @@ export class SeriesView {
     this.element = h(
       "div",
       { className: "view series" },
-      h("div", { className: "tools" }, h("details", { className: "picker" }, h("summary", {}, "measures shown"), this.choice), button("Save the measures as CSV", "save CSV", () => void this.save()), this.when),
+      h("div", { className: "tools" }, h("details", { className: "picker" }, h("summary", {}, "measures shown"), this.choice), !app.watching && button("Save the measures as CSV", "save CSV", () => void this.save()), this.when),
       new BalanceTable(app).element,
       this.plots,
     );

@@ -10,7 +10,7 @@ from barchan.scenario.changes import changed_from
 from barchan.simulation import AnyStroke, BrushStroke, SetParameter, SetWind, event_from
 from barchan.studio.commands import command_of
 from barchan.studio.protocol import Request
-from barchan.studio.worker import questions  # noqa: F401 - registers what is asked
+from barchan.studio.worker import bookmark_commands, questions  # noqa: F401 - register what they carry out
 from barchan.studio.worker.description import description
 from barchan.studio.worker.desk import Desk
 from barchan.studio.worker.frame_sender import FrameSender
@@ -88,7 +88,7 @@ class RunCommands:
             run.speed.limit = self.run.speed.limit
         self.run = run
         self.desk.keep_only(run.measures.number)
-        self._announce()
+        self.announce()
         if running:
             run.run_to_its_end()
 
@@ -216,16 +216,16 @@ class RunCommands:
     def branch(self, _: Request) -> Answer:
         """Continue from the state that is looked at."""
         self.current.branch()
-        self._announce()
+        self.announce()
         return {"step": self.current.live.steps_done}
 
     @WORKER.handles("switch")
     def switch(self, request: Request) -> None:
         """Return to another branch."""
         self.current.switch(int(request["branch"]))
-        self._announce()
+        self.announce()
 
-    def _announce(self) -> None:
+    def announce(self) -> None:
         """Send everything again: the run's past is another one."""
         self.frames.forget()
         self.current.measures.resend()
@@ -244,6 +244,7 @@ class RunCommands:
             **content,
             branches=branches,
             branch=run.branches.current,
+            bookmarks=run.bookmarks.data(),
         )
 
 

@@ -36,10 +36,12 @@ def keep(commands: "RunCommands", _: Request) -> None:
 @WORKER.handles("save_folder")
 def save_folder(commands: "RunCommands", request: Request) -> Answer:
     """Save the run as an archive, while it goes on; up to step ``until`` where that is stated."""
-    folder = Path(request["folder"])
-    states = _up_to(states_of(commands.current), request.get("until"))
+    folder, until = Path(request["folder"]), request.get("until")
+    states = _up_to(states_of(commands.current), until)
+    bookmarks = commands.current.bookmarks_here() if until is None else []
+    step = states[-1].step
     return _written(
-        folder, lambda count: {"frames": save_run(states, folder, count), "step": states[-1].step}
+        folder, lambda count: {"frames": save_run(states, folder, count, bookmarks), "step": step}
     )
 
 
@@ -48,6 +50,8 @@ def export_to(commands: "RunCommands", request: Request) -> Answer:
     """Write the run for another program, while it goes on; what is looked at is the last frame of it."""
     target, options = Path(request["target"]), dict(request["options"])
     states = _up_to(states_of(commands.current), commands.current.shown.steps_done)
+    if request.get("states") is not None:
+        states = states[-max(1, int(request["states"])) :]
     return _file(target, lambda count: export_states(states, target, options, count))
 
 
