@@ -26,6 +26,7 @@ import { Paint } from "./ui/paint";
 import { Panel } from "./ui/panel";
 import { Pointer } from "./ui/pointer";
 import { ArrivingLinks } from "./ui/scenario_links";
+import { Ruler } from "./ui/ruler";
 import { Side } from "./ui/side";
 import { StateNotice } from "./ui/state_notice";
 import { Tabs } from "./ui/tabs";
@@ -65,7 +66,9 @@ const files = new Files(app, stage);
 if (!app.watching) files.accept(scene);
 const paint = new Paint(app);
 const section = new SectionView(app, stage, () => pointer.drawLine());
-const pointer = new Pointer(stage, hud, paint, section);
+const ruler = new Ruler(app, stage);
+scene.append(ruler.element);
+const pointer = new Pointer(stage, hud, paint, section, ruler);
 const log = new LogView(app);
 const series = new SeriesView(app);
 const views: DockView[] = [section, series, ...(app.watching ? [] : [new SpaceTimeView(app, section)]), log];
@@ -86,6 +89,7 @@ const full = new FullScreen();
 const commands = [watcherCount(app), button("Presets (G)", "Presets", () => showGallery()), files.menu, new Compare(app).element];
 const bar = new Bar(app, [
   ...(app.watching ? [] : commands),
+  button("Ruler: measure between two places (M)", icon("ruler"), () => ruler.toggle()),
   button("Keys and mouse (?)", "?", () => help(shortcuts)),
   button("Full screen (F)", icon("full"), () => full.toggle()),
   side.button,
@@ -127,6 +131,7 @@ const commanding: Shortcut[] = [
 ];
 const looking: Shortcut[] = [
   key("l", "draw the line of the section", () => pointer.drawLine(), "L"),
+  key("m", "ruler: measure between two places", () => ruler.toggle(), "M"),
   ...views.map((view, at) => key(String(at + 1), view.title.toLowerCase(), () => dock.toggle(at))),
   key("Backspace", "dismiss all refusals", () => app.notices.dismissAll()),
   key("o", "oblique view", () => stage.look("oblique"), "O"),

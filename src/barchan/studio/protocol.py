@@ -22,7 +22,7 @@ PROTOCOL = 6
 """Version of the messages; client and server of different versions do not talk."""
 
 MESSAGES = {
-    "hello": "The version of the messages, the names of the runs, and whether they run in lockstep.",
+    "hello": "Versions of messages and of Barchan, names of the runs, and whether they run in lockstep.",
     "runs": "The names of the runs have changed.",
     "lockstep": "Two runs that are compared started or stopped.",
     "scenario": "What a run consists of: scenario, lattice, fields, measures, branches.",

@@ -103,3 +103,15 @@ def test_only_exported_files_can_be_fetched(served, path):
 def test_without_the_token_there_are_neither_formats_nor_files(served):
     for path in ("formats", "exports/1/dunes.asc"):
         assert httpx.get(f"{served.address}/api/{path}").status_code == 403
+
+
+def test_the_section_over_time_is_fetched_as_a_table(served):
+    with served.browser() as browser:
+        browser.until_frame()
+        browser.send("pause")
+        browser.send("space_time_file", name="over-time.csv", line=[0.5, 5.5, 40.5, 5.5], id=5)
+        answer = browser.until_message("done", id=5)
+    headers = {"x-barchan-token": served.guard.token}
+    rows = httpx.get(f"{served.address}/api/exports/{answer['file']}", headers=headers).text.splitlines()
+    assert rows[0].startswith("step,0.0000,")
+    assert rows[1].startswith("0,")

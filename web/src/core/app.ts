@@ -3,6 +3,7 @@
 import type { MessageType } from "./commands";
 import { Connection, type ConnectionState, Refused } from "./connection";
 import { type Level, Notices, problemText } from "./notices";
+import { Overlay } from "./overlay";
 import { type Command, type Description, type Json, type JsonObject, type Message, type RunName, readFrame } from "./protocol";
 import { Run } from "./run";
 import { Sharing } from "./sharing";
@@ -27,8 +28,12 @@ export class App {
   files: { heights: string[]; records: string[] } = { heights: [], records: [] };
   /** What was changed since the scenario was loaded, and restarted the run. */
   readonly restarts: Restart[] = [];
+  /** The version of Barchan that serves the page. */
+  version = "";
   /** Whether the surface is shown as a map, because the browser has no WebGL. */
   flat = false;
+  /** Whether the browser has taken the graphics card away from the page for the moment. */
+  graphicsLost = false;
   /** Whether two runs that are led together run; null where there is one. */
   pairRuns: boolean | null = null;
   /** The step that the server kept last of all runs, after one was lost; null where there is none. */
@@ -37,6 +42,7 @@ export class App {
   /** Whether the scenario of this page's link is offered in another window, so that this one can be closed. */
   handedOn = false;
   readonly notices = new Notices();
+  readonly overlay = new Overlay();
   readonly described = new Signal<Run>();
   readonly framed = new Signal<Run>();
   readonly changed = new Signal<void>();
@@ -150,6 +156,7 @@ export class App {
 
   private readonly handlers: Partial<Record<MessageType, (message: Message, run: Run | undefined) => void>> = {
     hello: (message) => {
+      this.version = String(message.version);
       this.setRuns(message.runs as RunName[]);
       this.pairRuns = this.runs.length > 1 ? Boolean(message.running) : null;
       this.askForFields();

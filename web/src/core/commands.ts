@@ -45,6 +45,8 @@ export type CommandName =
   | "measured"
   /** Ask for the section along a line over the whole run. */
   | "space_time"
+  /** Compare the surface with the terrain in a file; without a path with none. */
+  | "overlay"
   /** Ask for the layers of the bed along a line, as it is looked at. */
   | "strata"
   /** Start a scenario, in both runs where two are compared. */
@@ -61,6 +63,12 @@ export type CommandName =
   | "save"
   /** Write a run for another program, as a file for the page to fetch. */
   | "export"
+  /** Write the section over time, as a file for the page to fetch. */
+  | "space_time_file"
+  /** Write the comparison report of two runs, as a file for the page to fetch. */
+  | "report"
+  /** Break off the answer to another request. */
+  | "cancel"
   /** Continue a run of the session's folder. */
   | "open"
   /** Ask what is wrong with a scenario's text. */
@@ -73,7 +81,7 @@ export type CommandName =
   | "saved";
 
 export type MessageType =
-  /** The version of the messages, the names of the runs, and whether they run in lockstep. */
+  /** Versions of messages and of Barchan, names of the runs, and whether they run in lockstep. */
   | "hello"
   /** The names of the runs have changed. */
   | "runs"

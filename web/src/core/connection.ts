@@ -55,9 +55,10 @@ export abstract class Connection {
     return true;
   }
 
-  /** Send a command and wait for its answer; `progress` is called while that takes long. */
-  ask(command: Command, progress?: Progress): Promise<Message> {
+  /** Send a command and wait for its answer; `progress` is called while that takes long, and `signal` breaks it off. */
+  ask(command: Command, progress?: Progress, signal?: AbortSignal): Promise<Message> {
     const id = ++lastId;
+    signal?.addEventListener("abort", () => this.waiting.has(id) && this.send({ command: "cancel", of: id }));
     return new Promise((done, refused) => {
       this.waiting.set(id, { done, refused, progress, run: command.run });
       if (!this.send({ ...command, id })) this.abandon("There is no connection to the studio's server.");

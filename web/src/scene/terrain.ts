@@ -6,6 +6,7 @@ import { ends } from "../core/profile";
 import type { Run } from "../core/run";
 import { grid, skirt } from "./block";
 import { type Colouring, colouring } from "./colouring";
+import { textureOf } from "./draped";
 import { steepness, usualExaggeration } from "./exaggeration";
 import type { LightUniforms } from "./light";
 import { RIPPLE_CELL, TINTS, lookOf } from "./looks";
@@ -159,6 +160,9 @@ export class Terrain {
       size: 0.85 * lattice.cell_size,
     };
     for (const [name, value] of Object.entries(numbers)) uniforms[name]!.value = value;
+    const { image, opacity } = this.app.overlay;
+    uniforms.opacity!.value = image && this.colouring!.natural ? opacity : 0; // it would cover what a field says
+    uniforms.draped!.value = image && textureOf(image);
     uniforms.limits!.value.set(...this.colouring!.limits);
     uniforms.loose!.value.set(...material.light);
     uniforms.looseDark!.value.set(...material.dark);

@@ -2,13 +2,14 @@
 
 import type { App } from "../core/app";
 import { problemText } from "../core/notices";
-import type { Progress } from "../core/connection";
 import type { JsonObject, Problem } from "../core/protocol";
 import type { Stage } from "../scene/stage";
-import { dialog, formDialog } from "./dialog";
+import { type Submit, dialog, formDialog } from "./dialog";
 import { download, h } from "./dom";
-import { exportRun } from "./exports";
+import { exportRun, reportSheet } from "./exports";
 import { menu } from "./menu";
+import { overlaySheet } from "./overlay";
+import { pictureSheet } from "./picture";
 import { askForLink, copyScenarioLink } from "./scenario_links";
 import { letOthersWatch } from "./watching";
 
@@ -40,8 +41,11 @@ export class Files {
       ["Open a saved run …", () => void this.open()],
       ["Save the run …", () => this.saveRun()],
       ["Export for other programs …", () => void exportRun(this.app).catch((error) => this.app.refused(error))],
+      ["Comparison report of both runs …", () => reportSheet(this.app)],
+      ["Compare with a terrain or photograph …", () => overlaySheet(this.app)],
       null,
       ["Save a picture (P)", () => void this.savePicture()],
+      ["Picture with title and scale …", () => pictureSheet(this.app, this.stage)],
       null,
       ["Let others watch …", () => void letOthersWatch(this.app).catch((error) => this.app.refused(error))],
     ]);
@@ -186,8 +190,8 @@ export class Files {
 
   private saveRun(): void {
     const name = h("input", { type: "text", value: `run-${new Date().toISOString().slice(0, 16).replaceAll(/[T:]/g, "-")}`, "aria-label": "Name of the run" });
-    const save = async (progress: Progress) => {
-      const answer = await this.app.connection.ask({ command: "save", name: name.value, run: this.app.selected }, progress);
+    const save: Submit = async (progress, signal) => {
+      const answer = await this.app.connection.ask({ command: "save", name: name.value, run: this.app.selected }, progress, signal);
       this.app.note("info", `Saved ${answer.frames} frames up to step ${answer.step} as ${name.value}.`);
     };
     formDialog(

@@ -18,11 +18,12 @@ const SHAPES = {
   beside: ["M2 3 H7 V13 H2 Z", "M9 3 H14 V13 H9 Z"],
   panel: ["M2 3 H14 V13 H2 Z M10 3 V13"],
   full: ["M6 2.5 H2.5 V6", "M10 2.5 H13.5 V6", "M6 13.5 H2.5 V10", "M10 13.5 H13.5 V10"],
+  ruler: ["M1.5 10.5 L10.5 1.5 L14.5 5.5 L5.5 14.5 Z", "M4.5 7.5 L6.5 9.5", "M7.5 4.5 L9 6"],
 } as const;
 
 export type Icon = keyof typeof SHAPES;
 
-const OUTLINES = new Set<Icon>(["panel", "beside", "eye"]);
+const OUTLINES = new Set<Icon>(["panel", "beside", "eye", "ruler"]);
 
 export function icon(name: Icon): SVGElement {
   const paths = SHAPES[name].map((d) => svg("path", { d, class: d.endsWith("Z") && !OUTLINES.has(name) ? "solid" : "line" }));

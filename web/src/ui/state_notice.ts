@@ -75,6 +75,12 @@ export class StateNotice {
       const text = "The simulation’s process ended by itself.";
       return this.app.watching ? { text: `${text} The window that commands can go on with it.` } : { text, way: () => this.revival() };
     }
+    if (this.app.graphicsLost) {
+      return {
+        text: "The browser has taken the graphics card away from this page: its driver was started again, or too many pages use it. The run goes on, and the picture comes back by itself; if it does not, load the page again.",
+        way: () => action("load the page again", () => location.reload()),
+      };
+    }
     if (this.compiling) return { text: "Translating the model into machine code; that is kept, so it happens once …", calm: true };
     if (!runs.some((run) => run.ready)) return { text: "Starting …", calm: true };
     const finished = current?.status?.finished;

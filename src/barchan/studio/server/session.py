@@ -22,10 +22,12 @@ from barchan.studio.server.audience import Audience, Viewer
 from barchan.studio.server.kept_states import KeptStates
 from barchan.studio.server.lockstep import Lockstep
 from barchan.studio.server.queries import QUERIES
+from barchan.studio.server.reports import Reports
 from barchan.studio.server.session_commands import FIRST, SECOND, SESSION
 from barchan.studio.server.starts import Starts
 from barchan.studio.server.worker_handle import WorkerHandle
 from barchan.studio.server.workspace import Workspace
+from barchan.version import __version__
 
 
 class Session:
@@ -44,6 +46,7 @@ class Session:
         self.lockstep: Lockstep | None = None
         self._keeping: asyncio.TimerHandle | None = None
         self.audience = Audience()
+        self.reports = Reports(self)
         if archive is not None:
             self.first: Request = {"command": "open_folder", "folder": str(archive)}
         else:
@@ -69,7 +72,12 @@ class Session:
         viewer = Viewer(commands)
         first = self.audience.join(viewer)
         running = self.lockstep is not None and self.lockstep.running
-        hello = {"protocol": PROTOCOL, "runs": list(self.workers), "running": running}
+        hello = {
+            "protocol": PROTOCOL,
+            "version": __version__,
+            "runs": list(self.workers),
+            "running": running,
+        }
         viewer.send(message("hello", **hello, watching=not commands))
         for worker in self.workers.values():
             if first:  # what was sent to those before may be long ago
@@ -176,6 +184,8 @@ class Session:
         if content["type"] == "begun":
             self._on_begun(worker.name, content)
             return
+        if self.reports.takes(content):
+            return
         if content["type"] == "scenario":
             self.scenarios[worker.name] = content["scenario"]
         elif content["type"] == "arrived" and self.lockstep is not None:
@@ -186,6 +196,7 @@ class Session:
         """A worker ended by itself."""
         if self.workers.get(worker.name) is worker:
             worker.process.join()
+            self.reports.lose(worker.name)
             self.pair_again()
             self.audience.to_all(self._loss(worker))
             if (missed := self.starts.lost(worker.name)) is not None:
@@ -245,6 +256,7 @@ class Session:
     def end_second(self) -> None:
         """End the second simulation."""
         self.lockstep = None
+        self.reports.lose(SECOND)
         worker = self.workers.pop(SECOND, None)
         if worker is not None:
             worker.close()

@@ -96,6 +96,28 @@ def export(session: "Session", request: Request) -> None:
     worker.send("export_to", target=str(target), options=options, states=states, id=request.get("id"))
 
 
+@SESSION.handles("space_time_file")
+def space_time_file(session: "Session", request: Request) -> None:
+    """Write the section along a line over the whole run as a picture or a table."""
+    target = session.workspace.new_export(str(request["name"]))
+    worker = session.workers[request.get("run") or FIRST]
+    worker.send("space_time_to", target=str(target), line=request["line"], id=request.get("id"))
+
+
+@SESSION.handles("report")
+def report(session: "Session", request: Request) -> None:
+    """Write the report that compares both runs up to step ``until``."""
+    session.reports.begin(int(request["until"]), request.get("id"))
+
+
+@SESSION.handles("cancel")
+def cancel(session: "Session", request: Request) -> None:
+    """Break off the answer to the request with the id ``of``."""
+    session.reports.break_off(request.get("of"))
+    for worker in session.workers.values():
+        worker.send("break_off", of=request.get("of"))
+
+
 @SESSION.handles("open")
 def open_run(session: "Session", request: Request) -> None:
     """Continue an archive of the session's folder."""

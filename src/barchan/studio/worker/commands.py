@@ -22,7 +22,7 @@ from barchan.studio.worker.saved_runs import open_saved_run
 BEGINNINGS = ("start", "open_folder", "resume")
 """Commands that begin another run."""
 
-UNSEEN = ("confirm", "keep")
+UNSEEN = ("confirm", "keep", "break_off")
 """Commands that change nothing that a frame shows."""
 
 SLOWEST, FASTEST = 0.1, 1e6
@@ -46,6 +46,8 @@ class RunCommands:
         self.send_bytes = send_bytes
         self.desk = desk
         self.kept: tuple[int, int, int] | None = None
+        self.break_off: Callable[[object], None] = lambda _: None
+        """Breaks the work on the answer to a request off, by its id."""
 
     def carry_out(self, request: Request) -> Answer:
         """Carry one command out; returns the answer to it."""
@@ -233,9 +235,13 @@ class RunCommands:
         """Send what the run consists of."""
         run = self.current
         branches = run.branches.listing(run.live.steps_done)
+        content = description(run.live, self.origin or run.live.scenario)
+        overlay = self.frames.overlay
+        if overlay is not None and overlay.fits(run.live):
+            content["fields"] += overlay.fields()
         self._send(
             "scenario",
-            **description(run.live, self.origin or run.live.scenario),
+            **content,
             branches=branches,
             branch=run.branches.current,
             bookmarks=run.bookmarks.data(),

@@ -70,6 +70,7 @@ class Worker:
         self.desk = Desk(measurer)
         self.owed = OwedAnswers(self.send, lambda request, error: self._refuse(request, reason(error), []))
         self.commands = RunCommands(self.frames, self.send, self.answer, self.desk)
+        self.commands.break_off = self.owed.break_off
 
     def serve(self) -> None:
         """Carry requests out and do steps until the connection is closed."""
