@@ -153,3 +153,29 @@ def test_the_report_of_two_runs_is_broken_off_and_written(studio):
     assert "momiji" in text
     studio.ask("window.barchan.app.send({ command: 'alone' })")
     studio.until("window.barchan.app.runs.length === 1")
+
+
+@pytest.mark.extended
+def test_charts_are_tall_enough_to_read(studio):
+    studio.pause()
+    studio.page.set_viewport_size({"width": 1280, "height": 720})
+    studio.page.keyboard.press("2")
+    studio.until("document.querySelectorAll('.u-over').length >= 5")
+    heights = studio.ask("[...document.querySelectorAll('.u-over')].map((plot) => plot.clientHeight)")
+    assert min(heights) >= 90
+
+
+@pytest.mark.extended
+def test_a_lost_graphics_card_is_said_and_the_picture_comes_back(studio):
+    studio.pause()
+    before = studio.picture().std()
+    assert before > 5
+    studio.ask("window.barchan.stage.renderer.forceContextLoss()")
+    notice = studio.page.locator(".notice", has_text="taken the graphics card away")
+    notice.wait_for()
+    studio.page.get_by_role("button", name="One step").click()  # the run goes on unseen
+    studio.until("window.barchan.app.runs[0].status.running === false")
+    studio.ask("window.barchan.stage.renderer.forceContextRestore()")
+    notice.wait_for(state="hidden")
+    assert studio.picture().std() == pytest.approx(before, rel=0.2)
+    studio.errors[:] = [said for said in studio.errors if "Context Lost" not in said]
