@@ -90,8 +90,9 @@ def test_a_stale_link_to_watch_asks_for_the_new_one_and_the_wrong_kind_is_notice
     page.get_by_role("button", name="open").click()
     running(page)
     assert page.evaluate("window.barchan.app.watching")
+    page.goto("about:blank")
     page = visit(watch_link(server[1]).replace("watch=", "token="))
-    page.locator(".watching-note").wait_for()
+    page.locator(".watching-note").wait_for(timeout=60_000)
     running(page)
 
 
@@ -245,3 +246,20 @@ def test_a_moment_is_named_otherwise_and_removed_for_good(studio):
         studio.ask(f"JSON.parse(localStorage.getItem('barchan-bookmarks'))[{RUN}.description.identity]")
         is None
     )
+
+
+@pytest.mark.extended
+def test_a_film_of_the_last_states_is_written_with_a_bar_and_downloaded(studio):
+    page = studio.page
+    studio.step_beyond(60)
+    studio.pause()
+    page.locator(".menu summary").click()
+    page.get_by_role("menuitem", name="Film of what was just seen").click()
+    sheet = page.locator("dialog", has_text="of film")
+    sheet.get_by_label("States of the film, the last ones").fill("3")
+    assert sheet.get_by_role("status").first.inner_text().startswith("3 states, from step")
+    with page.expect_download(timeout=60_000) as download:
+        sheet.get_by_role("button", name="write the film").click()
+    path = download.value.path()
+    assert download.value.suggested_filename in ("dunes.mp4", "dunes.webp")
+    assert path.read_bytes()[4:12] in (b"ftypisom", b"ftypmp42") or path.read_bytes()[8:12] == b"WEBP"

@@ -8,7 +8,7 @@ import { type Submit, formDialog } from "./dialog";
 import { download, h } from "./dom";
 
 /** A format, as the server lists it. */
-interface Format {
+export interface Format {
   name: string;
   suffix: string;
   meaning: string;

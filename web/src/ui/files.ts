@@ -7,6 +7,7 @@ import type { Stage } from "../scene/stage";
 import { type Submit, dialog, formDialog } from "./dialog";
 import { download, h } from "./dom";
 import { exportRun, reportSheet } from "./exports";
+import { filmSheet } from "./film";
 import { menu } from "./menu";
 import { overlaySheet } from "./overlay";
 import { pictureSheet } from "./picture";
@@ -46,6 +47,7 @@ export class Files {
       null,
       ["Save a picture (P)", () => void this.savePicture()],
       ["Picture with title and scale …", () => pictureSheet(this.app, this.stage)],
+      ["Film of what was just seen …", () => void filmSheet(this.app).catch((error) => this.app.refused(error))],
       null,
       ["Let others watch …", () => void letOthersWatch(this.app).catch((error) => this.app.refused(error))],
     ]);

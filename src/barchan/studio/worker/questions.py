@@ -36,10 +36,10 @@ def keep(commands: "RunCommands", _: Request) -> None:
 @WORKER.handles("save_folder")
 def save_folder(commands: "RunCommands", request: Request) -> Answer:
     """Save the run as an archive, while it goes on; up to step ``until`` where that is stated."""
-    folder, until = Path(request["folder"]), request.get("until")
-    states = _up_to(states_of(commands.current), until)
-    bookmarks = commands.current.bookmarks_here() if until is None else []
+    folder = Path(request["folder"])
+    states = _up_to(states_of(commands.current), request.get("until"))
     step = states[-1].step
+    bookmarks = [one for one in commands.current.bookmarks_here() if one.step <= step]
     return _written(
         folder, lambda count: {"frames": save_run(states, folder, count, bookmarks), "step": step}
     )
