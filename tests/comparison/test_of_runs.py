@@ -31,7 +31,7 @@ def save_both(folder, **second):
 def reported(tmp_path_factory):
     """The report of two hop lengths, what it is about, and how far it said to be."""
     folder = tmp_path_factory.mktemp("report")
-    paths, scenarios = save_both(folder, model__hop_length=3)
+    paths, scenarios = save_both(folder, model__hop_length=3, look_for="Horns.")
     counted = []
     target = compare_runs(paths, folder / "comparison.html", lambda *far: counted.append(far), "the <studio>")
     return target.read_text("utf-8"), scenarios, paths, counted
@@ -40,6 +40,7 @@ def reported(tmp_path_factory):
 def test_runs_of_one_model_are_called_by_what_differs(reported):
     page, scenarios, _, _ = reported
     default = scenarios[0].model.hop_length
+    assert "Horns" not in page
     assert f"<h1>Tiny: hop_length {default:g} and hop_length 3</h1>" in page
     assert "by:</p><pre><code>the &lt;studio&gt;</code></pre>" in page
 

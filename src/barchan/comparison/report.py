@@ -301,8 +301,12 @@ def _seconds(duration: float) -> str:
 def made_by(command: str, seconds: float) -> str:
     """Version, date, how long it took (s), and the command that makes a report again."""
     when = datetime.now(UTC).strftime("%Y-%m-%d %H:%M UTC")
-    told = f"Made with Barchan {__version__} on {when} in {seconds:.0f} s, pictures included, by:"
-    return paragraph(told) + f"<pre><code>{text(command)}</code></pre>"
+    told = f"Made with Barchan {__version__} on {when} in {seconds:.0f} s, pictures included"
+    return (
+        paragraph(f"{told}, by:") + f"<pre><code>{text(command)}</code></pre>"
+        if command
+        else paragraph(f"{told}.")
+    )
 
 
 def points(paragraphs: str) -> str:

@@ -19,6 +19,10 @@ if TYPE_CHECKING:
     import xarray as xr
 
 
+WORDS = ("title", "citation", "look_for", "question")
+"""Keys of a scenario that say something of it and change nothing of its run."""
+
+
 @dataclass
 class Variant:
     """One of the things compared."""
@@ -102,7 +106,8 @@ def shared_measures(variants: Sequence[Variant]) -> dict[str, tuple[str, str]]:
 
 def differing_keys(variants: Sequence[Variant]) -> dict[str, list[Any]]:
     """Keys of the scenarios whose values differ, with the value of each variant; None where it has none."""
-    flat = [_flat({**variant.own_scenario.data(), "title": "", "citation": ""}) for variant in variants]
+    unnamed = dict.fromkeys(WORDS, "")
+    flat = [_flat({**variant.own_scenario.data(), **unnamed}) for variant in variants]
     keys = dict.fromkeys(key for values in flat for key in values)
     rows = {key: [values.get(key) for values in flat] for key in keys}
     return {key: row for key, row in rows.items() if any(value != row[0] for value in row)}
