@@ -5,7 +5,7 @@ import importlib
 import sys
 import time
 
-from validation import pages
+from validation import figures, pages
 from validation.study import table
 
 STUDIES = sorted(name for theme in pages.THEMES for name in theme.studies)
@@ -13,7 +13,9 @@ STUDIES = sorted(name for theme in pages.THEMES for name in theme.studies)
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--pages", action="store_true", help="run nothing, write the pages from results")
+    parser.add_argument(
+        "--pages", action="store_true", help="run nothing, write pages and figures from results"
+    )
     parser.add_argument(
         "studies", nargs="*", choices=[[], *STUDIES], metavar="STUDY", help=", ".join(STUDIES)
     )
@@ -21,6 +23,7 @@ def main() -> None:
     if not arguments.pages:
         for name in arguments.studies or STUDIES:
             run(name)
+    figures.write(pages.studies())
     pages.write()
 
 

@@ -7,6 +7,8 @@ from pathlib import Path
 
 DOCS = Path(__file__).parents[1] / "docs"
 RESULTS = Path(__file__).parent / "results"
+FIGURES = DOCS / "_static" / "validation"
+"""Figures of studies, drawn by ``figures``."""
 PICTURES = Path(__file__).parent / "pictures.md"
 """Pictures of presets beside their sources, described by hand."""
 
@@ -71,8 +73,11 @@ THEMES = (
     Theme(
         "snow",
         "Snow",
-        "Waves and dunes of snow, the greatest dune that moves, forms over wind and age, grains that bond.",
-        ("snow_ranges", "snow_arrest", "snow_diagram", "snow_sintering"),
+        "Waves and dunes of snow, the greatest dune that moves, forms over wind and age, arrest and wear.",
+        (
+            *("snow_ranges", "snow_arrest", "snow_diagram", "snow_falling_wind", "snow_rest", "snow_retreat"),
+            *("snow_order", "snow_sintering"),
+        ),
     ),
     Theme(
         "nature",
@@ -145,6 +150,17 @@ class Study:
         return self.text.splitlines()[0].removeprefix("## ")
 
     @property
+    def illustrated(self) -> str:
+        """The text with the figure of its table after that, where there is one."""
+        path = FIGURES / f"{self.name}.svg"
+        if not path.is_file():
+            return self.text
+        table = self.text.rindex("\n| ")
+        end = self.text.find("\n", table + 1) + 1 or len(self.text)
+        figure = f"\n![{self.title}: the numbers of the table](_static/validation/{path.name})\n"
+        return self.text[:end] + figure + self.text[end:]
+
+    @property
     def link(self) -> str:
         slug = re.sub(r"[^\w\- ]", "", self.title.lower()).replace(" ", "-")
         return f"{self.theme.name}.md#{slug}"
@@ -178,7 +194,7 @@ def pages() -> dict[str, str]:
     known = studies()
     made = {"validation.md": scorecard(known)}
     for theme in THEMES:
-        parts = [study.text for study in known if study.theme == theme]
+        parts = [study.illustrated for study in known if study.theme == theme]
         text = "\n".join([f"# {theme.title}\n\n{theme.about}\n", *parts])
         made[f"validation/{theme.name}.md"] = _relinked(text, known)
     made["validation/pictures.md"] = _relinked(PICTURES.read_text("utf-8"), known)

@@ -9,6 +9,7 @@ PICTURE = DOCS / "_static" / "house.svg"
 
 ABOUT = {
     "cli": "command line",
+    "notebook": "live view in a cell",
     "studio": "browser laboratory: server, workers, protocol",
     "accessor": "run.barchan",
     "bmi": "Basic Model Interface",

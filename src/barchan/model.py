@@ -76,6 +76,8 @@ class Derived:
     """Whether it is 0 on cells in shadow, and curves along a section leave these out."""
     least: float | None = None
     """The value that it cannot lie below, where there is one."""
+    along_wind: bool = False
+    """Whether it is the size of something that points where the wind blows."""
     of_layers: bool = False
     """Whether it belongs to what lies on the ground: on bare ground it has no value, and is 0."""
 
@@ -229,6 +231,10 @@ class Model(ABC):
     @property
     def step_seconds(self) -> float | None:
         """Duration of a step (s), of a model whose rules define it."""
+        return None
+
+    def friction_velocity(self, wind: Segment) -> float | None:
+        """Friction velocity (m/s) of a wind over a flat bed, of models that know one."""
         return None
 
     def expected_work(self, segment: Segment) -> float:

@@ -1,5 +1,7 @@
 """``barchan wind``: what a wind does to sand."""
 
+import json
+
 import pytest
 from PIL import Image
 
@@ -142,3 +144,76 @@ def test_months_are_refused_where_winds_have_no_dates(here, barchan):
     result = barchan("wind", "tiny.json", "--by", "month")
     assert result.code == 1
     assert "--by month: the winds of tiny.json have no dates" in result.err
+
+
+HOURS = "".join(f"2024-01-01T{hour:02}:00,{9 + hour},270\n" for hour in (0, 1, 2, 7, 8))
+HUT = """SMET 1.1 ASCII
+[HEADER]
+station_id = HUT
+nodata = -999
+fields = timestamp TA PSUM
+units_offset = 0 273.15 0
+[DATA]
+2024-01-01T00:00 -10.0 0.0
+2024-01-01T03:00 -16.0 6.0
+2024-01-01T06:00 -16.0 3.0
+2024-01-01T09:00 -19.0 0.0
+"""
+
+
+@pytest.fixture
+def ridge(here):
+    (here / "ridge.csv").write_text("time,speed (m/s),direction\n" + HOURS)
+    (here / "hut.smet").write_text(HUT)
+    scenario = {
+        "barchan": 2,
+        "lattice": {"rows": 8, "columns": 8},
+        "sand": {"kind": "flat", "mean": 1},
+        "clock": {"reference_speed": 10},
+        "wind": {"kind": "record", "path": "ridge.csv", "weather": {"path": "hut.smet"}},
+        "run": {"steps": 1},
+    }
+    (here / "ridge.json").write_text(json.dumps(scenario))
+
+
+def test_a_wind_with_a_second_record_is_told_with_its_weather(barchan, ridge):
+    """Five hours of wind, none calm; in the first three fall 6 of the 9 mm, at 9, 10 and 11 m/s.
+
+    The sixth hour of snow lies in the gap from 3 to 7 h.
+    """
+    alone = barchan("wind", "ridge.csv").out
+    for words in (["ridge.csv", "--weather", "hut.smet"], ["ridge.json"]):
+        result = barchan("wind", *words)
+        assert (result.code, result.err) == (0, "")
+        told = " ".join(result.out.split())
+        assert "snowfall 9 kg/m² in 6 h, at most 2 kg/m² an hour" in told
+        assert "wind while it snows mean 10.00 m/s" in told
+        assert "temperature mean -14.0 °C, -16.0 to -10.0 °C" in told
+        assert "temperature and snowfall are those of hut.smet, joined in time" in told
+        assert "as measured, without gaps" in told
+        for start in ("rows", "wind speed", "drift potential"):
+            (line,) = (line for line in alone.splitlines() if line.startswith(start))
+            assert line in result.out
+    assert "snowfall" not in alone
+
+
+def test_a_joined_record_is_saved_with_its_weather(here, barchan, ridge):
+    barchan("wind", "ridge.csv", "--weather", "hut.smet", "--save-record", "joined.csv")
+    told = barchan("wind", "joined.csv").out
+    assert "9 kg/m² in 6 h" in told
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (["ridge.json", "--weather", "hut.smet"], "a scenario names one as wind.weather"),
+        (["ridge.csv", "--weather", "none.smet"], "none.smet: 1 problem no such file"),
+        (
+            ["ridge.csv", "--weather", "ridge.csv"],
+            "ridge.csv: 1 problem holds neither temperature nor snowfall",
+        ),
+    ],
+)
+def test_a_second_record_that_cannot_be_joined_is_refused(barchan, ridge, words, said):
+    result = barchan("wind", *words)
+    assert (result.code, said in " ".join(result.err.split())) == (1, True)

@@ -29,3 +29,12 @@ def asymmetric(**changes) -> xr.Dataset:
         run["sand"][place] = slabs(step)
     run["elevation"][...] = run["ground"] + run["sand"] * SLAB
     return run
+
+
+def told_of(run: xr.Dataset, directions=(270.0, 270.0, 270.0), **changes) -> xr.Dataset:
+    """The same frames as if another scenario had made them, under winds from these directions."""
+    size = {"lattice__rows": ROWS, "lattice__columns": COLUMNS, "lattice__cell_size": CELL, "run__steps": 10}
+    other = run.copy(deep=True)
+    other.attrs["scenario"] = tiny(**size, **changes).text()
+    other["wind_direction"][...] = np.array(directions)
+    return other

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from barchan import Simulation, load
 from barchan.measures.landform import landform
 from barchan.measures.lee_side import lee_side
 from tests.measures.landforms import FIELDS
@@ -35,6 +36,36 @@ def test_symmetric_ridges_across_a_known_wind_are_transverse():
     assert landform(3.0 * sine(5, 0), 1.0, 270.0).name == "transverse"
     assert landform(3.0 * sine(5, 0), 1.0, 10.0).name == "linear"
     assert landform(3.0 * sine(5, 0), 1.0).name == "undetermined"
+
+
+@pytest.mark.parametrize(("times", "young"), [(0.5, True), (1.6, True), (3.3, False), (6.0, False)])
+def test_a_bed_is_young_where_roughness_outweighs_its_forms(times, young):
+    """Of noise smoothing over 2 cells keeps 1/16π of the variance, of waves of 21.3 cells exp(-(4π/21.3)²).
+
+    That is 0.02 and 0.71, so half is kept where the waves have 2.3 times the variance of the noise.
+    """
+    noise = np.random.default_rng(5).normal(0.0, 1.0, (128, 128))
+    humps = sine(6, 0, (128, 128)) + sine(0, 6, (128, 128))  # crossing waves: no common direction
+    humps *= np.sqrt(times) / humps.std()
+    assert (landform(noise + humps, 1.0, 270.0).name == "young") is young
+
+
+def test_short_but_parallel_waves_are_not_young():
+    """Of waves of 8 cells smoothing over 2 cells keeps exp(-(4π/8)²), 8 %."""
+    assert landform(0.5 * sine(16, 0, (128, 128)), 1.0, 270.0).name == "transverse"
+
+
+@pytest.mark.parametrize("preset", ["barchans", "transverse", "star"])
+def test_a_simulated_bed_is_young_at_first_and_later_not(preset):
+    simulation = Simulation(load(preset, rows=96, columns=96, seed=2))
+    classes = {}
+    for step in (20, 400):
+        simulation.advance(step - simulation.steps_done)
+        bed = simulation.elevation, simulation.lattice.cell_size, simulation.wind_direction
+        classes[step] = landform(*bed, simulation.lattice.periodic).name
+    assert classes[20] == "young"
+    assert classes[400] != "young"
+    assert preset != "transverse" or classes[400] == "transverse"
 
 
 def test_the_lee_side_of_ridges_follows_from_their_slopes():

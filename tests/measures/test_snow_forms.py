@@ -9,6 +9,7 @@ from barchan.measures.snow_forms import (
     Arrest,
     arrest,
     central_relief,
+    edge_retreat,
     form_of,
     roughness_length,
     slope_skewness,
@@ -79,3 +80,11 @@ def test_arrest_is_when_the_last_motion_ended():
     assert arrest(hours, hours * 0.01) == Arrest(0.0, 0.0)
     with pytest.raises(ValueError, match="at least two times"):
         arrest(hours[:1], way[:1])
+
+
+def test_an_edge_that_lost_three_cells_of_each_row_went_back_by_three_cells():
+    """Four rows of cells of 0.05 m: 12 cells of 0.0025 m² over an edge of 0.2 m are 0.15 m."""
+    before, after = np.zeros((4, 20)), np.zeros((4, 20))
+    before[:, 8:], after[:, 11:] = 0.1, 0.1
+    assert edge_retreat(before, after, 0.05, 0.05, 0.2) == pytest.approx(0.15)
+    assert edge_retreat(after, before, 0.05, 0.05, 0.2) == pytest.approx(-0.15)

@@ -6,7 +6,7 @@ import pytest
 import barchan
 from barchan.errors import ScenarioError
 from barchan.simulation import Simulation
-from barchan.snow.conditions import Conditions
+from barchan.snow.conditions import Conditions, layer_tables
 from tests.snow.scenes import SWITCHED_OFF, snow
 
 STILL = {"grows": False}
@@ -139,3 +139,11 @@ def test_heights_of_light_quanta_do_not_drift():
     """100 kg/m² of 0.1 kg/m² quanta at 347 kg/m³ stand 288.2 mm high, not 300."""
     simulation = snow(1000, {"speed": 0.0}, quantum=0.1, start_density=347.0)
     np.testing.assert_allclose(simulation.elevation, 100.0 / 347.0, rtol=2e-3)
+
+
+def test_the_weakest_snow_wears_at_a_rate_that_is_a_number():
+    """By density alone the lightest snow withstands 10⁻⁹⁸ Pa, less than a float of 32 bits can divide by."""
+    now = conditions(wind=12.0, threshold={"law": "mar"})
+    tables = layer_tables(now, True, 1.0, 0.1)
+    assert np.isfinite(tables.wears).all()
+    assert tables.wears.max() > 1.0

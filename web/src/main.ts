@@ -4,13 +4,16 @@ import "./style.css";
 import "./layout.css";
 import "./messages.css";
 import "./first_minute.css";
+import "./sharing.css";
 import { App } from "./core/app";
-import { takeToken } from "./core/token";
+import { SocketConnection } from "./core/socket";
+import { takeAccess } from "./core/token";
+import { View } from "./core/view";
 import { sceneIn } from "./scene/scene_view";
 import type { Stage } from "./scene/stage";
 import { Bar } from "./ui/bar";
 import { Compare } from "./ui/compare";
-import { Dock } from "./ui/dock";
+import { Dock, type DockView } from "./ui/dock";
 import { button, h } from "./ui/dom";
 import { Files } from "./ui/files";
 import { FullScreen } from "./ui/fullscreen";
@@ -18,9 +21,12 @@ import { gallery } from "./ui/gallery";
 import { type Shortcut, control, help, key, listen } from "./ui/help";
 import { Hud } from "./ui/hud";
 import { icon } from "./ui/icons";
+import { Moments } from "./ui/moments";
 import { Paint } from "./ui/paint";
 import { Panel } from "./ui/panel";
 import { Pointer } from "./ui/pointer";
+import { Ruler } from "./ui/ruler";
+import { ArrivingLinks } from "./ui/scenario_links";
 import { Side } from "./ui/side";
 import { StateNotice } from "./ui/state_notice";
 import { Tabs } from "./ui/tabs";
@@ -28,6 +34,7 @@ import { Toasts, leadTo } from "./ui/toasts";
 import { Tour } from "./ui/tour";
 import { Timeline } from "./ui/timeline";
 import { ViewPanel } from "./ui/viewpanel";
+import { readOnly, watcherCount } from "./ui/watching";
 import { WindPanel } from "./ui/wind";
 import { LogView } from "./views/log";
 import { SectionView } from "./views/section";
@@ -35,7 +42,8 @@ import { SeriesView } from "./views/series";
 import { SpaceTimeView } from "./views/spacetime";
 
 const opensGallery = location.hash === "#gallery";
-const app = new App(takeToken());
+const access = takeAccess();
+const app = new App(new SocketConnection(access), new View(), access.watching);
 
 function themed(): void {
   const { theme } = app.view.look;
@@ -55,26 +63,33 @@ const hud = new Hud(app, stage);
 scene.append(hud.element);
 
 const files = new Files(app, stage);
-files.accept(scene);
+if (!app.watching) files.accept(scene);
 const paint = new Paint(app);
 const section = new SectionView(app, stage, () => pointer.drawLine());
-const pointer = new Pointer(stage, hud, paint, section);
+const ruler = new Ruler(app, stage);
+scene.append(ruler.element);
+const pointer = new Pointer(stage, hud, paint, section, ruler);
 const log = new LogView(app);
 const series = new SeriesView(app);
-const dock = new Dock([section, series, new SpaceTimeView(app, section), log]);
-const timeline = new Timeline(app);
-const tabs = new Tabs([
-  ["Scenario", new Panel(app, () => files.ask("ground")).element],
+const views: DockView[] = [section, series, ...(app.watching ? [] : [new SpaceTimeView(app, section)]), log];
+const dock = new Dock(views);
+const moments = new Moments(app, stage);
+const timeline = new Timeline(app, () => void moments.mark());
+const scenario = new Panel(app, () => files.ask("ground")).element;
+if (app.watching) readOnly(scenario);
+const changing = (): [string, HTMLElement][] => [
   ["Wind", new WindPanel(app, () => files.ask("wind")).element],
   ["Paint", paint.element],
   ["View", new ViewPanel(app, stage).element],
-]);
+  ["Moments", moments.element],
+];
+const tabs = new Tabs([["Scenario", scenario], ...(app.watching ? [] : changing())]);
 const side = new Side(tabs.elements);
 const full = new FullScreen();
+const commands = [watcherCount(app), button("Presets (G)", "Presets", () => showGallery()), files.menu, new Compare(app).element];
 const bar = new Bar(app, [
-  button("Presets (G)", "Presets", () => showGallery()),
-  files.menu,
-  new Compare(app).element,
+  ...(app.watching ? [] : commands),
+  button("Ruler: measure between two places (M)", icon("ruler"), () => ruler.toggle()),
   button("Keys and mouse (?)", "?", () => help(shortcuts)),
   button("Full screen (F)", icon("full"), () => full.toggle()),
   side.button,
@@ -87,7 +102,7 @@ const toasts = new Toasts(app, (key) => {
 });
 scene.append(h("div", { className: "messages" }, new StateNotice(app).element, toasts.element));
 
-app.notices.logged.watch((entry) => entry.level !== "info" && dock.mark(3));
+app.notices.logged.watch((entry) => entry.level !== "info" && dock.mark(log));
 
 const tour = new Tour(app, () => {
   side.unfold();
@@ -97,7 +112,8 @@ scene.append(tour.element);
 const showGallery = () => void gallery(app, () => tour.begin()).catch((error) => app.refused(error));
 
 const turn = Math.PI / 36;
-const shortcuts: Shortcut[] = [
+/** Keys that command the run, which a window that watches does without. */
+const commanding: Shortcut[] = [
   key(" ", "run or pause", () => bar.toggle(), "Space"),
   key(".", "one step", () => bar.step(1)),
   key("r", "restart with the same seed", () => bar.restart(), "R"),
@@ -107,11 +123,16 @@ const shortcuts: Shortcut[] = [
   key("]", "larger brush", () => paint.grow(1.25)),
   control("z", false, "undo painting", () => app.send({ command: "undo" })),
   control("z", true, "redo painting", () => app.send({ command: "redo" })),
+  key("PageUp", "look back", () => timeline.nudge(-1), "Page up"),
+  key("PageDown", "look on", () => timeline.nudge(1), "Page down"),
+  key("End", "return to now", () => timeline.live()),
+  key("k", "mark this moment", () => void moments.mark(), "K"),
+  key("w", "wireframe", () => app.view.set({ wireframe: !app.view.look.wireframe }), "W"),
+];
+const looking: Shortcut[] = [
   key("l", "draw the line of the section", () => pointer.drawLine(), "L"),
-  key("1", "section", () => dock.toggle(0)),
-  key("2", "measures", () => dock.toggle(1)),
-  key("3", "space–time", () => dock.toggle(2)),
-  key("4", "log", () => dock.toggle(3)),
+  key("m", "ruler: measure between two places", () => ruler.toggle(), "M"),
+  ...views.map((view, at) => key(String(at + 1), view.title.toLowerCase(), () => dock.toggle(at))),
   key("Backspace", "dismiss all refusals", () => app.notices.dismissAll()),
   key("o", "oblique view", () => stage.look("oblique"), "O"),
   key("t", "view from above", () => stage.look("top"), "T"),
@@ -119,15 +140,12 @@ const shortcuts: Shortcut[] = [
   key("ArrowLeft", "turn the view", () => stage.turn(turn, 0), "← → ↑ ↓"),
   key("+", "come nearer", () => stage.turn(0, 0, 0.9)),
   key("-", "go back", () => stage.turn(0, 0, 1.1)),
-  key("PageUp", "look back", () => timeline.nudge(-1), "Page up"),
-  key("PageDown", "look on", () => timeline.nudge(1), "Page down"),
-  key("End", "return to now", () => timeline.live()),
   key("f", "full screen with large type, and back", () => full.toggle(), "F"),
   key("p", "save a picture", () => void files.savePicture(), "P"),
   key("n", "panel: fold or draw out", () => side.toggle(), "N"),
-  key("w", "wireframe", () => app.view.set({ wireframe: !app.view.look.wireframe }), "W"),
   key("?", "this list", () => help(shortcuts)),
 ];
+const shortcuts = app.watching ? looking : [...commanding, ...looking];
 const quiet: Shortcut[] = [
   key("ArrowRight", "", () => stage.turn(-turn, 0)),
   key("ArrowUp", "", () => stage.turn(0, -turn)),
@@ -138,17 +156,20 @@ listen([...shortcuts, ...quiet]);
 
 const page = document.getElementById("app")!;
 page.classList.add("waiting");
+page.classList.toggle("watching", app.watching);
 app.framed.watch(() => {
   if (!app.current?.ready || !page.classList.contains("waiting")) return;
   page.classList.remove("waiting");
   if (location.hash === "#gallery") history.replaceState(null, "", location.pathname + location.search);
-  if (opensGallery) showGallery();
+  links.open();
+  if (opensGallery && !app.watching) showGallery();
 });
 page.append(
   bar.element,
   h("main", {}, h("div", { className: "stage-column" }, scene, timeline.element, dock.element), side.element),
 );
 
+const links = new ArrivingLinks(app, files);
 app.start();
 
 /** For tests and measurements. */

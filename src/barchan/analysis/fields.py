@@ -55,7 +55,8 @@ def field_of(frame: "xr.Dataset", scenario: Scenario, name: str) -> "xr.DataArra
 
     Where there is one, the attribute ``centre`` is the value that pictures show it evenly about and ``least``
     the one that it cannot lie below; ``sheltered`` is 1 where it is 0 on cells in shadow, ``of_layers`` 1
-    where it has no value on bare ground. Raises BarchanError where there is no such field.
+    where it has no value on bare ground; ``along_wind`` is 1 where it is the size of something
+    that points where the wind blows. Raises BarchanError where there is no such field.
     """
     known = field_names(frame, scenario)
     if name not in known:
@@ -87,6 +88,7 @@ def _computed(frame: "xr.Dataset", scenario: Scenario, derived: Derived) -> "xr.
         least=derived.least,
         sheltered=int(derived.sheltered) or None,
         of_layers=int(derived.of_layers) or None,
+        along_wind=int(derived.along_wind) or None,
     )
 
 
@@ -113,14 +115,14 @@ def as_modelled(frame: "xr.Dataset", scenario: Scenario) -> tuple[Model, Bed, Se
     scenario = scenario_at(frame, scenario)
     model = models()[scenario.model.name](scenario.model, scenario.lattice)
     bed = Bed.from_fields(scenario.lattice, _carried(frame), model.fields, model.layers)
-    return model, bed, _wind(frame, scenario)
+    return model, bed, wind_over(frame, scenario)
 
 
 def _described(values: "xr.DataArray", **attributes: float | None) -> "xr.DataArray":
     return values.assign_attrs({name: value for name, value in attributes.items() if value is not None})
 
 
-def _wind(frame: "xr.Dataset", scenario: Scenario) -> Segment:
+def wind_over(frame: "xr.Dataset", scenario: Scenario) -> Segment:
     """The wind over a frame; its direction is the frame's own, as events may have changed it."""
     segment = scenario.forcing().wind_of(max(int(frame["step"]) - 1, 0))
     return replace(segment, direction=float(frame["wind_direction"]))

@@ -1,12 +1,12 @@
 """The measures of a run's frames, one after the other: a table of declared measures."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from barchan.analysis.declared_measures import Value, measures_of
+from barchan.analysis.declared_measures import Measure, Value, measures_of
 from barchan.analysis.fields import as_modelled, bed_in, scenario_at
 from barchan.analysis.frame_measurer import MOST_KEPT, FrameMeasurer
 from barchan.analysis.measured_frame import MeasuredFrame, WindChoice
@@ -43,8 +43,13 @@ def measured_frames(
         )
 
 
-def measure_series(dataset: "xr.Dataset", scenario: Scenario, wind: WindChoice = "resultant") -> "xr.Dataset":
-    """Every measure over the steps of a run; see ``measured_frames``.
+def measure_series(
+    dataset: "xr.Dataset",
+    scenario: Scenario,
+    wind: WindChoice = "resultant",
+    told: Callable[[], None] = lambda: None,
+) -> "xr.Dataset":
+    """Every measure over the steps of a run; see ``measured_frames``. ``told`` is called after each frame.
 
     The attribute ``doubtful`` of a measure lists the steps at which it should not be quoted.
     """
@@ -52,7 +57,7 @@ def measure_series(dataset: "xr.Dataset", scenario: Scenario, wind: WindChoice =
 
     measures = measures_of(scenario)
     frames = measured_frames(dataset, scenario, wind=wind)
-    columns = zip(*([measure.of(frame) for measure in measures] for frame in frames), strict=True)
+    columns = zip(*(_values_of(measures, frame, told) for frame in frames), strict=True)
     steps = dataset["step"].values
     return xr.Dataset(
         {
@@ -69,6 +74,14 @@ def measure_series(dataset: "xr.Dataset", scenario: Scenario, wind: WindChoice =
         },
         {name: dataset[name] for name in ("step", "time") if name in dataset.coords},
     )
+
+
+def _values_of(
+    measures: Sequence[Measure[MeasuredFrame]], frame: MeasuredFrame, told: Callable[[], None]
+) -> list[Value]:
+    values = [measure.of(frame) for measure in measures]
+    told()
+    return values
 
 
 def last_values(dataset: "xr.Dataset", scenario: Scenario, wind: WindChoice = "resultant") -> list[Value]:

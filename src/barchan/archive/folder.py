@@ -20,8 +20,8 @@ from barchan.scenario.paths import anchored
 from barchan.simulation import Frame, Simulation, State
 
 SCENARIO, FRAMES, CHECKPOINT = "scenario.json", "frames.zarr", "checkpoint.npz"
-EVENTS, LOG, LOCK = "events.jsonl", "log.jsonl", "writer.lock"
-OWN = (SCENARIO, FRAMES, CHECKPOINT, "checkpoint.partial", EVENTS, LOG, LOCK, PARENT, FILES, INDEX)
+EVENTS, LOG, LOCK, BOOKMARKS = "events.jsonl", "log.jsonl", "writer.lock", "bookmarks.json"
+OWN = (BOOKMARKS, SCENARIO, FRAMES, CHECKPOINT, "checkpoint.partial", EVENTS, LOG, LOCK, PARENT, FILES, INDEX)
 """All that an archive writes into its folder."""
 FIRST = {LOCK, f"{SCENARIO}.partial"}
 """What a run that was killed before it had a scenario may leave."""

@@ -47,6 +47,13 @@ class Wishes:
         float | None,
         _option("Units of a mesh to the metre; slicers read units as mm, so 10 prints 1 m as 1 cm."),
     ] = None
+    split: Annotated[
+        int | None,
+        _option(
+            "Split a .glb mesh into parts of at most this many vertices along a side, 2 to 255: some "
+            "programs read no more than 65,535 of a mesh."
+        ),
+    ] = None
     base: Annotated[
         float | None,
         _option("Thickness (m) of a solid below its lowest point; a tenth of its relief without it."),
@@ -59,7 +66,9 @@ class Wishes:
         float | None,
         _option("Where a section lies across the wind, 0 to 1; through the highest stack without it."),
     ] = None
-    frames_per_second: Annotated[float | None, _option("Frames in a second of film; 12 without it.")] = None
+    frames_per_second: Annotated[
+        float | None, _option("Frames a second of a film or animation; 12 without it.")
+    ] = None
     pixels: Annotated[int | None, _option("Pixels on the longer side of a film, about; 512 without it.")] = (
         None
     )

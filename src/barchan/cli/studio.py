@@ -28,8 +28,8 @@ def studio(
     folder
         Where runs are saved and opened; the current folder without it.
     host
-        Address to serve at. Any other than this computer's own lets others in who have the address with its
-        token.
+        Address to serve at, 0.0.0.0 for all of this computer. Any other than its own lets others in who have
+        the address with its token, or the link to watch that the studio shows; nothing is encrypted.
     port
         Port to serve at, 0 for any free one. Without it 8127, under which the browser finds preferences and
         bookmarks again, or a free one where that is taken.
@@ -50,7 +50,10 @@ def studio(
     chosen = None if is_run else load_scenario(source, overrides)
     archive = Path(scenario).resolve() if scenario and is_run else None
     if host not in LOOPBACK:
-        print_note(f"others can reach the studio at {host}; whoever has the address below can use it")
+        print_note(
+            f"others can reach the studio at {host}, and nothing is encrypted; whoever has the address below "
+            "commands it: give others the link of File, Let others watch"
+        )
 
     def ready(address: str) -> None:
         console.print(f"studio: {address}")

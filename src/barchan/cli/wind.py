@@ -37,6 +37,7 @@ def wind(
     supply: Annotated[float | None, Parameter(validator=Number(gte=0))] = None,
     sectors: Annotated[int, Parameter(validator=Number(gte=16, lte=360))] = 16,
     by: Literal["month", "season"] | None = None,
+    weather: Path | None = None,
     save_record: Path | None = None,
     sand: Annotated[SandOptions | None, Parameter(name="*")] = None,
     form: Annotated[FormatOptions | None, Parameter(name="*")] = None,
@@ -60,6 +61,8 @@ def wind(
         Directions of the roses.
     by
         Print the drift potential of each month, or of each season, too.
+    weather
+        A second record, whose temperature and snowfall are joined to a wind record in time.
     save_record
         Write the record, or the storms that a scenario makes up, as CSV with temperature and snowfall.
     """
@@ -74,7 +77,10 @@ def wind(
         return
     if _is_record(source):
         height = None if sand is None or sand.height is None else grains.height
-        subject = _of_record(_read(source, form, height), grains, supply, "--height")
+        record = _joined(_read(source, form, height), weather)
+        subject = _of_record(record, grains, supply, "--height")
+    elif weather is not None:
+        raise BarchanError(f"--weather: {source} is no wind record; a scenario names one as wind.weather")
     else:
         subject = _of_scenario(source, supply)
     if save_record is not None:
@@ -84,7 +90,8 @@ def wind(
     from barchan.figures.roses import roses
 
     threshold = subject.sand.threshold_speed()
-    save_picture(roses(subject.title, subject.found, subject.record, threshold, sectors), path)
+    measured = None if subject.record is None else subject.record.measured
+    save_picture(roses(subject.title, subject.found, measured, threshold, sectors), path)
 
 
 def _read(source: str, form: FormatOptions | None, height: float | None) -> "WindRecord":
@@ -97,13 +104,21 @@ def _read(source: str, form: FormatOptions | None, height: float | None) -> "Win
     return read_record(source, columns)
 
 
+def _joined(record: "WindRecord", weather: Path | None) -> "WindRecord":
+    """A record with the weather of another file, where one is named."""
+    from barchan.wind.records.joining import with_weather
+    from barchan.wind.records.weather_record import read_weather
+
+    return record if weather is None else with_weather(record, read_weather(weather, RecordFormat()))
+
+
 def _print(subject: "_Subject", by: Literal["month", "season"] | None, source: str) -> None:
     """Warnings first, then the table, then remarks."""
     from barchan.cli.report import print_table
     from barchan.cli.terminal import print_note, print_warning
     from barchan.cli.wind_table import drift_rows, part_rows
 
-    found, record = subject.found, subject.record
+    found, record = subject.found, None if subject.record is None else subject.record.measured
     for warning in record.warnings if record else ():
         print_warning(warning)
     if by and record is None:
@@ -143,17 +158,21 @@ class _Subject:
 
 def _of_record(record: "WindRecord", sand: Saltation, supply: float | None, key: str) -> _Subject:
     """A record over some sand; ``key`` is where the height of its speeds can be stated."""
-    from barchan.cli.wind_table import potential_rows, record_rows
+    from barchan.cli.wind_table import potential_rows, record_rows, weather_rows
     from barchan.theory.assessment import assess_record, is_annual
     from barchan.wind.records.summary import height_remarks
 
+    measured = record.measured
     try:
-        found = assess_record(record, sand, supply)
+        found = assess_record(measured, sand, supply)
     except ValueError as error:
         raise BarchanError(f"{record.source}: {error}") from None
-    potential = potential_rows(found.potential, found.threshold, is_annual(record))
-    remarks = (*record.remarks, *height_remarks(record, sand.height, key))
-    return _Subject(record.source, [*record_rows(record, sand), *potential], found, record, sand, remarks)
+    potential = potential_rows(found.potential, found.threshold, is_annual(measured))
+    remarks = [*record.remarks, *height_remarks(record, sand.height, key)]
+    if record.supposed is not None:
+        remarks.append("roses, drift and potential are of the wind as measured, without gaps")
+    rows = [*record_rows(measured, sand), *weather_rows(record), *potential]
+    return _Subject(record.source, rows, found, record, sand, tuple(remarks))
 
 
 def _of_scenario(source: str, supply: float | None) -> _Subject:

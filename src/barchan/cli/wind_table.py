@@ -32,6 +32,13 @@ def record_rows(record: "WindRecord", sand: Saltation) -> Rows:
     ]
 
 
+def weather_rows(record: "WindRecord") -> Rows:
+    """The weather that comes with a record, where it has any."""
+    from barchan.wind.records.summary import weather_facts
+
+    return [(name, text, "") for name, text in weather_facts(record).items()]
+
+
 def potential_rows(potential: "Drift | None", threshold: float, annual: bool) -> Rows:
     """Drift potential (VU) above a threshold (knots), by its energy where it is that of a year."""
     from barchan.theory.drift import energy, in_metres

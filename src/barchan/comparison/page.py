@@ -24,10 +24,13 @@ def paragraph(content: object, kind: str = "") -> str:
 
 
 def table(heads: Sequence[object], rows: Iterable[Sequence[object]], wordy: bool = False) -> str:
-    """A table; the cells of a ``wordy`` one stand to the left. A cell of ``Strong`` is set in bold."""
+    """A table; cells and headings of a ``wordy`` one stand to the left. A cell of ``Strong`` is in bold."""
     head = "".join(f"<th>{text(cell)}</th>" for cell in heads)
     body = "".join(f"<tr>{''.join(_cell(cell, wordy) for cell in row)}</tr>" for row in rows)
-    return f'<div class="scroll"><table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table></div>'
+    kind = _class("wordy" * wordy)
+    return (
+        f'<div class="scroll"><table{kind}><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table></div>'
+    )
 
 
 class Strong(str):

@@ -1,11 +1,11 @@
 """The report of a comparison: one page in HTML, pictures within, that prints as it is."""
 
+import base64
 import json
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from datetime import UTC, datetime
-from pathlib import Path
 
 from barchan.analysis import suited_units
 from barchan.comparison.drawing import Picture
@@ -55,6 +55,8 @@ class Contents:
     """Pictures of each variant by its label."""
     unfinished: Mapping[str, str]
     """Runs that did not come to their end, and why."""
+    alone: bool = False
+    """Whether no files lie beside the page: scenarios are links that hold them."""
 
 
 def report_of(contents: Contents) -> str:
@@ -108,7 +110,8 @@ def _finding(contents: Contents) -> str:
         elif tested:
             told.append(f"{other.label} differs from {reference.label} in no measure beyond chance")
     if not told:
-        return "No tests of difference: these need at least two seeds and a second variant (--seeds)."
+        needed = "at least two seeds (barchan compare --seeds) and a second variant"
+        return f"No tests of difference: these need {needed}."
     return f"After correction for many tests, {'; '.join(told)}."
 
 
@@ -219,11 +222,21 @@ def _variant(contents: Contents, variant: Variant) -> str:
 def _scenarios(contents: Contents) -> str:
     differing = differing_keys(contents.variants)
     rows = [[key, *("–" if v is None else _value(v) for v in row)] for key, row in differing.items()]
-    files = [f"{SCENARIOS}/{variant.name}.json" for variant in contents.variants]
-    links = [Markup(f'<a href="{text(file)}">{text(Path(file).name)}</a>') for file in files]
+    links = [_scenario_link(variant, contents.alone) for variant in contents.variants]
     heads = ["key", *(variant.label for variant in contents.variants)]
     told = "Everything else in the scenarios is the same." + _strange_values(contents.variants)
     return table(heads, [*rows, ["complete scenario", *links]], wordy=True) + paragraph(told, "quiet")
+
+
+def _scenario_link(variant: Variant, within: bool) -> Markup:
+    """A link to the complete scenario of a variant: to the file beside the page, or with the text within."""
+    name = f"{variant.name}.json"
+    if not within:
+        return Markup(f'<a href="{text(f"{SCENARIOS}/{name}")}">{text(name)}</a>')
+    content = base64.b64encode(variant.scenario.text().encode()).decode("ascii")
+    return Markup(
+        f'<a download="{text(name)}" href="data:application/json;base64,{content}">{text(name)}</a>'
+    )
 
 
 def _strange_values(variants: Sequence[Variant]) -> str:
@@ -249,8 +262,8 @@ def runs_table(variants: Sequence[Variant], unfinished: Mapping[str, str]) -> st
             seed,
             r.steps,
             r.reason,
-            f"{r.seconds:.1f}",
-            f"{r.processor_seconds:.1f}",
+            _seconds(r.seconds),
+            _seconds(r.processor_seconds),
             r.version,
             r.host,
             Markup(f"<code>{r.bed[:12]}</code>"),
@@ -281,11 +294,19 @@ def runs_table(variants: Sequence[Variant], unfinished: Mapping[str, str]) -> st
     return "".join(parts)
 
 
+def _seconds(duration: float) -> str:
+    return "–" if math.isnan(duration) else f"{duration:.1f}"
+
+
 def made_by(command: str, seconds: float) -> str:
     """Version, date, how long it took (s), and the command that makes a report again."""
     when = datetime.now(UTC).strftime("%Y-%m-%d %H:%M UTC")
-    told = f"Made with Barchan {__version__} on {when} in {seconds:.0f} s, pictures included, by:"
-    return paragraph(told) + f"<pre><code>{text(command)}</code></pre>"
+    told = f"Made with Barchan {__version__} on {when} in {seconds:.0f} s, pictures included"
+    return (
+        paragraph(f"{told}, by:") + f"<pre><code>{text(command)}</code></pre>"
+        if command
+        else paragraph(f"{told}.")
+    )
 
 
 def points(paragraphs: str) -> str:

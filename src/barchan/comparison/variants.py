@@ -19,6 +19,10 @@ if TYPE_CHECKING:
     import xarray as xr
 
 
+WORDS = ("title", "citation", "look_for", "question")
+"""Keys of a scenario that say something of it and change nothing of its run."""
+
+
 @dataclass
 class Variant:
     """One of the things compared."""
@@ -49,6 +53,11 @@ class Variant:
     def scenario(self) -> Scenario:
         """The scenario of its first finished run, under its label."""
         return load_scenario(self.first_member.scenario).model_copy(update={"title": self.label})
+
+    @property
+    def own_scenario(self) -> Scenario:
+        """The scenario of its first run, finished or not, under its own title."""
+        return load_scenario(self.members[0].scenario)
 
     @property
     def title_of_model(self) -> str:
@@ -97,7 +106,8 @@ def shared_measures(variants: Sequence[Variant]) -> dict[str, tuple[str, str]]:
 
 def differing_keys(variants: Sequence[Variant]) -> dict[str, list[Any]]:
     """Keys of the scenarios whose values differ, with the value of each variant; None where it has none."""
-    flat = [_flat({**variant.scenario.data(), "title": "", "citation": ""}) for variant in variants]
+    unnamed = dict.fromkeys(WORDS, "")
+    flat = [_flat({**variant.own_scenario.data(), **unnamed}) for variant in variants]
     keys = dict.fromkeys(key for values in flat for key in values)
     rows = {key: [values.get(key) for values in flat] for key in keys}
     return {key: row for key, row in rows.items() if any(value != row[0] for value in row)}

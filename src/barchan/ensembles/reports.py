@@ -5,7 +5,7 @@ import json
 import math
 import os
 import platform
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import asdict, dataclass, field
 from enum import StrEnum
 from pathlib import Path
@@ -120,14 +120,22 @@ def write_failure(folder: Path, failure: Failure) -> None:
 
 
 def report_on(
-    folder: Path, member: str, scenario: Scenario, seconds: float, processor_seconds: float
+    folder: Path,
+    member: str,
+    scenario: Scenario,
+    seconds: float,
+    processor_seconds: float,
+    told: Callable[[], None] = lambda: None,
 ) -> Report:
-    """The report on the finished run of a member; raises ArchiveError where it cannot be read."""
+    """The report on the run of a member; raises ArchiveError where it cannot be read.
+
+    ``told`` is called after each frame that is measured; what it raises ends the work.
+    """
     from barchan.analysis.time_series import measure_series
 
     path = member_folder(folder, member)
     with open_run(path) as run:
-        measured = measure_series(run, scenario)
+        measured = measure_series(run, scenario, told=told)
         last = run.isel(step=-1)
         digest = hashlib.sha256(b"".join(last[name].values.tobytes() for name in counted(scenario.layers)))
         steps = [int(step) for step in run["step"].values]

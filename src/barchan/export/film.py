@@ -11,7 +11,8 @@ def write(path: Path, source: Source) -> dict[str, Any]:
     from barchan.figures.film import PIXELS, RATE, encode, shaded_frames
 
     chosen = source.dataset.sel(step=list(source.steps))
-    pictures = shaded_frames(chosen, source.scenario, source.options.pixels or PIXELS)
+    pixels = source.options.pixels or PIXELS
+    pictures = shaded_frames(chosen, source.scenario, pixels, progress=source.progress)
     rate = source.options.frames_per_second or RATE
     encode(path, pictures, rate)
     return {"frames_per_second": rate}

@@ -9,6 +9,9 @@ from barchan.errors import ExportError
 MOST_CELLS = 1 << 28
 """Cells that a field may be brought onto."""
 
+MOST_ALONG = 255
+"""Vertices along a side of a part: with 256 it would have more than the 65,535 that many programs read."""
+
 
 @dataclass(frozen=True)
 class Options:
@@ -28,6 +31,8 @@ class Options:
     """Factor of all heights over the lowest one of a mesh."""
     scale: float | None = None
     """Units of a mesh to the metre; 1 without it."""
+    split: int | None = None
+    """Most vertices along a side of the parts that a mesh is split into; one part without it."""
     base: float | None = None
     """Thickness (m) of a solid below its lowest point; a tenth of its relief without it."""
     epoch: datetime | None = None
@@ -54,6 +59,11 @@ class Options:
             ("limits", lambda v: v[0] < v[1], "the lowest below the highest"),
             ("exaggerate", lambda v: 0 < v <= 1e6, "above 0, up to 1e6"),
             ("scale", lambda v: 0 < v <= 1e9, "above 0, up to 1e9"),
+            (
+                "split",
+                lambda v: 2 <= v <= MOST_ALONG,
+                f"2 to {MOST_ALONG}, so that 16 bits number a part's vertices",
+            ),
             ("base", lambda v: 0 < v <= 1e6, "above 0, up to 1e6 m"),
             ("at", lambda v: 0 <= v <= 1, "0 to 1"),
             ("frames_per_second", lambda v: 0.1 <= v <= 100, "0.1 to 100"),

@@ -22,21 +22,23 @@ def write(path: Path, source: Source) -> dict[str, Any]:
     new = not folder.exists()
     folder.mkdir(exist_ok=True)
     try:
-        text = "\n".join(_frame(folder, source, step) for step in source.steps)
+        facts: dict[str, Any] = {}
+        lines = [_frame(folder, source, step, facts) for step in source.steps]
+        text = "\n".join(lines)
         path.write_text(f"{HEAD}\n{text}\n{TAIL}\n", "utf-8")
     except BaseException:
         if new:
             rmtree(folder)
         raise
     clocked = source.seconds(0) is not None
-    return {"time_unit": "s" if clocked else "steps", "folder": folder.name}
+    return {"time_unit": "s" if clocked else "steps", "folder": folder.name, **facts}
 
 
-def _frame(folder: Path, source: Source, step: int) -> str:
-    """Write a frame into the folder; returns its line of the list."""
+def _frame(folder: Path, source: Source, step: int, facts: dict[str, Any]) -> str:
+    """Write a frame into the folder, what is to be said of it into ``facts``; returns its line."""
     file = folder / f"{step:0{len(str(max(source.steps)))}d}.vti"
     with replacing(file) as partial:
-        vti.write(partial, source.only([step], source.fields))
+        facts |= vti.write(partial, source.only([step], source.fields))
     seconds = source.seconds(step)
     time = float(step if seconds is None else seconds)
     return f'<DataSet timestep="{time!r}" part="0" file={quoteattr(f"{folder.name}/{file.name}")}/>'

@@ -1,6 +1,6 @@
 """The frames of a run as exports see them: chosen steps and fields, smoothed or resampled on request."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Literal
@@ -30,6 +30,8 @@ class Sheet:
     """By row and column, row 0 at the south edge, column 0 at the west edge."""
     unit: str
     meaning: str
+    along_wind: bool = False
+    """Whether it is the size of something that points where the wind blows."""
 
 
 @dataclass(frozen=True)
@@ -43,6 +45,8 @@ class Source:
     options: Options
     ranges: dict[str, tuple[float, float]] = field(default_factory=dict)
     """Lowest and highest value of each field in all frames that were looked at."""
+    progress: Callable[[int], None] | None = None
+    """Takes the number of frames that are drawn, where somebody asks for it."""
 
     @cached_property
     def grid(self) -> Grid:
@@ -91,7 +95,8 @@ class Source:
         values = Squares(self.scenario.lattice).between(found.values)
         values = changed(values, self.scenario.lattice.periodic, self.options)
         self._note(name, values)
-        return Sheet(name, values, str(found.attrs["unit"]), str(found.attrs["long_name"]))
+        unit, meaning = str(found.attrs["unit"]), str(found.attrs["long_name"])
+        return Sheet(name, values, unit, meaning, bool(found.attrs.get("along_wind")))
 
     def _note(self, name: str, values: NDArray) -> None:
         known = values[np.isfinite(values)]

@@ -7,8 +7,8 @@ from xml.sax.saxutils import quoteattr
 import numpy as np
 from numpy.typing import NDArray
 
-from barchan.export.numbers import plain
 from barchan.export.source import Source
+from barchan.export.wind import WindOver
 
 TYPES = {"f4": "Float32", "f8": "Float64", "u1": "UInt8", "i1": "Int8", "u2": "UInt16", "i2": "Int16",
          "i4": "Int32", "u4": "UInt32", "i8": "Int64", "u8": "UInt64"}  # fmt: skip
@@ -17,13 +17,14 @@ TYPES = {"f4": "Float32", "f8": "Float64", "u1": "UInt8", "i1": "Int8", "u2": "U
 
 def write(path: Path, source: Source) -> dict[str, Any]:
     """Write one frame as point data at the cells' centres."""
-    sheets = source.sheets(source.steps[0])
-    write_image(path, source, {name: plain(sheet.values) for name, sheet in sheets.items()})
-    return {}
+    (step,) = source.steps
+    wind = WindOver.of(source, step)
+    write_image(path, source, wind.over(source.sheets(step)), wind.arrays)
+    return wind.facts
 
 
-def write_image(path: Path, source: Source, arrays: dict[str, NDArray]) -> None:
-    """Write arrays of the source's grid."""
+def write_image(path: Path, source: Source, arrays: dict[str, NDArray], wind: dict[str, NDArray]) -> None:
+    """Write arrays of the source's grid, and the wind as data of the whole field; three axes are vectors."""
     grid = source.grid
     extent = f"0 {grid.columns - 1} 0 {grid.rows - 1} 0 0"
     main = ' Scalars="elevation"' if "elevation" in arrays else ""
@@ -31,14 +32,23 @@ def write_image(path: Path, source: Source, arrays: dict[str, NDArray]) -> None:
     for name, values in arrays.items():
         kind = TYPES[f"{values.dtype.kind}{values.dtype.itemsize}"]
         declared.append(
-            f'<DataArray type="{kind}" Name={quoteattr(name)} format="appended" offset="{offset}"/>'
+            f'<DataArray type="{kind}" Name={quoteattr(name)}{_parts(values, 2)} '
+            f'format="appended" offset="{offset}"/>'
         )
         offset += values.nbytes + 8
     lines = "\n".join(declared)
+    whole = "\n".join(
+        f'<DataArray type="Float64" Name="{name}"{_parts(values, 0)} NumberOfTuples="1" format="ascii">'
+        f"{' '.join(map(repr, values.tolist()))}</DataArray>"
+        for name, values in wind.items()
+    )
     head = f"""<?xml version="1.0"?>
 <VTKFile type="ImageData" version="1.0" byte_order="LittleEndian" header_type="UInt64">
 <ImageData WholeExtent="{extent}" Origin="{float(grid.x[0])!r} {float(grid.y[0])!r} 0" \
 Spacing="{grid.width!r} {grid.height!r} 1">
+<FieldData>
+{whole}
+</FieldData>
 <Piece Extent="{extent}">
 <PointData{main}>
 {lines}
@@ -53,3 +63,8 @@ _"""
             file.write(np.uint64(values.nbytes).astype("<u8").tobytes())
             file.write(np.ascontiguousarray(values).tobytes())
         file.write(b"\n</AppendedData>\n</VTKFile>\n")
+
+
+def _parts(values: NDArray, axes: int) -> str:
+    """How many numbers stand for a place, where values have an axis beyond those of places."""
+    return f' NumberOfComponents="{values.shape[-1]}"' if values.ndim > axes else ""

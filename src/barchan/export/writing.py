@@ -1,7 +1,7 @@
 """Writing frames of a run in any of the formats, with the side-car file that tells what the numbers mean."""
 
 import re
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -36,6 +36,7 @@ def export(
     step: Steps = None,
     fields: Sequence[str] | str | None = None,
     format: str | None = None,  # noqa: A002
+    progress: Callable[[int], None] | None = None,
     **options: Any,
 ) -> list[Path]:
     """Write frames of a run for another program; returns the files written, the side-car file last.
@@ -47,7 +48,8 @@ def export(
     ``step`` is a saved step, several, ``"all"`` or ``"last"``; without it formats that hold a series have all
     frames, the others the last one. ``fields`` are names of fields, or ``"all"``; without it formats of one
     field have the elevation, and those of several elevation, ground, depth, the layers and the fields that
-    the model keeps. Further options are those of :class:`barchan.export.Options`.
+    the model keeps. Further options are those of :class:`barchan.export.Options`. ``progress`` is called with
+    the number of frames of a film that are drawn; what it raises ends the export.
 
     Raises ExportError for an unknown suffix, an option or a field that does not exist, a step that was not
     saved, a missing library and a file that cannot be written, after which nothing half-written stays; and
@@ -60,7 +62,7 @@ def export(
     dataset, scenario = opened(run)
     try:
         steps = chosen_steps(dataset, step if step is not None else ("all" if chosen.series else "last"))
-        source = Source(dataset, scenario, steps, (), wishes)
+        source = Source(dataset, scenario, steps, (), wishes, progress=progress)
         source = source.only(steps, chosen_fields(source, chosen, fields))
         return _written(path, chosen, source)
     finally:

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from barchan.analysis.on_squares import field_on_squares, on_squares
 from barchan.figures.section_lines import section_along_wind, through_highest
 from barchan.figures.sections import section_heading
-from barchan.figures.style import Colours, colour_map, material_of, new_figure
+from barchan.figures.style import TITLE, Colours, colour_map, material_of, new_figure
 from barchan.scenario import Scenario
 from barchan.wind.clock import suited_unit
 
@@ -33,29 +33,58 @@ def space_time(
             for k in range(dataset.sizes["step"])
         ]
     )
-    times, label = times_of(dataset)
+    text = f"{scenario.title or 'Run'}, seed {scenario.run.seed}\n{section.place}"
+    edges = section.edges(scenario.lattice.cell_size)
+    figure = section_over_time(edges, times_of(dataset), surface, scenario, text, colours)
+    axes = figure.axes[0]
+    axes.set_xlabel("distance downwind (m)")
+    section_heading(axes, text, direction)
+    return figure
+
+
+def section_over_time(
+    edges: NDArray[np.float64],
+    times: tuple[NDArray[np.float64], str],
+    surface: NDArray[np.float64],
+    scenario: Scenario,
+    text: str,
+    colours: Colours = "natural",
+) -> "Figure":
+    """Elevations (m) along any line over time, a row of ``surface`` for each of the ``times``.
+
+    ``edges`` (m along the line) are one more than the places of a row; ``text`` stands above.
+    """
+    moments, label = times
     figure = new_figure(7.2, 5.0)
     axes = figure.add_subplot()
-    edges = section.edges(scenario.lattice.cell_size)
-    image = axes.pcolormesh(edges, _between(times), surface, cmap=colour_map(colours, material_of(scenario)))
+    image = axes.pcolormesh(
+        edges, _between(moments), surface, cmap=colour_map(colours, material_of(scenario))
+    )
     if surface.min() == surface.max():
         image.set_clim(float(surface.min()), float(surface.min()) + scenario.lattice.thickness)
-    axes.set_xlabel("distance downwind (m)")
+    axes.set_xlabel("distance along the section (m)")
     axes.set_ylabel(label)
-    if len(times) == 1:
-        axes.set_yticks(times, [f"{times[0]:g}"])
-    text = f"{scenario.title or 'Run'}, seed {scenario.run.seed}\n{section.place}"
-    section_heading(axes, text, direction)
+    if len(moments) == 1:
+        axes.set_yticks(moments, [f"{moments[0]:g}"])
+    axes.set_title(text, loc="left", fontsize=TITLE)
     figure.colorbar(image, ax=axes, label="elevation (m)")
     return figure
 
 
 def times_of(dataset: "xr.Dataset") -> tuple[NDArray[np.float64], str]:
-    """When frames were taken, in the unit of time that suits the run or in steps, and the axis's label."""
-    if "time" not in dataset.coords:
-        return dataset["step"].values.astype(float), "step"
-    unit, length = suited_unit(float(dataset["time"][-1]))
-    return dataset["time"].values / length, f"time ({unit})"
+    """When frames were taken; see ``suited_times``."""
+    seconds = dataset["time"].values if "time" in dataset.coords else None
+    return suited_times(dataset["step"].values, seconds)
+
+
+def suited_times(
+    steps: NDArray[np.int64], seconds: NDArray[np.float64] | None
+) -> tuple[NDArray[np.float64], str]:
+    """Moments in the unit of time that suits the last one, or in steps, and the label of their axis."""
+    if seconds is None:
+        return np.asarray(steps, float), "step"
+    unit, length = suited_unit(float(seconds[-1]))
+    return seconds / length, f"time ({unit})"
 
 
 def _between(times: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -80,6 +80,10 @@ class WindOverGrains(Model):
             return self.parameters.wind_speed
         return wind.speed
 
+    def friction_velocity(self, wind: Segment) -> float:
+        """Friction velocity (m/s) over a flat bed."""
+        return self.setting(wind).ustar
+
     def expected_work(self, segment: Segment) -> float:
         """The grains expected in the air, times iterations; of complete trajectories those of a first hop."""
         return segment.steps * work_of_step(self.parameters, self.lattice, self.speed(segment), segment.share)

@@ -1,4 +1,4 @@
-"""The class of a field of sand: flat, ripples, barchan, parabolic, star, transverse or linear dunes.
+"""The class of a field of sand: flat, young, ripples, barchan, parabolic, star, transverse or linear dunes.
 
 The limits are ours; ``docs/measures.md`` states the rule and how it was tested.
 """
@@ -20,10 +20,18 @@ from barchan.measures.orientation import Orientation, crest_orientation
 from barchan.measures.spacing import dominant_spacing
 from barchan.measures.stars import summits
 
-Class = Literal["flat", "ripples", "barchan", "parabolic", "star", "transverse", "linear", "undetermined"]
+Class = Literal[
+    "flat", "young", "ripples", "barchan", "parabolic", "star", "transverse", "linear", "undetermined"
+]
 
 FLAT = 2.0
 """Degrees that the steepest two hundredth of a field are below where it is flat."""
+
+OUTLASTING = 0.5
+"""Share of a relief's variance that smoothing over 2 cells leaves, below which forms are only beginning."""
+
+PARALLEL = 0.5
+"""Straightness from which on a field has forms, however small."""
 
 RIPPLES = 2.0
 """Spacing (m) below which bedforms are ripples."""
@@ -68,13 +76,14 @@ def landform(
 
     Without a wind the steeper side of the bedforms is taken for their lee; where neither is, the class of
     ridges and of horned dunes is undetermined. The rule, in order: flat, where 99.5 % of the slopes are below
-    2 degrees; ripples, where the spacing is below 2 m; dunes apart from each other (40 % floor) are barchans
-    or parabolic dunes where their horns point downwind or upwind; stars, where half of the summits have three
-    arms or more; transverse or linear, by the angle of crests (or of slender single dunes) to the wind: 45
-    degrees and more, or less.
+    2 degrees; young, where smoothing over 2 cells takes more than half of the relief's variance and crests
+    have a straightness below 0.5; ripples, where the spacing is below 2 m; dunes apart from each other (40 %
+    floor) are barchans or parabolic dunes where their horns point downwind or upwind; stars, where half of
+    the summits have three arms or more; transverse or linear, by the angle of crests (or of slender single
+    dunes) to the wind: 45 degrees and more, or less.
     """
     field = _Traits(np.asarray(elevation, float), cell_size, wind, periodic)
-    for rule in (_flat, _ripples, _horned, _star, _crested):
+    for rule in (_flat, _young, _ripples, _horned, _star, _crested):
         if found := rule(field):
             return found
     return Landform("undetermined", f"crests without a common direction ({field.orientation.coherence:.2f})")
@@ -101,6 +110,12 @@ class _Traits:
         slope = np.hypot(*gradient(surface, self.cell_size, self.periodic))
         known = slope[np.isfinite(slope)]
         return math.degrees(math.atan(float(np.percentile(known, 99.5)))) if known.size else 0.0
+
+    @cached_property
+    def outlasting(self) -> float:
+        """Share of the variance that smoothing over 2 cells leaves: 0.02 of white noise, 1 of wide forms."""
+        surface = without_trend(self.elevation, self.periodic)
+        return float(np.nanvar(smoothed(surface, 2.0, self.periodic)) / np.nanvar(surface))
 
     @cached_property
     def orientation(self) -> Orientation:
@@ -142,6 +157,12 @@ class _Traits:
 def _flat(field: _Traits) -> Landform | None:
     reason = f"no slope above {field.steepest:.1f}°"
     return Landform("flat", reason) if field.steepest < FLAT else None
+
+
+def _young(field: _Traits) -> Landform | None:
+    if field.outlasting >= OUTLASTING or field.orientation.coherence >= PARALLEL:
+        return None
+    return Landform("young", f"{1 - field.outlasting:.0%} of the relief is roughness of a few cells")
 
 
 def _ripples(field: _Traits) -> Landform | None:

@@ -115,3 +115,14 @@ def arrest(hours: NDArray[np.float64], way: NDArray[np.float64], still: float = 
     last = int(moving[-1]) + 1
     ended = last == hours.size - 1
     return Arrest(math.inf if ended else float(hours[last] - hours[0]), float(way[last] - way[0]))
+
+
+def edge_retreat(
+    before: NDArray, after: NDArray, level: float, cell_size: float, edge_length: float
+) -> float:
+    """Mean way (m) by which an edge went back: the area that fell below ``level`` (m) over the edge's length.
+
+    Area that rose above it meanwhile is taken off, so that an edge that advances has a way below zero.
+    """
+    lost = np.count_nonzero(before >= level) - np.count_nonzero(after >= level)
+    return float(lost) * cell_size**2 / edge_length

@@ -111,6 +111,7 @@ class Pelletier(SlabModel):
             ),
             centred=True,
             sheltered=True,
+            along_wind=True,
             least=0.0,
         ),
     )

@@ -82,6 +82,7 @@ class SpeedupModel(SlabModel):
             lambda model, bed, wind: model.open_hops(bed, wind),
             centred=True,
             sheltered=True,
+            along_wind=True,
             least=0.0,
         ),
         Derived(
@@ -91,6 +92,7 @@ class SpeedupModel(SlabModel):
             lambda model, bed, wind: model.open_hops(bed, wind) / model.hop_length(wind),
             centred=True,
             sheltered=True,
+            along_wind=True,
             least=0.0,
         ),
     )

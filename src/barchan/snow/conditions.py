@@ -2,7 +2,7 @@
 
 import math
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -48,12 +48,12 @@ class Conditions:
     wind: float
     temperature: float
 
-    @property
+    @cached_property
     def stress(self) -> float:
         """Shear stress (Pa) on flat snow."""
         return self.parameters.air_density * self.parameters.drift.friction_velocity(self.wind) ** 2
 
-    @property
+    @cached_property
     def drift_density(self) -> float:
         """Density (kg/m³) of what the wind lays down."""
         return self.parameters.drift.laid_density(self.wind)
@@ -79,14 +79,14 @@ class Conditions:
             exponent=bonding.exponent,
         )
 
-    @property
+    @cached_property
     def spread(self) -> float:
         """Standard deviation of the threshold wind over the wind on the flat; 0: the threshold is sharp."""
         if self.parameters.threshold.law != "li_pomeroy":
             return 0.0
         return li_pomeroy_spread(self.temperature) / max(self.wind, 1e-6)
 
-    @property
+    @cached_property
     def usual_excess(self) -> float:
         """What the wind on flat, fresh drift in motion exceeds its threshold by, as a poll measures it."""
         below = self.impact_threshold / max(self.stress, 1e-12)
@@ -94,17 +94,17 @@ class Conditions:
             return normal_share((1.0 - below**self.parameters.drift.stress_power) / self.spread)
         return max(1.0 - below, 1e-12)
 
-    @property
+    @cached_property
     def fresh_threshold(self) -> float:
         """Threshold stress (Pa) that starts fresh drift."""
         return float(self.threshold(self.drift_density, LOOSEST_BONDS))
 
-    @property
+    @cached_property
     def impact_threshold(self) -> float:
         """Stress (Pa) at which drift over fresh drift dies out."""
         return IMPACT_STRESS * self.fresh_threshold
 
-    @property
+    @cached_property
     def flux(self) -> float:
         """Saturated flux (kg/m/s) over fresh drift; 0 for a wind that cannot start the loosest snow."""
         air = self.parameters.air_density
@@ -114,7 +114,7 @@ class Conditions:
         ustar = math.sqrt(self.stress / air)
         return self.parameters.drift.mass_flux(ustar, math.sqrt(self.impact_threshold / air), air)
 
-    @property
+    @cached_property
     def supply(self) -> float:
         """Saturated flux over that at the temperature for which winds have their polls."""
         usual = Conditions(self.parameters, self.wind, self.parameters.temperature).flux
@@ -135,7 +135,7 @@ class Conditions:
         chance = min(rules.greatest, rules.strength * self.impact_threshold / excess)
         return Creep(False, np.int64(round(chance * 2**32)), 0.0) if rules.strength > 0.0 else None
 
-    @property
+    @cached_property
     def rate(self) -> float:
         """How fast bonds grow, over -10 °C."""
         cold = min(self.temperature, 0.0)
@@ -182,7 +182,7 @@ def layer_tables(now: Conditions, drifting: bool, flux_share: float, cell_size: 
         age_class=_AGES,
         threshold=(threshold / stress).astype(np.float32).ravel(),
         yields=np.minimum(yields, _SURE).astype(np.float32).ravel(),
-        wears=np.where(bonded, wears, 0.0).astype(np.float32).ravel(),
+        wears=np.where(bonded, np.minimum(wears, _SURE), 0.0).astype(np.float32).ravel(),
         bonded=bonded.astype(np.uint8).ravel(),
         face_limit=_limits(now, density, bonded, cell_size).ravel(),
     )

@@ -158,6 +158,18 @@ DERIVED = (
         "shear stress over that on flat snow",
         lambda model, bed, wind: model.stress(bed.elevation, wind.direction),
         centred=True,
+        along_wind=True,
+        least=0.0,
+    ),
+    Derived(
+        "friction_velocity",
+        "m/s",
+        "friction velocity of the wind over the snow",
+        lambda model, bed, wind: (
+            model.friction_velocity(wind)
+            * np.sqrt(np.maximum(model.stress(bed.elevation, wind.direction), 0.0))
+        ),
+        along_wind=True,
         least=0.0,
     ),
 )

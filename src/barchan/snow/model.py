@@ -9,26 +9,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from barchan.aeolian.bed_stress import bed_stress
 from barchan.aeolian.snow.density import GREATEST_DENSITY, LEAST_DENSITY
 from barchan.bed import Bed
-from barchan.fields import HEIGHT_UNIT
-from barchan.kernels.core.interruption import interruptible
-from barchan.kernels.core.state import TRAVEL_UNIT
-from barchan.kernels.slabs.state import (
-    ENTERED,
-    TALLY_SIZE,
-    TRAVEL_ACROSS,
-    TRAVEL_ALONG,
-    Schedule,
-    Work,
-    prepared_polls,
-)
+from barchan.kernels.slabs.state import ENTERED, TALLY_SIZE
 from barchan.kernels.snow.state import DENSITY_UNIT, MOST_QUANTA, SnowRules
 from barchan.lattice import Lattice
 from barchan.model import Model, Tally
-from barchan.slabs.influx import INFLUX, edge_influx
-from barchan.slabs.model import SHORT
 from barchan.slabs.tally import tally_of
 from barchan.snow.clock import BondClock
 from barchan.snow.conditions import Conditions, quantum_heights, relative_flux, step_seconds
@@ -36,10 +22,12 @@ from barchan.snow.drift_meter import DRIFTING, DriftMeter
 from barchan.snow.pack import SNOW, STRESS, Field, field_of, fields_of, layer_of, leave
 from barchan.snow.packing import INTERVAL, let_pack
 from barchan.snow.parameters import SnowParameters
+from barchan.snow.relief_stress import ReliefStress, stress_on
 from barchan.snow.remarks import remarks_on
 from barchan.snow.rules import rules_under
 from barchan.snow.snowfall import Fallen
 from barchan.snow.start import check_counts, lay_first_snow, quanta_in, start_density, start_problems
+from barchan.snow.transport import Transport
 from barchan.streams import Stream, derive
 from barchan.wind.frame import WindFrame
 from barchan.wind.segment import Segment
@@ -67,7 +55,7 @@ class SnowModel(Model):
         self.drift = DriftMeter()
         self._packed = 0
         self._stock = -1
-        self._stress_of: float | None = None
+        self._stress = ReliefStress()
 
     @property
     def unit_height(self) -> float:
@@ -121,6 +109,10 @@ class SnowModel(Model):
         hops = self.parameters.hop / self.parameters.p_s
         return self.parameters.erosion_chance * hops * self.parameters.quantum / density
 
+    def friction_velocity(self, wind: Segment) -> float:
+        """Friction velocity (m/s) over flat snow, of the wind that ``conditions`` gives."""
+        return self.parameters.drift.friction_velocity(self.conditions(wind).wind)
+
     def conditions(self, segment: Segment) -> Conditions:
         """Wind and temperature of a segment: of gusts the mean wind, weighted by what each moves."""
         wind = segment.speed if segment.driving_speed is None else segment.driving_speed
@@ -163,7 +155,7 @@ class SnowModel(Model):
     def _take_stock(self, field: Field, now: Conditions, stream: Stream) -> None:
         """Find the drift in the air over the last steps, ask for a new stress, and let the snow pack."""
         self.drift.take_stock()
-        self._stress_of = None
+        self._stress.expire()
         waited = self.clock.time - self._packed
         if self.parameters.packing.law != "none" and waited >= INTERVAL:
             let_pack(field.pack, field.ground, now, waited, derive(stream.key, -1 - self.clock.time))
@@ -171,33 +163,9 @@ class SnowModel(Model):
             cells = field.pack.quanta.size
             self._relax(field, self._rules(field, now), np.ones(cells, np.bool_))
 
-    def _renew_stress(self, bed: Bed, field: Field, direction: float) -> None:
-        """Compute the stress where that is due or the wind has turned."""
-        if self._stress_of == direction:
-            return
-        shape = field.frame.enter(bed.ground).shape
-        height = field.frame.leave(field.pack.surface.reshape(shape)) * HEIGHT_UNIT
-        bed.arrays[STRESS][...] = self.stress(height, direction)
-        self._stress_of = direction
-
     def stress(self, height: NDArray[np.float64], direction: float) -> NDArray[np.float64]:
         """Shear stress on a surface (m) over that on flat snow, for a wind from ``direction`` (degrees)."""
-        relief = self.parameters.relief
-        if not relief.acts:
-            return np.ones(height.shape)
-        return bed_stress(
-            height,
-            self.lattice,
-            direction,
-            roughness=self.parameters.drift.roughness,
-            saturation_angle=relief.saturation_angle,
-            smoothing=relief.smoothing,
-        )
-
-    def _saturated_travel(self, polls: int, now: Conditions) -> float:
-        """Cells that quanta travel, all together, when flat, fresh drift is polled."""
-        hop = self.parameters.hop / self.lattice.cell_size
-        return self.parameters.erosion_chance * now.supply * hop / self.parameters.p_s * polls
+        return stress_on(height, self.lattice, direction, self.parameters)
 
     def _snow(
         self, field: Field, segment: Segment, now: Conditions, seconds: float, counts: NDArray[np.int64]
@@ -226,41 +194,12 @@ class SnowModel(Model):
         """Let the wind take, carry and lay down snow."""
         if segment.polls == 0 or now.flux == 0.0:
             return
-        from barchan.kernels.snow.step import let_enter, run_steps
-
         stress = None
         if self.parameters.relief.acts:
-            self._renew_stress(bed, field, segment.direction)
+            self._stress.renew(bed, field, segment.direction, self.parameters)
             stress = np.ascontiguousarray(field.frame.enter(bed.arrays[STRESS])).ravel()
         rules = self._rules(field, now, stress)
-        grid = rules.slabs.grid
-        schedule = Schedule(False, False, self.parameters.band_rows)
-        work = Work(prepared_polls(grid.rows, grid.cols, schedule), None)
-        key = np.uint64(stream.key)
-        before = counts[[TRAVEL_ALONG, TRAVEL_ACROSS]].copy()
-        polls = segment.first, segment.polls
-        if segment.influx is None:
-
-            def run() -> None:
-                run_steps(field.pack, rules, work, schedule, key, segment.step, segment.steps, *polls, counts)
-
-        else:
-            saturated = self._saturated_travel(segment.polls, now) / self.lattice.cells
-            influx = edge_influx(segment, lambda: saturated, self.lattice, field.frame)
-
-            def run() -> None:
-                for step in range(segment.step, segment.step + segment.steps):
-                    own = np.uint64(derive(derive(derive(stream.key, step), INFLUX), segment.first))
-                    let_enter(field.pack, rules, influx, own, counts)
-                    run_steps(field.pack, rules, work, schedule, key, step, 1, *polls, counts)
-
-        if segment.steps * segment.polls > SHORT:
-            interruptible(run, rules.slabs.interruption)
-        else:
-            run()
-        travelled = counts[[TRAVEL_ALONG, TRAVEL_ACROSS]] - before
-        saturated = round(self._saturated_travel(segment.polls, now) * TRAVEL_UNIT) * segment.steps
-        self.drift.note(round(float(np.hypot(*travelled))), saturated)
+        Transport(field, rules, now, self.lattice).run(segment, stream, counts, self.drift)
 
     def _rules(self, field: Field, now: Conditions, stress: NDArray[np.float32] | None = None) -> SnowRules:
         return rules_under(
@@ -303,16 +242,13 @@ class SnowModel(Model):
         leave(bed, field.pack, field.ground, field.frame, self.clock.epoch)
 
     def state(self) -> dict[str, Any]:
-        """The bond clock, snow that has not come to a quantum, and the drift in the air."""
-        direction = -1.0 if self._stress_of is None else self._stress_of
-        own = {"packed": self._packed, "stock": self._stock, "stress_of": direction}
-        return {**self.clock.state(), **self.fallen.state(), **self.drift.state(), **own}
+        """The bond clock, snow short of a quantum, drift in the air, and when snow packed last."""
+        own = {"packed": self._packed, "stock": self._stock}
+        parts = (self.clock, self.fallen, self.drift, self._stress)
+        return {key: value for part in parts for key, value in part.state().items()} | own
 
     def restore(self, state: dict[str, Any]) -> None:
         """Take up a remembered state."""
-        self.clock.restore(state)
-        self.fallen.restore(state)
-        self.drift.restore(state)
+        for part in (self.clock, self.fallen, self.drift, self._stress):
+            part.restore(state)
         self._packed, self._stock = int(state["packed"]), int(state["stock"])
-        direction = float(state["stress_of"])
-        self._stress_of = None if direction < 0.0 else direction

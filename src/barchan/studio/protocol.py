@@ -18,17 +18,19 @@ from numpy.typing import NDArray
 
 from barchan.errors import BarchanError
 
-PROTOCOL = 5
+PROTOCOL = 6
 """Version of the messages; client and server of different versions do not talk."""
 
 MESSAGES = {
-    "hello": "The version of the messages, the names of the runs, and whether they run in lockstep.",
+    "hello": "Versions of messages and of Barchan, names of the runs, and whether they run in lockstep.",
     "runs": "The names of the runs have changed.",
     "lockstep": "Two runs that are compared started or stopped.",
     "scenario": "What a run consists of: scenario, lattice, fields, measures, branches.",
     "begun": "A run has begun, or its start was refused; only for the server.",
     "compiling": "Kernels are being compiled.",
     "arrived": "A run has done the steps that it was asked for.",
+    "watchers": "How many browsers watch; only for the one that commands.",
+    "look": "How the browser that commands shows the surface; only for those that watch.",
     "lost": "The process of a run has ended by itself; the newest step that all runs can continue from.",
     "progress": "How far the answer to a request is.",
     "done": "The answer to a request.",
@@ -106,12 +108,15 @@ def message(kind: str, **content: Any) -> bytes:
 
 def frame(header: dict[str, Any], fields: Sequence[EncodedField]) -> bytes:
     """A frame."""
-    text = _json({**header, "encoded": [field.header() for field in fields]})
-    parts: list[Any] = [MAGIC, struct.pack("<I", len(text)), text, padding(len(text))]
-    for field in fields:
-        numbers = np.ascontiguousarray(field.numbers)
-        parts += [numbers.data, padding(numbers.nbytes)]
-    return b"".join(parts)
+    numbers = [np.ascontiguousarray(field.numbers) for field in fields]
+    padded = [part for one in numbers for part in (one.data, padding(one.nbytes))]
+    return packed_frame(header, [field.header() for field in fields], padded)
+
+
+def packed_frame(header: dict[str, Any], encoded: list[dict[str, Any]], numbers: Sequence[Any]) -> bytes:
+    """A frame of the heads of its fields and of their numbers as bytes, filled up by ``padding``."""
+    text = _json({**header, "encoded": encoded})
+    return b"".join((MAGIC, struct.pack("<I", len(text)), text, padding(len(text)), *numbers))
 
 
 def is_state(data: bytes) -> bool:
@@ -135,6 +140,13 @@ def numbered(data: bytes, number: int) -> bytes:
 def is_frame(data: bytes) -> bool:
     """Whether data are a frame; if not they are a control message."""
     return data.startswith(MAGIC)
+
+
+def fields_in(data: bytes) -> list[str]:
+    """Names of the fields that a frame holds."""
+    (length,) = struct.unpack_from("<I", data, len(MAGIC))
+    begin = len(MAGIC) + 4
+    return [field["name"] for field in json.loads(data[begin : begin + length])["encoded"]]
 
 
 def padding(length: int) -> bytes:

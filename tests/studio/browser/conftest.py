@@ -22,6 +22,7 @@ from barchan.studio.server.app import CLIENT
 
 FLAGS = ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
 PATIENCE = 60.0
+NOTICE = ".notice"
 SMALL = {
     "lattice.rows": "48",
     "lattice.columns": "64",
@@ -162,6 +163,38 @@ def studio(chromium, server):
     yield studio
     page.close()
     assert studio.errors == []
+
+
+@pytest.fixture
+def visit(chromium):
+    """Open an address in a page of its own."""
+    pages = []
+
+    def open_page(address: str):
+        pages.append(chromium.new_page(viewport={"width": 900, "height": 600}))
+        pages[-1].goto(address)
+        return pages[-1]
+
+    yield open_page
+    for page in pages:
+        page.close()
+
+
+def says(page, words: str) -> None:
+    page.locator(NOTICE, has_text=words).wait_for()
+
+
+def running(page) -> None:
+    page.locator("[data-status=step]").filter(has_text=re.compile(r"\d")).wait_for(timeout=60_000)
+    page.locator(NOTICE).wait_for(state="hidden")
+
+
+def until(page, expression: str) -> None:
+    """Wait until an expression of a page is true; the page itself may run no text as a program."""
+    end = time.monotonic() + PATIENCE
+    while not page.evaluate(expression):
+        assert time.monotonic() < end, f"never: {expression}"
+        time.sleep(0.05)
 
 
 def children_of(pid: int) -> list[int]:

@@ -77,13 +77,13 @@ def test_arrow_keys_move_between_tabs_and_in_menus_and_escape_closes_them(studio
     assert focused(studio) == "Wind"
     assert page.locator("[data-path='wind.kind']").is_visible()
     page.keyboard.press("End")
-    assert focused(studio) == "View"
+    assert focused(studio) == "Moments"
     assert page.locator("[role=tab][tabindex='0']").count() == 2  # one of the panel, one of the drawer
     page.locator("summary", has_text="File").focus()
     page.keyboard.press("Enter")
     studio.until("document.activeElement.role === 'menuitem'")
     page.keyboard.press("ArrowUp")
-    assert focused(studio).startswith("Save a picture")
+    assert focused(studio).startswith("Let others watch")
     page.keyboard.press("Escape")
     assert page.locator(".menu[open]").count() == 0
     assert focused(studio) == "File"

@@ -4,36 +4,10 @@ import io
 import re
 
 import numpy as np
-import pytest
 from PIL import Image
 
+from tests.studio.browser.conftest import NOTICE, running, says
 from tests.studio.conftest import serving, small
-
-NOTICE = ".notice"
-
-
-@pytest.fixture
-def visit(chromium):
-    """Open an address in a page of its own."""
-    pages = []
-
-    def open_page(address: str):
-        pages.append(chromium.new_page(viewport={"width": 900, "height": 600}))
-        pages[-1].goto(address)
-        return pages[-1]
-
-    yield open_page
-    for page in pages:
-        page.close()
-
-
-def says(page, words: str) -> None:
-    page.locator(NOTICE, has_text=words).wait_for()
-
-
-def running(page) -> None:
-    page.locator("[data-status=step]").filter(has_text=re.compile(r"\d")).wait_for(timeout=60_000)
-    page.locator(NOTICE).wait_for(state="hidden")
 
 
 def test_an_address_without_a_token_asks_for_the_whole_one(visit, server):

@@ -7,6 +7,13 @@ import httpx
 import numpy as np
 import pytest
 import trimesh
+from PIL import Image
+
+from barchan.errors import BarchanError
+from barchan.studio.worker.exporting import export_states
+from barchan.studio.worker.run import started
+from barchan.studio.worker.saved_runs import states_of
+from tests.studio.worker.test_run import run_to
 
 
 @pytest.fixture
@@ -56,6 +63,31 @@ def test_several_files_come_in_one_archive_with_all_kept_states(exported):
     assert "dunes.pvd.json" in names
 
 
+def test_a_film_holds_the_states_that_were_asked_for_and_says_how_far_it_is(exported):
+    """Of the states after 0, 10 and 20 steps the last two."""
+    _, answer = exported("dunes.webp", states=2, frames_per_second=4.0, pixels=64)
+    with Image.open(io.BytesIO(answer.content)) as picture:
+        assert picture.n_frames == 2
+        assert max(picture.size) == 48
+
+
+def test_drawing_a_film_counts_its_frames_and_ends_where_counting_ends_it(scenario, tmp_path):
+    """Two states: two are read, two are drawn."""
+    run = started(scenario)
+    run_to(run, 10)
+    counts = []
+    export_states(states_of(run), tmp_path / "f.webp", {"pixels": 48}, lambda *so_far: counts.append(so_far))
+    assert counts == [(1, 4), (2, 4), (3, 4), (4, 4)]
+
+    def until_drawing(done, _):
+        if done > 2:
+            raise BarchanError("broken off")
+
+    with pytest.raises(BarchanError, match="broken off"):
+        export_states(states_of(run), tmp_path / "g.webp", {"pixels": 48}, until_drawing)
+    assert [path.name for path in tmp_path.iterdir() if path.name.startswith("g")] == []
+
+
 @pytest.mark.parametrize("name", ["../dunes.asc", "dunes.doc", "dunes"])
 def test_other_names_are_refused(exported, name):
     answer, _ = exported(name)
@@ -71,3 +103,15 @@ def test_only_exported_files_can_be_fetched(served, path):
 def test_without_the_token_there_are_neither_formats_nor_files(served):
     for path in ("formats", "exports/1/dunes.asc"):
         assert httpx.get(f"{served.address}/api/{path}").status_code == 403
+
+
+def test_the_section_over_time_is_fetched_as_a_table(served):
+    with served.browser() as browser:
+        browser.until_frame()
+        browser.send("pause")
+        browser.send("space_time_file", name="over-time.csv", line=[0.5, 5.5, 40.5, 5.5], id=5)
+        answer = browser.until_message("done", id=5)
+    headers = {"x-barchan-token": served.guard.token}
+    rows = httpx.get(f"{served.address}/api/exports/{answer['file']}", headers=headers).text.splitlines()
+    assert rows[0].startswith("step,0.0000,")
+    assert rows[1].startswith("0,")

@@ -8,6 +8,7 @@ from barchan.errors import RecordError, ScenarioError
 from barchan.wind import Recorded
 from barchan.wind.records import RecordFormat, read_record
 from barchan.wind.records.joining import with_weather
+from barchan.wind.records.summary import weather_facts
 from barchan.wind.records.weather_record import read_weather
 from tests.wind.blown import segments
 
@@ -115,3 +116,23 @@ def test_a_mistake_names_the_key_of_the_file_that_it_is_in(tmp_path, snow):
         Recorded(kind="record", path=str(wind), weather={"path": str(tmp_path / "none.csv")}).series()
     with pytest.raises(ScenarioError, match=r"wind\.path.*no such file"):
         Recorded(kind="record", path=str(tmp_path / "none.csv"), weather={"path": str(snow)}).series()
+
+
+def test_gaps_of_the_wind_are_snowed_on_but_are_no_measured_calms(tmp_path, snow):
+    """No row from 3 to 7 h: a calm, in which 3 mm fall until 6 h. Five hours are measured."""
+    found = joined(winds(tmp_path / "wind.csv", (0, 1, 2, 7, 8)), snow)
+    assert found.seconds == 9 * 3600
+    assert (found.measured.seconds, found.measured.calms) == (5 * 3600, 0)
+    assert (found.snowfall * found.duration)[found.supposed].sum() == pytest.approx(3.0)
+
+
+def test_weather_is_summed_over_gaps_and_the_wind_is_that_of_the_measured_hours(tmp_path, snow):
+    """9 mm in six hours, 2 an hour at most; temperature lasts 3, 3, 3 hours at -10, -16, -16 °C."""
+    facts = weather_facts(joined(winds(tmp_path / "wind.csv", (0, 1, 2, 7, 8)), snow))
+    assert facts["snowfall"] == "9 kg/m² in 6 h, at most 2 kg/m² an hour"
+    assert facts["temperature"] == "mean -14.0 °C, -16.0 to -10.0 °C"
+    assert facts["wind while it snows"] == "mean 8.00 m/s, by the mass that falls"
+
+
+def test_a_wind_without_weather_has_no_facts_of_it(tmp_path):
+    assert weather_facts(read_record(winds(tmp_path / "wind.csv", range(3)))) == {}

@@ -3,8 +3,10 @@
 import type { MessageType } from "./commands";
 import { Connection, type ConnectionState, Refused } from "./connection";
 import { type Level, Notices, problemText } from "./notices";
+import { Overlay } from "./overlay";
 import { type Command, type Description, type Json, type JsonObject, type Message, type RunName, readFrame } from "./protocol";
 import { Run } from "./run";
+import { Sharing } from "./sharing";
 import { Signal } from "./signal";
 import { type Schema } from "./schema";
 import { View } from "./view";
@@ -17,8 +19,6 @@ export interface Restart {
 }
 
 export class App {
-  readonly connection: Connection;
-  readonly view = new View();
   runs: Run[] = [];
   /** The run whose parameters the panel shows. */
   selected: RunName = "a";
@@ -28,21 +28,34 @@ export class App {
   files: { heights: string[]; records: string[] } = { heights: [], records: [] };
   /** What was changed since the scenario was loaded, and restarted the run. */
   readonly restarts: Restart[] = [];
+  /** The version of Barchan that serves the page. */
+  version = "";
   /** Whether the surface is shown as a map, because the browser has no WebGL. */
   flat = false;
+  /** Whether the browser has taken the graphics card away from the page for the moment. */
+  graphicsLost = false;
   /** Whether two runs that are led together run; null where there is one. */
   pairRuns: boolean | null = null;
   /** The step that the server kept last of all runs, after one was lost; null where there is none. */
   kept: number | null = null;
+  readonly sharing: Sharing;
+  /** Whether the scenario of this page's link is offered in another window, so that this one can be closed. */
+  handedOn = false;
   readonly notices = new Notices();
+  readonly overlay = new Overlay();
   readonly described = new Signal<Run>();
   readonly framed = new Signal<Run>();
   readonly changed = new Signal<void>();
   readonly compiling = new Signal<void>();
   private readonly unconfirmed: RunName[] = [];
 
-  constructor(token: string) {
-    this.connection = new Connection(token);
+  /** A window that is ``watching`` commands nothing. */
+  constructor(
+    readonly connection: Connection,
+    readonly view: View,
+    readonly watching = false,
+  ) {
+    this.sharing = new Sharing(view, (command) => this.send(command));
     this.connection.message.watch((message) => this.onMessage(message));
     this.connection.frame.watch((data) => this.onFrame(data));
     this.connection.state.watch((state) => this.onState(state));
@@ -51,7 +64,7 @@ export class App {
 
   start(): void {
     this.connection.connect();
-    if (this.connection.hasToken) void this.load();
+    if (this.connection.allowed) void this.load();
   }
 
   private state: ConnectionState = "connecting";
@@ -97,9 +110,9 @@ export class App {
     this.notices.note(level, text);
   }
 
-  /** Send a command; without a run's name all runs carry it out. */
+  /** Send a command; without a run's name all runs carry it out. A window that watches has none but this to say: a frame is drawn. */
   send(command: Command): void {
-    this.connection.send(command);
+    if (!this.watching || command.command === "confirm") this.connection.send(command);
   }
 
   /** Send a command and wait for its answer; null where it was refused, which the page then says. */
@@ -143,6 +156,7 @@ export class App {
 
   private readonly handlers: Partial<Record<MessageType, (message: Message, run: Run | undefined) => void>> = {
     hello: (message) => {
+      this.version = String(message.version);
       this.setRuns(message.runs as RunName[]);
       this.pairRuns = this.runs.length > 1 ? Boolean(message.running) : null;
       this.askForFields();
@@ -157,6 +171,11 @@ export class App {
       this.pairRuns = Boolean(message.running);
       this.changed.send();
     },
+    watchers: (message) => {
+      this.sharing.count(message);
+      this.changed.send();
+    },
+    look: (message) => this.sharing.follow(message),
     compiling: () => {
       this.note("info", "Compiling kernels; only the first run of a model does.");
       this.compiling.send();

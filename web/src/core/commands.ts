@@ -1,6 +1,6 @@
 /** Names that server and client share; written by `python -m barchan.studio.commands`. */
 
-export const PROTOCOL = 5;
+export const PROTOCOL = 6;
 
 export type CommandName =
   /** A frame was drawn; another one may follow. */
@@ -35,10 +35,18 @@ export type CommandName =
   | "branch"
   /** Return to another branch. */
   | "switch"
+  /** Set bookmarks, or name known ones otherwise. */
+  | "bookmark"
+  /** Remove a bookmark. */
+  | "unbookmark"
+  /** Look at a bookmark's moment, on the branch that holds it. */
+  | "visit"
   /** Ask for the measures at every fixed step up to now. */
   | "measured"
   /** Ask for the section along a line over the whole run. */
   | "space_time"
+  /** Compare the surface with the terrain in a file; without a path with none. */
+  | "overlay"
   /** Ask for the layers of the bed along a line, as it is looked at. */
   | "strata"
   /** Start a scenario, in both runs where two are compared. */
@@ -47,12 +55,20 @@ export type CommandName =
   | "compare"
   /** End the second run. */
   | "alone"
+  /** Show those who watch the surface in the same way. */
+  | "share_look"
   /** Start lost runs again, at their beginning or from the kept state. */
   | "revive"
   /** Save a run in the session's folder. */
   | "save"
   /** Write a run for another program, as a file for the page to fetch. */
   | "export"
+  /** Write the section over time, as a file for the page to fetch. */
+  | "space_time_file"
+  /** Write the comparison report of two runs, as a file for the page to fetch. */
+  | "report"
+  /** Break off the answer to another request. */
+  | "cancel"
   /** Continue a run of the session's folder. */
   | "open"
   /** Ask what is wrong with a scenario's text. */
@@ -65,7 +81,7 @@ export type CommandName =
   | "saved";
 
 export type MessageType =
-  /** The version of the messages, the names of the runs, and whether they run in lockstep. */
+  /** Versions of messages and of Barchan, names of the runs, and whether they run in lockstep. */
   | "hello"
   /** The names of the runs have changed. */
   | "runs"
@@ -79,6 +95,10 @@ export type MessageType =
   | "compiling"
   /** A run has done the steps that it was asked for. */
   | "arrived"
+  /** How many browsers watch; only for the one that commands. */
+  | "watchers"
+  /** How the browser that commands shows the surface; only for those that watch. */
+  | "look"
   /** The process of a run has ended by itself; the newest step that all runs can continue from. */
   | "lost"
   /** How far the answer to a request is. */

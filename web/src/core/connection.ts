@@ -1,18 +1,10 @@
-/** The connection to the server: commands out, messages and frames in; it reconnects by itself. */
+/** The connection to those who compute: commands out, messages and frames in. */
 
-import { PROTOCOL } from "./commands";
 import type { Command, Message, Problem, RunName } from "./protocol";
 import { Signal } from "./signal";
 
-const REPLACED = 4001;
-const NOT_ALLOWED = 4403;
-const TOO_MUCH = 4429;
-const FORBIDDEN = 403;
-/** Milliseconds between two attempts to reach a server that does not answer. */
-const AGAIN = 1000;
-
 /** How the page stands with the server; every kind has its own words and its own way out. */
-export type ConnectionState = "connecting" | "open" | "no token" | "wrong token" | "replaced" | "too much" | "other version" | "no answer";
+export type ConnectionState = "connecting" | "open" | "no token" | "wrong token" | "replaced" | "too much" | "full" | "other version" | "no answer";
 
 export class Refused extends Error {
   constructor(
@@ -34,43 +26,39 @@ interface Waiting {
   run: unknown;
 }
 
-export class Connection {
+/** Numbers of requests, none given twice on a page: several views may share one way of messages. */
+let lastId = 0;
+
+export abstract class Connection {
   readonly message = new Signal<Message>();
   readonly frame = new Signal<ArrayBuffer>();
   readonly state = new Signal<ConnectionState>();
-  private socket: WebSocket | null = null;
   private readonly waiting = new Map<number, Waiting>();
-  private lastId = 0;
-  private again: ReturnType<typeof setTimeout> | undefined;
 
-  constructor(private readonly token: string) {}
-
-  /** Whether the address holds a token at all. */
-  get hasToken(): boolean {
-    return this.token !== "";
-  }
-
-  connect(): void {
-    if (!this.hasToken) return this.state.send("no token");
-    clearTimeout(this.again);
-    const scheme = location.protocol === "https:" ? "wss" : "ws";
-    const socket = new WebSocket(`${scheme}://${location.host}/connection?token=${encodeURIComponent(this.token)}`);
-    socket.binaryType = "arraybuffer";
-    socket.onmessage = (event) => this.onData(event.data);
-    socket.onclose = (event) => this.onClose(event.code);
-    this.socket = socket;
-  }
+  /** Open the connection, where it can be opened. */
+  abstract connect(): void;
 
   /** Send a command; returns whether there is a connection. */
-  send(command: Command): boolean {
-    if (this.socket?.readyState !== WebSocket.OPEN) return false;
-    this.socket.send(JSON.stringify(command));
+  abstract send(command: Command): boolean;
+
+  /** Fetch something that is given once. */
+  abstract fetch<T>(path: string, init?: RequestInit): Promise<T>;
+
+  /** A file, as it is. */
+  abstract file(path: string): Promise<Blob>;
+
+  /** The address of a preset's picture. */
+  abstract picture(name: string): string;
+
+  /** Whether whoever opened the page may connect at all. */
+  get allowed(): boolean {
     return true;
   }
 
-  /** Send a command and wait for its answer; `progress` is called while that takes long. */
-  ask(command: Command, progress?: Progress): Promise<Message> {
-    const id = ++this.lastId;
+  /** Send a command and wait for its answer; `progress` is called while that takes long, and `signal` breaks it off. */
+  ask(command: Command, progress?: Progress, signal?: AbortSignal): Promise<Message> {
+    const id = ++lastId;
+    signal?.addEventListener("abort", () => this.waiting.has(id) && this.send({ command: "cancel", of: id }));
     return new Promise((done, refused) => {
       this.waiting.set(id, { done, refused, progress, run: command.run });
       if (!this.send({ ...command, id })) this.abandon("There is no connection to the studio's server.");
@@ -86,51 +74,13 @@ export class Connection {
     }
   }
 
-  /** Fetch something that the server gives once. */
-  async fetch<T>(path: string, init?: RequestInit): Promise<T> {
-    const answer = await fetch(`api/${path}`, {
-      ...init,
-      headers: { "x-barchan-token": this.token },
-    });
-    if (answer.status === FORBIDDEN) throw new Error("The address of this page does not hold the present token.");
-    const content = await answer.json().catch(() => ({}));
-    if (!answer.ok) throw new Error(content.text ?? answer.statusText);
-    return content as T;
-  }
-
-  /** A file of the server's, as it is. */
-  async file(path: string): Promise<Blob> {
-    const answer = await fetch(`api/${path}`, { headers: { "x-barchan-token": this.token } });
-    if (!answer.ok) throw new Error((await answer.json().catch(() => ({}))).text ?? answer.statusText);
-    return answer.blob();
-  }
-
-  picture(name: string): string {
-    return `api/pictures/${name}?token=${encodeURIComponent(this.token)}`;
-  }
-
-  private onData(data: string | ArrayBuffer): void {
-    if (typeof data !== "string") return this.frame.send(data);
-    const message = JSON.parse(data) as Message;
-    if (message.type === "hello") this.state.send(message.protocol === PROTOCOL ? "open" : "other version");
+  /** Give a message to the request that it answers, or else to all who watch. */
+  protected onMessage(message: Message): void {
     const waiting = typeof message.id === "number" ? this.waiting.get(message.id) : undefined;
-    if (waiting && message.type === "progress") return waiting.progress?.(Number(message.done), Number(message.of));
-    if (waiting && typeof message.id === "number") {
-      this.waiting.delete(message.id);
-      if (message.type === "refused") {
-        waiting.refused(new Refused(String(message.text), message.problems as never));
-      } else waiting.done(message);
-      return;
-    }
-    this.message.send(message);
-  }
-
-  private onClose(code: number): void {
-    this.socket = null;
-    this.abandon("The connection to the studio's server was lost before it answered.");
-    const final = { [REPLACED]: "replaced", [NOT_ALLOWED]: "wrong token", [TOO_MUCH]: "too much" } as const;
-    const reason: ConnectionState | undefined = final[code as keyof typeof final];
-    this.state.send(reason ?? "no answer");
-    if (!reason) this.again = setTimeout(() => this.connect(), AGAIN);
+    if (!waiting) return this.message.send(message);
+    if (message.type === "progress") return waiting.progress?.(Number(message.done), Number(message.of));
+    this.waiting.delete(message.id as number);
+    if (message.type === "refused") waiting.refused(new Refused(String(message.text), message.problems as never));
+    else waiting.done(message);
   }
 }

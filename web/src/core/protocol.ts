@@ -1,5 +1,6 @@
 /** The messages of the server, and how frames are read. */
 
+import type { Bookmark } from "./bookmarks";
 import type { CommandName, MessageType } from "./commands";
 
 const MAGIC = 0x48435242; // "BRCH"
@@ -122,6 +123,9 @@ export interface Description {
   /** The number of the present branch. */
   branch: number;
   events: number;
+  /** The same for every run of the same scenario and seed. */
+  identity: string;
+  bookmarks: Bookmark[];
   /** What was changed of the parameters and the wind during the run. */
   changes: Change[];
 }

@@ -5,9 +5,16 @@ type Settings = Record<keyof never, unknown>;
 /** Settings that are two numbers. */
 const PAIRS = new Set(["limits"]);
 
+type Choices<T> = Partial<Record<keyof T, readonly string[]>>;
+
 /** The settings under a key; those that are missing, or are not of the kind of the usual ones, as usual. */
-export function stored<T extends object>(key: string, usual: T, choices: Partial<Record<keyof T, readonly string[]>> = {}): T {
-  const found = read(key);
+export function stored<T extends object>(key: string, usual: T, choices: Choices<T> = {}): T {
+  return checked(read(key), usual, choices);
+}
+
+/** Settings that were found somewhere; those that are missing, or are not of the kind of the usual ones, as usual. */
+export function checked<T extends object>(given: object, usual: T, choices: Choices<T> = {}): T {
+  const found = given as Settings;
   // null stands for a number that is chosen by itself, or for a pair of them
   const kinds = (name: keyof T) => (usual[name] === null ? ["null", PAIRS.has(String(name)) ? "pair" : "number"] : [kindOf(usual[name])]);
   const fits = (name: keyof T) => kinds(name).includes(kindOf(found[name]));

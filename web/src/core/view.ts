@@ -61,7 +61,7 @@ export const LOOK: Look = {
   theme: "system",
 };
 
-const CHOICES = {
+export const CHOICES = {
   map: ["perceptual", "grey", "red-green"],
   contours: ["off", "interval", "count"],
   side: ["surface", "difference"],
@@ -74,13 +74,20 @@ export class View {
   /** Fields that other parts of the page need beside the coloured one. */
   readonly needed = new Set<string>();
 
-  constructor() {
-    this.look = stored(KEY, LOOK, CHOICES);
+  /** Settings that are kept in the browser from one visit to the next, or are those of `usual` each time. */
+  constructor(private readonly usual?: Partial<Look>) {
+    this.look = usual ? { ...LOOK, ...usual } : stored(KEY, LOOK, CHOICES);
   }
 
   set(change: Partial<Look>): void {
     Object.assign(this.look, change);
-    keep(KEY, this.look);
+    if (!this.usual) keep(KEY, this.look);
+    this.changed.send();
+  }
+
+  /** Show the surface as another window does; the browser does not keep that. */
+  follow(look: Look): void {
+    Object.assign(this.look, look);
     this.changed.send();
   }
 

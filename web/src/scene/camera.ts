@@ -22,6 +22,15 @@ const SKYLINE = 0.66;
 const TURN = 1.6;
 const IDLE = 12;
 
+/** Where one looks from, in units of the scene. */
+export interface Standpoint {
+  viewpoint: Viewpoint;
+  position: number[];
+  target: number[];
+  /** Magnification of the parallel views. */
+  zoom: number;
+}
+
 export class Camera {
   readonly perspective = new THREE.PerspectiveCamera(FIELD_OF_VIEW, 1, 0.05, FAR);
   readonly parallel = new THREE.OrthographicCamera(-1, 1, 1, -1, -FAR, FAR);
@@ -64,6 +73,23 @@ export class Camera {
     this.touched = false;
     this.lastTouch = performance.now();
     this.fit();
+  }
+
+  standpoint(): Standpoint {
+    return { viewpoint: this.viewpoint, position: this.active.position.toArray(), target: this.controls.target.toArray(), zoom: this.parallel.zoom };
+  }
+
+  /** Look from where one has looked before; what is no such place counts as the usual view. */
+  stand({ viewpoint, position = [], target = [], zoom = 1 }: Partial<Standpoint>): void {
+    this.look(viewpoint !== undefined && viewpoint in TILT ? viewpoint : "oblique");
+    if (![...position, ...target, zoom].every(Number.isFinite) || position.length + target.length !== 6) return;
+    this.touched = true;
+    this.active.position.fromArray(position);
+    this.controls.target.fromArray(target);
+    this.parallel.zoom = zoom;
+    this.setAspect();
+    this.controls.update();
+    this.onMoved();
   }
 
   /** Keep a box (of the scene) in a view of this aspect, as long as nobody has moved the camera. */

@@ -2,8 +2,11 @@
 
 import type { App } from "../core/app";
 import type { Run } from "../core/run";
+import type { Standpoint } from "./camera";
 import { type Colouring, colouring } from "./colouring";
 import { hillShade } from "./hill_shade";
+import { type Ends, INKS } from "./line_mark";
+import type { Shot, ShotOptions } from "./shots";
 import type { Place } from "./pick";
 import { smoothed } from "./smooth";
 
@@ -31,8 +34,11 @@ export class FlatStage {
   drawn = 0;
   private maps: Map[] = [];
   private dirty = true;
+  private next = 0;
+  private readonly resized = new ResizeObserver(() => this.redraw());
   private zoom = 1;
-  private section: [number, number, number, number] | null = null;
+  private section: Ends | null = null;
+  private ruler: Ends | null = null;
   private brush: [number, number, number] = [0, 0, 0];
 
   constructor(
@@ -48,19 +54,36 @@ export class FlatStage {
       event.preventDefault();
       this.turn(0, 0, event.deltaY > 0 ? 1.1 : 0.9);
     });
-    new ResizeObserver(() => this.redraw()).observe(host);
+    this.resized.observe(host);
     app.framed.watch(() => this.redraw());
     app.changed.watch(() => this.redraw());
     app.view.changed.watch(() => this.redraw());
+    app.overlay.changed.watch(() => this.redraw());
     const tick = () => {
       if (this.dirty) this.draw();
-      requestAnimationFrame(tick);
+      this.next = requestAnimationFrame(tick);
     };
     tick();
   }
 
+  /** Draw no more. */
+  dispose(): void {
+    cancelAnimationFrame(this.next);
+    this.resized.disconnect();
+    this.canvas.remove();
+  }
+
   look(_from: string): void {
     this.zoom = 1;
+    this.redraw();
+  }
+
+  standpoint(): Standpoint {
+    return { viewpoint: "top", position: [], target: [], zoom: this.zoom };
+  }
+
+  stand({ viewpoint, zoom }: Standpoint): void {
+    this.zoom = viewpoint === "top" && Number.isFinite(zoom) ? Math.min(Math.max(zoom, 1), 16) : 1;
     this.redraw();
   }
 
@@ -78,8 +101,13 @@ export class FlatStage {
     return this.maps.find((map) => map.run === run);
   }
 
-  showSection(line: [number, number, number, number] | null): void {
+  showSection(line: Ends | null): void {
     this.section = line;
+    this.redraw();
+  }
+
+  showRuler(line: Ends | null): void {
+    this.ruler = line;
     this.redraw();
   }
 
@@ -107,6 +135,16 @@ export class FlatStage {
     return new Promise((done) => this.canvas.toBlob((blob) => done(blob!), "image/png"));
   }
 
+  /** A picture of any size of both maps. */
+  async shoot({ width, height }: ShotOptions): Promise<Shot> {
+    this.draw();
+    const canvas = document.createElement("canvas");
+    [canvas.width, canvas.height] = [width, height];
+    this.drawMaps(canvas.getContext("2d")!, [width, height]);
+    const metresPerPixel = 1 / this.frame(0, [width, height]).perMetre;
+    return { canvas, metresPerPixel, heading: 0, statuses: new Map(this.maps.map(({ run }) => [run, run.status!])) };
+  }
+
   metresPerPixel(): number {
     return this.maps.length ? 1 / this.frame(0).perMetre : Number.NaN;
   }
@@ -121,11 +159,16 @@ export class FlatStage {
   }
 
   /** Place and scale (pixels a metre) of a map: side by side where there are two. */
-  private frame(at: number): { left: number; top: number; perMetre: number } {
+  private frame(at: number, [across, up] = this.size): { left: number; top: number; perMetre: number } {
     const [width, height] = this.maps[at]!.extent;
-    const share = this.canvas.clientWidth / this.maps.length;
-    const perMetre = this.zoom * Math.min((share - 2 * MARGIN) / width, (this.canvas.clientHeight - 2 * MARGIN) / height);
-    return { left: share * (at + 0.5) - (width * perMetre) / 2, top: (this.canvas.clientHeight - height * perMetre) / 2, perMetre };
+    const share = across / this.maps.length;
+    const perMetre = this.zoom * Math.min((share - 2 * MARGIN) / width, (up - 2 * MARGIN) / height);
+    return { left: share * (at + 0.5) - (width * perMetre) / 2, top: (up - height * perMetre) / 2, perMetre };
+  }
+
+  /** Width and height on the page (pixels). */
+  private get size(): [number, number] {
+    return [this.canvas.clientWidth, this.canvas.clientHeight];
   }
 
   private draw(): void {
@@ -136,7 +179,7 @@ export class FlatStage {
     [this.canvas.style.width, this.canvas.style.height] = [`${this.host.clientWidth}px`, `${this.host.clientHeight}px`];
     const context = this.canvas.getContext("2d")!;
     context.setTransform(ratio, 0, 0, ratio, 0, 0);
-    this.maps.forEach((_, at) => this.drawMap(context, at));
+    this.drawMaps(context, this.size);
     this.app.confirm();
     this.drawn++;
     this.onDrawn();
@@ -150,28 +193,40 @@ export class FlatStage {
     const surface = smoothed(run.surface, run.rows, run.columns, look.smoothing, lattice.periodic);
     const exaggeration = look.exaggeration ?? STEEPER;
     const colours = colouring(this.app, run, surface);
-    picture.getContext("2d")!.putImageData(hillShade(this.app, run, surface, colours, exaggeration, this.sun()), 0, 0);
+    picture.getContext("2d")!.putImageData(hillShade(this.app, run, surface, colours, exaggeration, this.sun(), this.host), 0, 0);
     return { run, picture, exaggeration, colouring: colours, extent: [run.columns * lattice.cell_size, run.rows * lattice.cell_size] };
   }
 
-  private drawMap(context: CanvasRenderingContext2D, at: number): void {
-    const { picture, extent } = this.maps[at]!;
-    const { left, top, perMetre } = this.frame(at);
+  private drawMaps(context: CanvasRenderingContext2D, size: [number, number]): void {
+    this.maps.forEach((_, at) => this.drawMap(context, at, size));
+  }
+
+  private drawMap(context: CanvasRenderingContext2D, at: number, size: [number, number]): void {
+    const { picture, extent, colouring: colours } = this.maps[at]!;
+    const { left, top, perMetre } = this.frame(at, size);
     const [width, height] = [extent[0] * perMetre, extent[1] * perMetre];
     context.save();
     context.beginPath();
-    context.rect((this.canvas.clientWidth / this.maps.length) * at, 0, this.canvas.clientWidth / this.maps.length, this.canvas.clientHeight);
+    const share = size[0] / this.maps.length;
+    context.rect(share * at, 0, share, size[1]);
     context.clip();
     context.drawImage(picture, left, top, width, height);
+    const { image, opacity } = this.app.overlay;
+    context.globalAlpha = opacity;
+    if (image && colours?.natural) context.drawImage(image, left, top, width, height);
+    context.globalAlpha = 1;
     const on = (x: number, y: number): [number, number] => [left + x * width, top + (1 - y) * height];
     context.lineWidth = 2;
+    for (const [line, ink] of [[this.section, INKS.section], [this.ruler, INKS.ruler]] as const) {
+      if (!line) continue;
+      context.strokeStyle = `#${ink.toString(16).padStart(6, "0")}`;
+      context.beginPath();
+      context.moveTo(...on(line[0], line[1]));
+      context.lineTo(...on(line[2], line[3]));
+      context.stroke();
+    }
     context.strokeStyle = "#2f6d8c";
     context.beginPath();
-    if (this.section) {
-      const [x0, y0, x1, y1] = this.section;
-      context.moveTo(...on(x0, y0));
-      context.lineTo(...on(x1, y1));
-    }
     const [x, y, radius] = this.brush;
     if (radius > 0) {
       context.moveTo(on(x, y)[0] + radius * perMetre, on(x, y)[1]);

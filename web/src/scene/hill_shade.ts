@@ -19,11 +19,12 @@ export function hillShade(
   colours: Colouring,
   exaggeration: number,
   sun: { azimuth: number; height: number },
+  host: Element,
 ): ImageData {
   const { rows, columns } = run;
   const cell = run.description!.lattice.cell_size;
   const image = new ImageData(columns, rows);
-  const colour = colourOf(app, run, colours);
+  const colour = colourOf(app, run, colours, host);
   const [azimuth, height] = [(sun.azimuth * Math.PI) / 180, (sun.height * Math.PI) / 180];
   const light = [Math.sin(azimuth) * Math.cos(height), Math.cos(azimuth) * Math.cos(height), Math.sin(height)] as const;
   for (let row = 0; row < rows; row++) {
@@ -43,11 +44,11 @@ export function hillShade(
 }
 
 /** The colour of a cell before it is lit: of the field that colours the surface, or of the material and what grows on it. */
-function colourOf(app: App, run: Run, { values, limits: [low, high], map, natural }: Colouring): (at: number) => Colour {
+function colourOf(app: App, run: Run, { values, limits: [low, high], map, natural }: Colouring, host: Element): (at: number) => Colour {
   const scale = app.colours[map] ?? [[128, 128, 128]];
   const along = (share: number): Colour => scale[Math.round(Math.min(Math.max(share, 0), 1) * (scale.length - 1))]!;
   if (!natural) return (at) => along((values[at]! - low) / (high - low));
-  const [loose, rock] = [themed(run.material === "sand" ? "loose" : "snow"), themed("rock")];
+  const [loose, rock] = [themed(run.material === "sand" ? "loose" : "snow", host), themed("rock", host)];
   const layers = run.description!.layers
     .filter(({ field }) => app.view.look.overlays.includes(field) && run.fields.has(field))
     .map(({ field, colours }) => ({ field: run.fields.get(field)!, colour: app.colours[colours]?.at(-1) ?? ([90, 110, 60] as Colour) }));
@@ -62,7 +63,7 @@ function mixed(a: Colour, b: Colour, share: number): Colour {
 }
 
 /** A colour of the theme that is written as #rrggbb. */
-function themed(name: string): Colour {
-  const number = Number.parseInt(themeColour(name).slice(1), 16);
+function themed(name: string, host: Element): Colour {
+  const number = Number.parseInt(themeColour(name, host).slice(1), 16);
   return [number >> 16, (number >> 8) & 255, number & 255];
 }

@@ -14,7 +14,7 @@ export class PathLines {
     new THREE.LineBasicMaterial({ transparent: true, opacity: 0.85 }),
   );
 
-  constructor() {
+  constructor(private readonly host: Element) {
     this.lines.frustumCulled = false;
   }
 
@@ -38,10 +38,15 @@ export class PathLines {
         if (i > 0 && i < path.length - 3) ends.push(...point);
       }
     }
-    this.lines.material.color.set(themeColour("second"));
+    this.lines.material.color.set(themeColour("second", this.host));
     this.lines.geometry.dispose();
     this.lines.geometry = new THREE.BufferGeometry().setAttribute("position", new THREE.Float32BufferAttribute(ends, 3));
     this.lines.visible = ends.length > 0;
+  }
+
+  dispose(): void {
+    this.lines.geometry.dispose();
+    this.lines.material.dispose();
   }
 }
 

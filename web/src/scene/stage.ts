@@ -4,31 +4,14 @@ import * as THREE from "three";
 import type { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import type { App } from "../core/app";
 import type { Run } from "../core/run";
-import { Camera, type Viewpoint } from "./camera";
-import { type LightUniforms, lightUniforms, shine, sunOf } from "./light";
-import { lookOf } from "./looks";
+import { Camera, type Standpoint, type Viewpoint } from "./camera";
+import { shine, sunOf } from "./light";
 import { type Place, pick } from "./pick";
 import { Quality } from "./quality";
-import { type Ends, SectionMark } from "./section_line";
-import { Surroundings } from "./surroundings";
-import { Terrain } from "./terrain";
-
-interface Shown {
-  run: Run;
-  terrain: Terrain;
-  light: LightUniforms;
-  around: Surroundings;
-  section: SectionMark;
-  scene: THREE.Scene;
-}
-
-/** What a picture shows and how large it is (pixels). */
-export interface PictureOptions {
-  width: number;
-  height: number;
-  /** Whether sky and plain are left out. */
-  transparent?: boolean;
-}
+import type { Ends } from "./line_mark";
+import { type Shot, type ShotOptions, Tiles, blobOf } from "./shots";
+import { type Lines, type Manner, Shown } from "./shown";
+import type { Terrain } from "./terrain";
 
 export class Stage {
   readonly view: Camera;
@@ -43,7 +26,14 @@ export class Stage {
   private readonly stale = new Set<Run>();
   private dirty = true;
   private wasDirty = false;
-  private section: Ends | null = null;
+  private readonly lines: Lines = { section: null, ruler: null };
+  /** The picture that is being drawn beside the page, which waits meanwhile. */
+  private shooting: ShotOptions | null = null;
+  /** Settled when the picture that was begun last is there: they are drawn one after the other. */
+  private lastShot: Promise<unknown> = Promise.resolve();
+  private readonly resized = new ResizeObserver(() => this.resize());
+  /** Aborted when the scene is given up. */
+  private readonly given = new AbortController();
   private readonly still = matchMedia("(prefers-reduced-motion: reduce)");
 
   constructor(
@@ -60,10 +50,13 @@ export class Stage {
     this.view = new Camera(this.canvas);
     this.view.onMoved = () => this.redraw();
     this.view.mayTurn = () => app.view.look.turning && !this.still.matches && !this.plain && this.shown.some(({ run }) => run.ready);
-    new ResizeObserver(() => this.resize()).observe(host);
+    this.resized.observe(host);
     app.framed.watch((run) => this.refresh(run));
     app.changed.watch(() => this.all());
     app.view.changed.watch(() => this.all());
+    app.overlay.changed.watch(() => this.all());
+    this.canvas.addEventListener("webglcontextlost", () => this.lose(true), { signal: this.given.signal });
+    this.canvas.addEventListener("webglcontextrestored", () => this.lose(false), { signal: this.given.signal });
     this.look("oblique");
     this.renderer.setAnimationLoop(() => this.tick());
   }
@@ -87,6 +80,15 @@ export class Stage {
     this.redraw();
   }
 
+  standpoint(): Standpoint {
+    return this.view.standpoint();
+  }
+
+  /** Look from where one has looked before. */
+  stand(place: Standpoint): void {
+    this.view.stand(place);
+  }
+
   /** Turn and tilt the camera by angles (radians), and come nearer by a factor. */
   turn(around: number, up: number, nearer = 1): void {
     this.view.turn(around, up, nearer);
@@ -103,7 +105,13 @@ export class Stage {
 
   /** Show the line of a section (shares of the field), or none. */
   showSection(line: Ends | null): void {
-    this.section = line;
+    this.lines.section = line;
+    this.redraw();
+  }
+
+  /** Show the line of the ruler (shares of the field), or none. */
+  showRuler(line: Ends | null): void {
+    this.lines.ruler = line;
     this.redraw();
   }
 
@@ -132,24 +140,39 @@ export class Stage {
     return this.render({ width, height });
   }
 
-  /** A picture of any size (PNG), drawn fully whatever the page shows, beside the page. */
-  async render(options: PictureOptions): Promise<Blob> {
-    const canvas = document.createElement("canvas");
-    [canvas.width, canvas.height] = [options.width, options.height];
-    const context = canvas.getContext("2d")!;
+  /** A picture of any size (PNG). */
+  async render(options: ShotOptions): Promise<Blob> {
+    return blobOf((await this.shoot(options)).canvas);
+  }
+
+  /** A picture of any size, drawn fully whatever the page shows, in tiles where the graphics card asks for them. */
+  shoot(options: ShotOptions): Promise<Shot> {
+    const shot = this.lastShot.then(() => this.draw(options));
+    this.lastShot = shot.catch(() => undefined);
+    return shot;
+  }
+
+  private async draw(options: ShotOptions): Promise<Shot> {
+    const { width, height, transparent = false } = options;
+    this.shooting = options;
     const ratio = this.renderer.getPixelRatio();
+    const count = Math.max(this.shown.length, 1);
+    const tiles = new Tiles(this.renderer, this.view.active, width, height, count);
     try {
-      this.renderer.setPixelRatio(1);
-      this.renderer.setSize(options.width, options.height, false);
-      this.update(true, undefined, options.width / Math.max(this.shown.length, 1) / options.height);
-      this.paint(options.width, options.height, options.transparent);
-      context.drawImage(this.canvas, 0, 0);
+      this.update(true, undefined, width / count / height);
+      const perPixel = this.view.unitsPerPixel(height) / (this.shown[0]?.terrain.scale ?? Number.NaN);
+      const wide = Math.max(height / Math.max(this.host.clientHeight, 1), 1);
+      const statuses = new Map(this.shown.map(({ run }) => [run, run.status!]));
+      await tiles.draw((number, viewport) => this.shown[number]?.draw(this.renderer, viewport, this.manner(transparent, wide)), options.progress);
+      if (this.app.graphicsLost) throw new Error("The graphics card was taken away while the picture was drawn.");
+      return { canvas: tiles.canvas, metresPerPixel: perPixel, heading: this.heading(), statuses };
     } finally {
+      this.shooting = null;
+      this.view.active.clearViewOffset();
       this.renderer.setPixelRatio(ratio);
       this.resize();
       this.all();
     }
-    return new Promise((done) => canvas.toBlob((blob) => done(blob!), "image/png"));
   }
 
   /** Metres of the field that a pixel of the page covers where the camera looks. */
@@ -168,6 +191,26 @@ export class Stage {
     return this.view.heading();
   }
 
+  /** The graphics card was taken away, or is back: everything is drawn again then. */
+  private lose(lost: boolean): void {
+    this.app.graphicsLost = lost;
+    this.app.note(lost ? "warning" : "info", lost ? "The browser has taken the graphics card away from the page; the run goes on." : "The graphics card is back.");
+    this.app.changed.send();
+  }
+
+  /** Draw no more, and give back what the graphics card holds: browsers allow few such scenes at a time. */
+  dispose(): void {
+    this.given.abort();
+    this.renderer.setAnimationLoop(null);
+    this.resized.disconnect();
+    this.view.controls.dispose();
+    for (const { terrain } of this.shown) terrain.dispose();
+    this.shown = [];
+    this.renderer.dispose();
+    this.renderer.forceContextLoss();
+    this.canvas.remove();
+  }
+
   private all(): void {
     this.match();
     for (const { run } of this.shown) this.stale.add(run);
@@ -182,14 +225,18 @@ export class Stage {
   }
 
   private match(): void {
-    if (sameRuns(this.shown, this.app.runs)) return;
+    if (this.shooting || sameRuns(this.shown, this.app.runs)) return;
     const linear = this.renderer.extensions.has("OES_texture_float_linear");
-    this.shown = this.app.runs.map((run) => this.shown.find((one) => one.run === run) ?? shownOf(this.app, run, linear));
+    const before = this.shown;
+    this.shown = this.app.runs.map((run) => before.find((one) => one.run === run) ?? new Shown(this.app, run, linear, this.host));
+    for (const one of before) if (!this.shown.includes(one)) one.terrain.dispose();
     this.resize();
   }
 
   private tick(): void {
+    if (this.shooting) return;
     this.view.update();
+    if (this.app.graphicsLost) return this.app.confirm(); // the run goes on unseen
     const moving = this.dirty && this.wasDirty;
     this.wasDirty = this.dirty;
     if (!this.dirty) return;
@@ -209,7 +256,7 @@ export class Stage {
     for (const { run, terrain, light } of this.shown) {
       if (!run.ready || (only && !only.has(run))) continue;
       terrain.begin(run);
-      shine(light, sunOf(this.app.view.look, terrain.firstWind!), isDark());
+      shine(light, sunOf(this.app.view.look, terrain.firstWind!), this.dark);
       terrain.update(run, this.renderer, !full);
     }
     const ready = this.shown.find(({ run, terrain }) => run.ready && terrain.drawn.length);
@@ -229,25 +276,24 @@ export class Stage {
     return this.room;
   }
 
-  private paint(width: number, height: number, transparent = false): void {
+  private paint(width: number, height: number): void {
     const count = Math.max(this.shown.length, 1);
     this.renderer.setScissorTest(count > 1);
     this.renderer.setClearColor(0x000000, 0);
     this.renderer.setScissor(0, 0, width, height);
     this.renderer.clear();
-    this.shown.forEach(({ run, scene, terrain, light, around, section }, number) => {
-      if (!run.ready || !terrain.drawn.length) return;
-      light.haze.value = this.view.isParallel || transparent ? 0 : 1;
-      light.level.value = this.view.level();
-      section.update(this.section, terrain, run.rows, run.columns);
-      around.group.visible = !transparent;
-      const plain = new THREE.Color(...lookOf(run.material).plain).multiplyScalar(isDark() ? 0.55 : 1);
-      around.update(this.camera, terrain.block(run.columns), plain, !this.plain);
-      const left = (width / count) * number;
-      this.renderer.setViewport(left, 0, width / count, height);
-      this.renderer.setScissor(left, 0, width / count, height);
-      this.renderer.render(scene, this.camera);
-    });
+    this.shown.forEach((one, number) => one.draw(this.renderer, [(width / count) * number, 0, width / count, height], this.manner()));
+  }
+
+  private manner(transparent = false, wide = 1): Manner {
+    const fine = this.shooting !== null || !this.plain;
+    const haze = !this.view.isParallel && !transparent;
+    return { camera: this.camera, level: this.view.level(), haze, around: !transparent, fine, dark: this.dark, lines: this.lines, wide };
+  }
+
+  /** Whether the scene is at dusk, as the picture that is being drawn asks, or the page's theme. */
+  private get dark(): boolean {
+    return this.shooting?.dark ?? getComputedStyle(this.host).colorScheme === "dark";
   }
 
   private aspect(): number {
@@ -257,25 +303,13 @@ export class Stage {
 
   private resize(): void {
     const { clientWidth: width, clientHeight: height } = this.host;
-    if (!width || !height) return;
+    if (!width || !height || this.shooting) return;
     this.renderer.setPixelRatio(this.plain ? 1 : Math.min(window.devicePixelRatio, 2));
     this.renderer.setSize(width, height, true);
     const terrain = this.shown.find(({ terrain }) => terrain.drawn.length)?.terrain;
     this.view.frame(terrain ? this.roomy(terrain.box()) : new THREE.Box3(new THREE.Vector3(-5, 0, -5), new THREE.Vector3(5, 1, 5)), this.aspect());
     this.all();
   }
-}
-
-const isDark = (): boolean => document.documentElement.dataset.theme === "dark";
-
-function shownOf(app: App, run: Run, linear: boolean): Shown {
-  const light = lightUniforms();
-  const terrain = new Terrain(app, light, linear);
-  const around = new Surroundings(light);
-  const section = new SectionMark();
-  const scene = new THREE.Scene();
-  scene.add(around.group, terrain.group, section.group);
-  return { run, terrain, light, around, section, scene };
 }
 
 function sameRuns(shown: Shown[], runs: Run[]): boolean {

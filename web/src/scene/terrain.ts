@@ -6,6 +6,7 @@ import { ends } from "../core/profile";
 import type { Run } from "../core/run";
 import { grid, skirt } from "./block";
 import { type Colouring, colouring } from "./colouring";
+import { textureOf } from "./draped";
 import { steepness, usualExaggeration } from "./exaggeration";
 import type { LightUniforms } from "./light";
 import { RIPPLE_CELL, TINTS, lookOf } from "./looks";
@@ -38,7 +39,7 @@ export class Terrain {
   readonly uniforms: Record<string, THREE.IUniform>;
   private usual = Number.POSITIVE_INFINITY;
   private lastStep = -1;
-  private readonly paths = new PathLines();
+  private readonly paths: PathLines;
   private readonly plants: Plants;
   private readonly relief: Relief;
   private readonly top: THREE.ShaderMaterial;
@@ -53,7 +54,9 @@ export class Terrain {
     private readonly app: App,
     light: LightUniforms,
     private readonly linear: boolean,
+    host: Element,
   ) {
+    this.paths = new PathLines(host);
     this.uniforms = { ...terrainUniforms(), ...light };
     this.uniforms.tints!.value = TINTS.map((tint) => new THREE.Vector3(...tint));
     const { uniforms } = this;
@@ -80,6 +83,16 @@ export class Terrain {
     this.set(run, plain);
     this.relief.render(renderer, run.columns, run.rows, plain ? PLAIN : FULL);
     this.paths.update(run, this, this.exaggeration);
+  }
+
+  /** Give back what the graphics card holds. */
+  dispose(): void {
+    this.textures?.dispose();
+    this.relief.dispose();
+    this.paths.dispose();
+    this.uniforms.map!.value?.dispose();
+    for (const part of [...this.group.children, this.plants.mesh]) if (part instanceof THREE.Mesh) part.geometry.dispose();
+    for (const material of [this.top, this.side, this.plants.mesh.material]) material.dispose();
   }
 
   /** Height in the scene of a height of the run. */
@@ -147,6 +160,9 @@ export class Terrain {
       size: 0.85 * lattice.cell_size,
     };
     for (const [name, value] of Object.entries(numbers)) uniforms[name]!.value = value;
+    const { image, opacity } = this.app.overlay;
+    uniforms.opacity!.value = image && this.colouring!.natural ? opacity : 0; // it would cover what a field says
+    uniforms.draped!.value = image && textureOf(image);
     uniforms.limits!.value.set(...this.colouring!.limits);
     uniforms.loose!.value.set(...material.light);
     uniforms.looseDark!.value.set(...material.dark);

@@ -3,7 +3,7 @@
 import * as THREE from "three";
 
 export function terrainUniforms(): Record<string, THREE.IUniform> {
-  const textures = ["heights", "relief", "values", "map", "overlay"].map((name) => [name, { value: null }] as const);
+  const textures = ["heights", "relief", "values", "map", "overlay", "draped"].map((name) => [name, { value: null }] as const);
   const numbers: Record<string, number> = {
     scale: 1,
     exaggeration: 1,
@@ -20,6 +20,7 @@ export function terrainUniforms(): Record<string, THREE.IUniform> {
     ripples: 1,
     size: 1,
     directions: 0,
+    opacity: 0,
   };
   return {
     ...Object.fromEntries(textures),

@@ -3,22 +3,15 @@
 import type { App } from "../core/app";
 import { button, duration, h, metres, short } from "./dom";
 import { icon } from "./icons";
-
-const LIMITS: [string, number | null][] = [
-  ["no limit", null],
-  ["100 steps/s", 100],
-  ["40 steps/s", 40],
-  ["10 steps/s", 10],
-  ["3 steps/s", 3],
-  ["1 step/s", 1],
-];
+import { Speed } from "./speed";
+import { watchingNote } from "./watching";
 
 export class Bar {
   readonly element: HTMLElement;
   private readonly title = h("h1", { className: "title" });
   private readonly model = h("span", { className: "model" });
   private readonly play: HTMLButtonElement;
-  private readonly limit: HTMLSelectElement;
+  private readonly limit: Speed;
   private readonly count = h("input", {
     type: "number",
     value: "100",
@@ -34,37 +27,30 @@ export class Bar {
     extras: HTMLElement[],
   ) {
     this.play = button("Run (space)", icon("run"), () => this.toggle(), { className: "primary" });
-    this.limit = h(
-      "select",
-      {
-        "aria-label": "Speed limit",
-        title: "Speed limit",
-        onchange: (event: Event) => {
-          const chosen = LIMITS[(event.target as HTMLSelectElement).selectedIndex]!;
-          app.send({ command: "limit", rate: chosen[1] });
-        },
-      },
-      ...LIMITS.map(([text]) => h("option", {}, text)),
-    );
+    this.limit = new Speed(app);
     this.element = h(
       "header",
       { className: "bar" },
       h("div", { className: "name" }, this.title, this.model),
-      h(
-        "div",
-        { className: "controls", role: "group", "aria-label": "Run" },
-        this.play,
-        button("One step (.)", icon("step"), () => this.step(1)),
-        this.count,
-        button("do these steps", "do", () => this.step(Number(this.count.value) || 1)),
-        this.limit,
-        button("Restart with the same seed (R)", icon("restart"), () => this.restart()),
-      ),
+      app.watching ? watchingNote() : this.controls(),
       h("dl", { className: "status", "aria-label": "Status" }, ...this.status()),
       h("div", { className: "extras" }, ...extras),
     );
     app.framed.watch(() => this.show());
     app.changed.watch(() => this.show());
+  }
+
+  private controls(): HTMLElement {
+    return h(
+      "div",
+      { className: "controls", role: "group", "aria-label": "Run" },
+      this.play,
+      button("One step (.)", icon("step"), () => this.step(1)),
+      this.count,
+      button("do these steps", "do", () => this.step(Number(this.count.value) || 1)),
+      this.limit.element,
+      button("Restart with the same seed (R)", icon("restart"), () => this.restart()),
+    );
   }
 
   toggle(): void {
@@ -117,8 +103,7 @@ export class Bar {
     this.showRunning(running);
     if (!status || !description) return;
     this.numbers.volume!.previousElementSibling!.textContent = run!.material;
-    const chosen = LIMITS.findIndex(([, rate]) => rate === status.limit);
-    if (chosen >= 0 && document.activeElement !== this.limit) this.limit.selectedIndex = chosen;
+    this.limit.show(status.limit);
     const texts: Record<string, string> = {
       step: short(status.step, 9),
       rate: running ? short(status.rate, 3) : "paused",

@@ -17,30 +17,38 @@ export function dialog(title: string, className: string, ...content: Content[]):
   return element;
 }
 
-/** A sheet with a form, which Enter submits; where that is refused it stays open and says why. */
-export function formDialog(title: string, action: string, submit: (progress: Progress) => Promise<void>, ...content: Content[]): HTMLDialogElement {
+/** Does what a sheet asks for; `progress` shows how far it is, `signal` says that it was broken off. */
+export type Submit = (progress: Progress, signal: AbortSignal) => Promise<void>;
+
+/** A sheet with a form, which Enter submits; where that is refused it stays open and says why. Closing it breaks the work off. */
+export function formDialog(title: string, action: string, submit: Submit, ...content: Content[]): HTMLDialogElement {
   const trouble = h("output", { className: "trouble", role: "alert" });
   const button = h("button", { type: "submit", className: "primary" }, action);
+  const stop = h("button", { type: "button", hidden: true, onclick: () => work?.abort() }, "cancel");
   const bar = h("progress", { hidden: true, "aria-label": "Progress" });
+  let work: AbortController | null = null;
   const progress = (done: number, of: number) => {
-    bar.hidden = false;
+    bar.hidden = stop.hidden = false;
     Object.assign(bar, { value: done, max: of });
   };
   const send = async (event: Event) => {
     event.preventDefault();
     button.disabled = true;
     trouble.textContent = "";
+    const own = (work = new AbortController());
     try {
-      await submit(progress);
+      await submit(progress, own.signal);
       element.close();
     } catch (error) {
-      trouble.textContent = error instanceof Error ? error.message : String(error);
+      trouble.textContent = own.signal.aborted ? "Broken off." : error instanceof Error ? error.message : String(error);
     } finally {
       button.disabled = false;
-      bar.hidden = true;
+      bar.hidden = stop.hidden = true;
+      work = null;
     }
   };
-  const form = h("form", { method: "dialog", onsubmit: (event: Event) => void send(event) }, ...content.filter((one) => one !== false), trouble, bar, h("div", { className: "buttons" }, button));
+  const form = h("form", { method: "dialog", onsubmit: (event: Event) => void send(event) }, ...content.filter((one) => one !== false), trouble, bar, h("div", { className: "buttons" }, button, stop));
   const element = dialog(title, "small", form);
+  element.addEventListener("close", () => work?.abort());
   return element;
 }

@@ -51,7 +51,8 @@ export class Dock {
   }
 
   /** Mark a view as holding something that was not read yet, until it is opened. */
-  mark(at: number): void {
+  mark(view: DockView): void {
+    const at = this.views.indexOf(view);
     this.tabs[at]!.classList.toggle("marked", this.open !== at);
   }
 }

@@ -70,6 +70,15 @@ export function metres(value: number | undefined, digits = 4): string {
   return `${short(value === undefined ? value : factor * value, digits)} ${unit}`;
 }
 
+/** The least length (m) that is given in each unit, the largest first, and how many of it make a metre; as reports do. */
+const LENGTHS: [string, number, number][] = [["m", 0.1, 1], ["cm", 0.01, 100], ["mm", 0, 1000]];
+
+/** A length (m) by itself, in the unit of m, cm and mm that suits it. */
+export function suitedLength(value: number, digits = 4): string {
+  const [unit, , factor] = LENGTHS.find(([, least]) => Math.abs(value) >= least && value !== 0) ?? LENGTHS[0]!;
+  return `${short(factor * value, digits)} ${unit}`;
+}
+
 /** How many times as steep as they are heights are drawn, in words. */
 export function heights(times: number): string {
   return Math.abs(times - 1) < 0.05 ? "heights to scale" : `heights × ${short(times, 2)}`;
@@ -92,6 +101,16 @@ export function download(name: string, content: Blob | string): void {
   const link = h("a", { href: URL.createObjectURL(blob), download: name });
   link.click();
   setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
+}
+
+/** Put a text on the clipboard, also where the page is not served as browsers ask of those that may write there. */
+export async function copyText(text: string): Promise<void> {
+  if (navigator.clipboard) return navigator.clipboard.writeText(text);
+  const field = h("textarea", { className: "unseen", value: text });
+  document.body.append(field);
+  field.select();
+  document.execCommand("copy");
+  field.remove();
 }
 
 /** Call a function a while after the last call. */
@@ -118,9 +137,14 @@ export function fitCanvas(canvas: HTMLCanvasElement): { context: CanvasRendering
   return { context, width, height };
 }
 
-/** A colour of the page's theme. */
-export function themeColour(name: string): string {
-  return getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
+/** Whether an element, of the page or of a view in it, has the focus. */
+export function isActive(element: Element): boolean {
+  return (element.getRootNode() as Document | ShadowRoot).activeElement === element;
+}
+
+/** A colour of the theme of an element, which is the page's unless it has its own. */
+export function themeColour(name: string, of: Element = document.documentElement): string {
+  return getComputedStyle(of).getPropertyValue(`--${name}`).trim();
 }
 
 /** Round marks on an axis from `low` to `high`, about `count` of them. */

@@ -2,12 +2,13 @@
 
 import type { App } from "../core/app";
 import type { Progress } from "../core/connection";
+import type { Command } from "../core/protocol";
 import { plainFields } from "../scene/colouring";
-import { formDialog } from "./dialog";
+import { type Submit, formDialog } from "./dialog";
 import { download, h } from "./dom";
 
 /** A format, as the server lists it. */
-interface Format {
+export interface Format {
   name: string;
   suffix: string;
   meaning: string;
@@ -39,18 +40,47 @@ export async function exportRun(app: App): Promise<void> {
     soft.hidden = !chosen().smooth;
     told.textContent = chosen().series ? "All states that are kept, in one file." : "The state that is shown.";
   };
-  const save = async (progress: Progress) => {
+  const save: Submit = async (progress, signal) => {
     const format = chosen();
     const options = {
       ...(format.smooth && Number(smooth.value) > 0 ? { smooth: Number(smooth.value) } : {}),
       ...(format.one_field ? { fields: [field.value] } : {}),
     };
     const request = { command: "export" as const, name: `${name.value}${format.suffix}`, format: format.name, ...options, run: app.selected };
-    const answer = await app.connection.ask(request, progress);
-    const file = String(answer.file);
-    download(file.split("/").at(-1)!, await app.connection.file(`exports/${file}`));
-    app.note("info", `Exported ${file.split("/").at(-1)}; it is kept in studio-exports, with a file that tells what its numbers mean.`);
+    const written = await fetchFile(app, request, progress, signal);
+    app.note("info", `Exported ${written}; it is kept in studio-exports, with a file that tells what its numbers mean.`);
   };
   formDialog("Export for other programs", "export", save, h("div", { className: "row" }, h("span", {}, "format"), choice), one, soft, h("div", { className: "row" }, h("span", {}, "name"), name), told);
   show();
+}
+
+/** Let the server write a file, and give it to the user; returns its name. */
+export async function fetchFile(app: App, request: Command, progress?: Progress, signal?: AbortSignal): Promise<string> {
+  const answer = await app.connection.ask(request, progress, signal);
+  const file = String(answer.file);
+  const name = file.split("/").at(-1)!;
+  download(name, await app.connection.file(`exports/${file}`));
+  return name;
+}
+
+/** The last step at which both runs have a state, up to those that are shown. */
+function lastCommon(app: App): number {
+  const [first, second] = app.runs.map((run) => new Set([...run.history, run.status!.step]));
+  const shown = Math.min(...app.runs.map((run) => run.status!.step));
+  return Math.max(...[...first!].filter((step) => step <= shown && second!.has(step)));
+}
+
+/** The report that compares both runs, as `barchan compare` writes it of finished ones. */
+export function reportSheet(app: App): void {
+  if (app.runs.length < 2) {
+    app.note("error", "A comparison report needs two runs: choose Compare with … first.");
+    return;
+  }
+  const until = lastCommon(app);
+  const text = `Maps, sections, slopes, differences and measures of both runs from the start to step ${until}, in one HTML file. Every kept state of both runs is measured for it, which can take minutes.`;
+  const write: Submit = async (progress, signal) => {
+    const name = await fetchFile(app, { command: "report", until }, progress, signal);
+    app.note("info", `Wrote ${name}; it is kept in studio-exports.`);
+  };
+  formDialog("Comparison report of both runs", "write the report", write, h("p", {}, text));
 }

@@ -2,13 +2,17 @@
 
 import type { App } from "../core/app";
 import { problemText } from "../core/notices";
-import type { Progress } from "../core/connection";
 import type { JsonObject, Problem } from "../core/protocol";
 import type { Stage } from "../scene/stage";
-import { dialog, formDialog } from "./dialog";
+import { type Submit, dialog, formDialog } from "./dialog";
 import { download, h } from "./dom";
-import { exportRun } from "./exports";
+import { exportRun, reportSheet } from "./exports";
+import { filmSheet } from "./film";
 import { menu } from "./menu";
+import { overlaySheet } from "./overlay";
+import { pictureSheet } from "./picture";
+import { askForLink, copyScenarioLink } from "./scenario_links";
+import { letOthersWatch } from "./watching";
 
 /** Whether a file's name ends in one of some suffixes. */
 const ends = (name: string, suffixes: string[]): boolean => suffixes.some((suffix) => name.toLowerCase().endsWith(suffix));
@@ -32,12 +36,20 @@ export class Files {
     this.menu = menu("File", "Files", [
       ["Load a scenario …", () => this.choose()],
       ["Save the scenario", () => this.saveScenario()],
+      ["Copy a link of this scenario …", () => void copyScenarioLink(this.app).catch((error) => this.app.refused(error))],
+      ["Open a link of a scenario …", () => askForLink(this.app, this)],
       null,
       ["Open a saved run …", () => void this.open()],
       ["Save the run …", () => this.saveRun()],
       ["Export for other programs …", () => void exportRun(this.app).catch((error) => this.app.refused(error))],
+      ["Comparison report of both runs …", () => reportSheet(this.app)],
+      ["Compare with a terrain or photograph …", () => overlaySheet(this.app)],
       null,
       ["Save a picture (P)", () => void this.savePicture()],
+      ["Picture with title and scale …", () => pictureSheet(this.app, this.stage)],
+      ["Film of what was just seen …", () => void filmSheet(this.app).catch((error) => this.app.refused(error))],
+      null,
+      ["Let others watch …", () => void letOthersWatch(this.app).catch((error) => this.app.refused(error))],
     ]);
   }
 
@@ -90,7 +102,8 @@ export class Files {
     } else this.offer(name, problems, scenario);
   }
 
-  private offer(name: string, problems: Problem[], scenario: JsonObject | null): void {
+  /** List what is wrong with a scenario, and load the rest of it where that is asked for. */
+  offer(name: string, problems: Problem[], scenario: JsonObject | null): void {
     const rest = async () => {
       sheet.close();
       if (await this.app.create(scenario!)) this.app.note("warning", `Loaded ${name} without what was wrong.`);
@@ -179,8 +192,8 @@ export class Files {
 
   private saveRun(): void {
     const name = h("input", { type: "text", value: `run-${new Date().toISOString().slice(0, 16).replaceAll(/[T:]/g, "-")}`, "aria-label": "Name of the run" });
-    const save = async (progress: Progress) => {
-      const answer = await this.app.connection.ask({ command: "save", name: name.value, run: this.app.selected }, progress);
+    const save: Submit = async (progress, signal) => {
+      const answer = await this.app.connection.ask({ command: "save", name: name.value, run: this.app.selected }, progress, signal);
       this.app.note("info", `Saved ${answer.frames} frames up to step ${answer.step} as ${name.value}.`);
     };
     formDialog(

@@ -4,7 +4,8 @@ import type { App } from "../core/app";
 import { nameBeside } from "../core/run";
 import type { Stage } from "../scene/stage";
 import { slopes } from "../scene/smooth";
-import { fitCanvas, h, heights, lengthUnit, metres, short, svg } from "./dom";
+import { fitCanvas, h, heights, metres, short, svg } from "./dom";
+import { drawBar, legendOf, scaleLength } from "./legend";
 
 const BAR = 110;
 
@@ -87,9 +88,7 @@ export class Hud {
   private drawScale(): void {
     const perPixel = this.stage.metresPerPixel();
     if (!Number.isFinite(perPixel)) return;
-    const rough = perPixel * BAR;
-    const power = 10 ** Math.floor(Math.log10(rough));
-    const length = ([5, 2, 1].find((factor) => factor * power <= rough) ?? 1) * power;
+    const length = scaleLength(perPixel * BAR);
     this.scale.style.width = `${length / perPixel}px`;
     const text = metres(length);
     if (this.scale.textContent !== text) this.scale.textContent = text;
@@ -109,17 +108,10 @@ export class Hud {
     if (key === this.drawn) return;
     this.drawn = key;
     const { context, width, height } = fitCanvas(this.bar);
-    const colours = this.app.colours[colouring.map] ?? [];
-    colours.forEach((colour, i) => {
-      context.fillStyle = `rgb(${colour.join()})`;
-      context.fillRect((i / colours.length) * width, 0, width / colours.length + 1, height);
-    });
-    const size = Math.max(Math.abs(low), Math.abs(high));
-    const [unit, factor] = colouring.unit === "m" ? lengthUnit(size) : [colouring.unit, 1];
-    this.barTitle.textContent = colouring.title + (unit ? ` (${unit})` : "");
-    const marks = [low, (low + high) / 2, high].map((mark) => short(factor * mark, 3));
-    const texts = colouring.choice ? ["no", "yes"] : marks;
-    this.barEnds.replaceChildren(...texts.map((text) => h("span", {}, text)));
+    drawBar(context, this.app.colours[colouring.map] ?? [], 0, 0, width, height);
+    const { title, marks } = legendOf(colouring);
+    this.barTitle.textContent = title;
+    this.barEnds.replaceChildren(...marks.map((text) => h("span", {}, text)));
   }
 }
 

@@ -1,11 +1,14 @@
-/** The mouse over the scene: turns the view, paints, or draws the line of a section. */
+/** The mouse over the scene: turns the view, paints, draws the line of a section, or measures. */
 
 import type { SectionLine } from "../core/section";
 import type { Stage } from "../scene/stage";
 import type { Hud } from "./hud";
 import type { Paint } from "./paint";
+import type { Ruler } from "./ruler";
 
 const PAUSE = 40;
+/** Pixels that the mouse may move between press and release of a click. */
+const STILL = 5;
 
 export class Pointer {
   private drawing = false;
@@ -13,12 +16,15 @@ export class Pointer {
   private last = 0;
   /** Where the mouse was while painting, since it was followed last. */
   private trail: PointerEvent[] = [];
+  /** Where the ruler was pressed on, on the page; null while nothing is pressed. */
+  private pressed: PointerEvent | null = null;
 
   constructor(
     private readonly stage: Stage,
     private readonly hud: Hud,
     private readonly paint: Paint,
     private readonly section: { put: (line: SectionLine | null) => void },
+    private readonly ruler: Ruler,
   ) {
     const { canvas } = stage;
     canvas.addEventListener("pointerdown", (event) => this.press(event), { capture: true });
@@ -29,31 +35,42 @@ export class Pointer {
       hud.pointAt(null);
       stage.showBrush(0, 0, 0);
     });
-    paint.onActive = () => this.refresh();
+    paint.onActive = (active) => this.choose(active ? "paint" : null);
+    ruler.onActive = () => this.choose(ruler.active ? "ruler" : null);
   }
 
   /** The next drag draws the line of the section. */
   drawLine(): void {
     this.drawing = !this.drawing;
-    if (this.drawing) this.paint.activate(false);
+    this.choose(this.drawing ? "line" : null);
+  }
+
+  /** Of the brush, the line of the section and the ruler, the mouse has one. */
+  private choose(tool: "paint" | "line" | "ruler" | null): void {
+    if (tool !== null && tool !== "paint" && this.paint.active) this.paint.activate(false);
+    if (tool !== null && tool !== "ruler" && this.ruler.active) this.ruler.toggle();
+    if (tool !== null && tool !== "line") this.drawing = false;
     this.refresh();
   }
 
   private refresh(): void {
-    if (this.paint.active) this.drawing = false;
     this.stage.canvas.classList.toggle("painting", this.paint.active);
-    this.stage.canvas.classList.toggle("drawing", this.drawing);
+    this.stage.canvas.classList.toggle("drawing", this.drawing || this.ruler.active);
     if (!this.paint.active) this.stage.showBrush(0, 0, 0);
   }
 
   private press(event: PointerEvent): void {
-    if (event.button !== 0 || event.altKey || !(this.paint.active || this.drawing)) return;
+    if (event.button !== 0 || event.altKey || !(this.paint.active || this.drawing || this.ruler.active)) return;
     const found = this.stage.pick(event);
     if (!found) return;
     this.stage.controls.enabled = false;
     this.stage.canvas.setPointerCapture(event.pointerId);
     if (this.paint.active) this.paint.press(found.run, found.place);
-    else this.from = [found.place.x, found.place.y];
+    else if (this.drawing) this.from = [found.place.x, found.place.y];
+    else {
+      this.pressed = event;
+      this.ruler.press(found.place.x, found.place.y);
+    }
   }
 
   private move(event: PointerEvent): void {
@@ -61,7 +78,7 @@ export class Pointer {
     if (event.timeStamp - this.last < PAUSE) return;
     this.last = event.timeStamp;
     this.hud.pointAt(event);
-    const found = this.paint.active || this.from ? this.stage.pick(event) : null;
+    const found = this.paint.active || this.from || this.ruler.active ? this.stage.pick(event) : null;
     if (this.paint.active) {
       const [width, depth] = found ? this.stage.terrain(found.run)!.extent : [1, 1];
       if (found) this.stage.showBrush(found.place.x / width, found.place.y / depth, this.paint.size);
@@ -70,7 +87,7 @@ export class Pointer {
     } else if (found && this.from) {
       const { x, y } = found.place;
       if (Math.hypot(x - this.from[0], y - this.from[1]) > 0) this.section.put([...this.from, x, y]);
-    }
+    } else if (found && this.ruler.active && !event.buttons === !this.pressed) this.ruler.move(found.place.x, found.place.y);
   }
 
   /** Paint along all places where the mouse was since it was followed last. */
@@ -85,6 +102,10 @@ export class Pointer {
     this.stage.controls.enabled = true;
     this.follow();
     if (this.paint.active) this.paint.release();
+    if (this.pressed) {
+      this.ruler.release(Math.hypot(event.clientX - this.pressed.clientX, event.clientY - this.pressed.clientY) > STILL);
+      this.pressed = null;
+    }
     if (this.from) {
       this.from = null;
       this.drawing = false;

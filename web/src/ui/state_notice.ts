@@ -2,6 +2,7 @@
 
 import type { App } from "../core/app";
 import type { ConnectionState } from "../core/connection";
+import { queryIn } from "../core/token";
 import { h, short } from "./dom";
 
 interface State {
@@ -54,13 +55,14 @@ export class StateNotice {
     const again = (label: string) => () => action(label, () => this.app.connection.connect());
     const states: Record<typeof state, State> = {
       connecting: { text: "Connecting …", calm: true },
-      "no token": { text: "The address of this page lacks the token that opens the studio. Paste the address that the terminal shows:", way: addressForm },
-      "wrong token": {
+      "no token": this.app.handedOn ? { text: "The scenario of this link is offered in the studio’s window that is open already; this one can be closed.", calm: true } : { text: "The address of this page lacks the token that opens the studio. Paste the address that the terminal shows:", way: addressForm },
+      "wrong token": this.app.watching ? { text: "The link by which you watch is not the present one: the studio was started again since, or the link was cut off. Paste the new link:", way: addressForm } : {
         text: "The token in the address of this page is not the present one: the studio was started again since, or the address was cut off. Paste the address that the terminal shows:",
         way: addressForm,
       },
       replaced: { text: "The studio is in use in another window; only one can show it.", way: again("use it here") },
       "too much": { text: "The page sent more messages than the server takes, and the connection was closed.", way: again("connect again") },
+      full: { text: "No more windows may watch this studio at once.", way: again("try again") },
       "other version": { text: "This page is of another version than the server.", way: () => action("load the page again", () => location.reload()) },
       "no answer": { text: "The studio’s server does not answer: it has ended, or the network is down. Start the studio again if it has ended; this page tries to reach it every second.", way: again("try now") },
     };
@@ -70,7 +72,14 @@ export class StateNotice {
   private ofRuns(): State | null {
     const { runs, current } = this.app;
     if (runs.some((run) => run.lost)) {
-      return { text: "The simulation’s process ended by itself.", way: () => this.revival() };
+      const text = "The simulation’s process ended by itself.";
+      return this.app.watching ? { text: `${text} The window that commands can go on with it.` } : { text, way: () => this.revival() };
+    }
+    if (this.app.graphicsLost) {
+      return {
+        text: "The browser has taken the graphics card away from this page: its driver was started again, or too many pages use it. The run goes on, and the picture comes back by itself; if it does not, load the page again.",
+        way: () => action("load the page again", () => location.reload()),
+      };
     }
     if (this.compiling) return { text: "Translating the model into machine code; that is kept, so it happens once …", calm: true };
     if (!runs.some((run) => run.ready)) return { text: "Starting …", calm: true };
@@ -82,7 +91,9 @@ export class StateNotice {
       };
     }
     if (finished) return { text: `The run ended: ${finished}.`, calm: true };
-    return this.atItsEnd() ? { text: "Here the scenario ends.", calm: true, way: () => action("go on", () => void this.app.send({ command: "run" })) } : null;
+    if (!this.atItsEnd()) return null;
+    const goOn = () => action("go on", () => void this.app.send({ command: "run" }));
+    return { text: "Here the scenario ends.", calm: true, ...(this.app.watching ? {} : { way: goOn }) };
   }
 
   /** Both ways out of a loss: from the state that the server kept, and from the beginning. */
@@ -113,8 +124,7 @@ function addressForm(): HTMLElement {
   const input = h("input", { type: "text", required: true, "aria-label": "Address or token", autocomplete: "off", spellcheck: false });
   const open = (event: Event) => {
     event.preventDefault();
-    const token = /[?&]token=([^&#\s]+)/.exec(input.value)?.[1] ?? encodeURIComponent(input.value.trim());
-    location.search = `?token=${token}`;
+    location.search = queryIn(input.value);
   };
   return h("form", { onsubmit: open }, input, h("button", { type: "submit" }, "open"));
 }

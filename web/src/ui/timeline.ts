@@ -1,7 +1,7 @@
 /** The run's past: look back, play, return to now, go on from an earlier state. */
 
 import type { App } from "../core/app";
-import { button, h, short } from "./dom";
+import { button, h, isActive, short } from "./dom";
 
 const PLAY_PAUSE = 90;
 
@@ -21,12 +21,17 @@ export class Timeline {
   private playing: ReturnType<typeof setInterval> | null = null;
   private waiting = false;
 
-  constructor(private readonly app: App) {
+  /** ``mark`` sets a bookmark at what is shown, where there are bookmarks. */
+  constructor(
+    private readonly app: App,
+    mark?: () => void,
+  ) {
     this.play = button("replay from here", "replay", () => this.togglePlay());
     this.now = button("Return to now (End)", "now", () => this.live());
     this.branch = button("Go on from here; what came later stays as a branch", "go on from here", () => void this.goOn());
     this.slider.addEventListener("input", () => this.look(Number(this.slider.value)));
-    this.element = h("div", { className: "timeline" }, this.play, this.slider, this.label, this.branches, this.branch, this.now);
+    this.element = h("div", { className: "timeline" }, this.play, this.slider, this.label, mark && button("Mark this moment (K)", "mark", mark), this.branches, this.branch, this.now);
+    this.slider.disabled = app.watching;
     app.framed.watch(() => this.show());
     app.changed.watch(() => this.show());
     app.described.watch(() => this.offer());
@@ -85,7 +90,8 @@ export class Timeline {
     }, PLAY_PAUSE);
   }
 
-  private stop(): void {
+  /** End a replay. */
+  stop(): void {
     if (this.playing !== null) clearInterval(this.playing);
     this.playing = null;
     this.play.textContent = "replay";
@@ -97,7 +103,7 @@ export class Timeline {
     if (!status) return;
     const { history, at } = this.place();
     this.slider.max = String(Math.max(history.length - 1, 0));
-    if (document.activeElement !== this.slider || !status.looking || this.playing !== null) {
+    if (!isActive(this.slider) || !status.looking || this.playing !== null) {
       this.slider.value = String(status.looking ? at : history.length - 1);
     }
     this.slider.setAttribute("aria-valuetext", `step ${status.step}`);

@@ -6,16 +6,19 @@ import { plainFields } from "../scene/colouring";
 import type { Stage } from "../scene/stage";
 import { h, id } from "./dom";
 import { labelOf } from "./labels";
+import { OverlayPanel } from "./overlay";
 
 export class ViewPanel {
   readonly element = h("div", { className: "forms" });
   private shown = "";
   private showExaggeration = () => {};
+  private readonly overlay: OverlayPanel;
 
   constructor(
     private readonly app: App,
     private readonly stage: Stage,
   ) {
+    this.overlay = new OverlayPanel(app);
     app.described.watch(() => this.draw());
     app.changed.watch(() => this.draw());
     app.view.changed.watch(() => this.follow());
@@ -57,6 +60,8 @@ export class ViewPanel {
       ...(two ? [h("h2", {}, "Two at once"), this.choice("show", "side", [["surface", "each by itself"], ["difference", "right less left"]])] : []),
       ...(layers.length ? [h("h2", {}, "Layers"), ...layers.map((layer) => this.layer(layer.field, layer.title))] : []),
       ...(description?.paths ? [h("h2", {}, "Grains"), this.number("paths", "paths", 0, 500, "grains", 1)] : []),
+      h("h2", {}, "Overlay"),
+      this.overlay.element,
       h("h2", {}, "Lines"),
       this.choice("contours", "contours", [["off", "none"], ["interval", "at an interval"], ["count", "a number of them"]]),
       this.number("interval", "interval", 0.05, 100, "m", 0.05),

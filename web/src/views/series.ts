@@ -12,6 +12,8 @@ import { download, button, h, short, themeColour } from "../ui/dom";
 const FIRST = ["highest_stack", "spacing", "crest_azimuth", "speed", "flux"];
 const CREST = "crest_azimuth";
 const PAUSE = 200;
+/** Height (pixels) of a chart with its axis, at least: where not all have it, they are scrolled. */
+const LEAST = 124;
 
 export class SeriesView {
   readonly title = "Measures";
@@ -29,7 +31,7 @@ export class SeriesView {
     this.element = h(
       "div",
       { className: "view series" },
-      h("div", { className: "tools" }, h("details", { className: "picker" }, h("summary", {}, "measures shown"), this.choice), button("Save the measures as CSV", "save CSV", () => void this.save()), this.when),
+      h("div", { className: "tools" }, h("details", { className: "picker" }, h("summary", {}, "measures shown"), this.choice), !app.watching && button("Save the measures as CSV", "save CSV", () => void this.save()), this.when),
       new BalanceTable(app).element,
       this.plots,
     );
@@ -174,7 +176,7 @@ export class SeriesView {
     const down = Math.ceil(count / across);
     for (const { chart, box } of this.charts) {
       box.style.width = `${Math.floor(clientWidth / across) - 10}px`;
-      chart.setSize({ width: Math.floor(clientWidth / across) - 12, height: Math.max(90, Math.floor(clientHeight / down) - 26) });
+      chart.setSize({ width: Math.floor(clientWidth / across) - 12, height: Math.max(LEAST, Math.floor(clientHeight / down) - 26) });
     }
   }
 }

@@ -3,14 +3,18 @@
 import type { App } from "../core/app";
 import type { Run } from "../core/run";
 import { type SectionLine, along, samples } from "../core/section";
-import { fitCanvas, h, metres, short, themeColour, ticks } from "../ui/dom";
+import { button, fitCanvas, h, lengthUnit, metres, short, themeColour, ticks } from "../ui/dom";
+import { fetchFile } from "../ui/exports";
+import { drawBar } from "../ui/legend";
 import type { SectionView } from "./section";
 
 const COLUMNS = 512;
 const MOST_ROWS = 512;
 /** Milliseconds after which the server is asked again for steps that the page has not seen. */
 const RECALL = 4000;
-const MARGIN = { left: 62, right: 14, top: 8, bottom: 28 };
+const MARGIN = { left: 62, right: 84, top: 8, bottom: 28 };
+/** Of the colour bar: its distance from the picture, and its width (pixels). */
+const BAR = { gap: 14, width: 12 };
 
 interface Band {
   step: number;
@@ -35,7 +39,14 @@ export class SpaceTimeView {
     this.element = h(
       "div",
       { className: "view" },
-      h("div", { className: "tools" }, h("span", {}, "Elevation along the section; time runs upwards."), this.readout),
+      h(
+        "div",
+        { className: "tools" },
+        h("span", {}, "Elevation along the section; time runs upwards."),
+        button("Save a picture with colour bar, of the kept states (PNG)", "save picture", () => this.save(".png")),
+        button("Save the elevations of the kept states as CSV", "save CSV", () => this.save(".csv")),
+        this.readout,
+      ),
       this.canvas,
     );
     app.framed.watch(() => this.collect());
@@ -48,6 +59,14 @@ export class SpaceTimeView {
     this.line = "";
     this.collect();
     this.draw();
+  }
+
+  /** Let the server write the section over all kept states up to the one that is shown. */
+  private save(suffix: string): void {
+    const run = this.app.current;
+    if (!run?.ready) return;
+    const request = { command: "space_time_file" as const, name: `space-time-${run.status!.step}${suffix}`, line: this.section.current(run), run: run.name };
+    void fetchFile(this.app, request).catch((error) => this.app.refused(error));
   }
 
   /** Take the section of this moment in, if it is later than the last one; first of all those of the past. */
@@ -123,6 +142,7 @@ export class SpaceTimeView {
     c.imageSmoothingEnabled = true;
     c.drawImage(picture, MARGIN.left, MARGIN.top, w, d);
     this.axes(c, first, last, width, height, w, d);
+    this.colourBar(c, colours, [low, high], width, d);
     this.readout.textContent = `${this.bands.length} sections, ${metres(low)} to ${metres(high)}`;
   }
 
@@ -145,6 +165,19 @@ export class SpaceTimeView {
     c.fillText("distance (m)", width - MARGIN.right, height - 2);
     c.textAlign = "left";
     c.fillText("step", 4, 14);
+  }
+
+  private colourBar(c: CanvasRenderingContext2D, colours: [number, number, number][], [low, high]: [number, number], width: number, d: number): void {
+    const x = width - MARGIN.right + BAR.gap;
+    const [unit, factor] = lengthUnit(Math.max(Math.abs(low), Math.abs(high)));
+    drawBar(c, colours, x, MARGIN.top, BAR.width, d);
+    c.fillStyle = themeColour("faint");
+    c.textAlign = "left";
+    for (const tick of ticks(low, high, d / 30)) {
+      const y = MARGIN.top + d * (1 - (tick - low) / (high - low || 1));
+      c.fillText(short(factor * tick, 3), x + BAR.width + 4, Math.min(Math.max(y + 4, MARGIN.top + 9), MARGIN.top + d));
+    }
+    c.fillText(`elevation (${unit})`, x - BAR.gap + 4, MARGIN.top + d + 15);
   }
 
   private ends(): [number, number] {

@@ -43,6 +43,7 @@ export class SectionLayers {
       this.askedAt = 0;
       this.redraw();
     };
+    if (app.watching) return; // who watches can ask for nothing
     app.described.watch((run) => run === app.current && this.offer(run.description!.strata));
     app.changed.watch(() => this.offer(app.current?.description?.strata ?? []));
   }

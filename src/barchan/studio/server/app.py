@@ -28,7 +28,7 @@ CLIENT = Path(__file__).parents[1] / "client"
 COMPRESSED_FROM = 1024
 """Bytes of an answer from which it is sent compressed."""
 
-NOT_ALLOWED, REPLACED, TOO_MUCH = 4403, 4001, 4429
+NOT_ALLOWED, REPLACED, TOO_MUCH, FULL = 4403, 4001, 4429, 4503
 """Codes with which a connection is closed."""
 
 Handler = Callable[[Request], Awaitable[Response]]
@@ -51,9 +51,9 @@ def application(session: Session, guard: Guard) -> Starlette:
 
         return answer
 
-    def guarded(handler: Handler) -> Handler:
+    def guarded(handler: Handler, may: Callable[..., bool] = guard.may_act) -> Handler:
         async def answer(request: Request) -> Response:
-            if not guard.may_act(request.headers, request.query_params):
+            if not may(request.headers, request.query_params):
                 return PlainTextResponse("not allowed: the address lacks the token\n", 403)
             return await handler(request)
 
@@ -77,10 +77,11 @@ def application(session: Session, guard: Guard) -> Starlette:
 
     routes = [
         Route("/api/presets", guarded(json_of(gallery.presets))),
-        Route("/api/schema", guarded(json_of(gallery.schema))),
-        Route("/api/colours", guarded(json_of(colours))),
-        Route("/api/files", guarded(json_of(gallery.files_taken))),
+        Route("/api/schema", guarded(json_of(gallery.schema), guard.may_look)),
+        Route("/api/colours", guarded(json_of(colours), guard.may_look)),
+        Route("/api/files", guarded(json_of(gallery.files_taken), guard.may_look)),
         Route("/api/formats", guarded(json_of(gallery.formats))),
+        Route("/api/watching", guarded(json_of(guard.for_watchers))),
         Route("/api/exports/{number}/{name}", guarded(exported)),
         Route("/api/pictures/{name}", guarded(thumbnail)),
         Route("/api/upload", guarded(upload), methods=["POST"]),
@@ -109,16 +110,20 @@ async def _upload(request: Request, session: Session) -> Response:
 
 
 async def _connect(websocket: WebSocket, session: Session, guard: Guard) -> None:
-    """Carry messages between one browser and the session until one of them ends."""
+    """Carry messages between one browser and the session until one of them ends; tokens say what it may."""
     if not guard.is_addressed(websocket.headers) or not guard.is_own_page(websocket.headers):
         await websocket.close(NOT_ALLOWED)
         return
     await websocket.accept()  # a page learns the code, and so the reason, only of a connection that was open
-    if not guard.knows_token(websocket.headers, websocket.query_params):
+    commands = guard.knows_token(websocket.headers, websocket.query_params)
+    if not commands and not guard.knows_watch_token(websocket.headers, websocket.query_params):
         await websocket.close(NOT_ALLOWED)
         return
-    outbox = session.attach()
-    sending = asyncio.create_task(_send_all(websocket, outbox))
+    if not commands and session.audience.is_full:
+        await websocket.close(FULL)
+        return
+    viewer = session.attach(commands)
+    sending = asyncio.create_task(_send_all(websocket, viewer.outbox))
     limiter = RateLimiter()
     try:
         while True:
@@ -126,11 +131,11 @@ async def _connect(websocket: WebSocket, session: Session, guard: Guard) -> None
             if not limiter.allows() or len(text) > LARGEST_MESSAGE:
                 await websocket.close(TOO_MUCH)
                 return
-            session.on_message(text)
+            session.on_message(viewer, text)
     except (WebSocketDisconnect, KeyError, RuntimeError):
         pass
     finally:
-        session.detach(outbox)
+        session.detach(viewer)
         sending.cancel()
 
 

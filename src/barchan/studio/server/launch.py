@@ -5,13 +5,14 @@ import socket
 import webbrowser
 from collections.abc import Callable
 from dataclasses import dataclass
+from ipaddress import ip_address
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from barchan.errors import BarchanError
 from barchan.scenario import Scenario
 from barchan.studio.protocol import LARGEST_MESSAGE
-from barchan.studio.server.security import LOOPBACK, Guard
+from barchan.studio.server.security import EVERYWHERE, LOOPBACK, Guard
 from barchan.studio.server.session import Session
 from barchan.studio.server.workspace import Workspace
 
@@ -21,6 +22,9 @@ if TYPE_CHECKING:
 
 PORT = 8127
 """The usual port: browsers keep preferences and bookmarks by address and port."""
+
+SOMEWHERE = "192.0.2.1"
+"""An address beyond any network of one's own: one of those kept for examples."""
 
 
 @dataclass(frozen=True)
@@ -50,11 +54,11 @@ def serve(studio: Studio, ready: Callable[[str], None], open_browser: bool = Tru
         raise BarchanError(f"the client is not built in {CLIENT}; install the package again")
     sock = usual_listener(studio.host) if studio.port is None else listener(studio.host, studio.port)
     port = sock.getsockname()[1]
-    guard = Guard(port, tuple({*LOOPBACK, studio.host, *_names(studio.host)}))
+    guard = Guard(port, tuple({*LOOPBACK, studio.host, *names_of(studio.host)}))
     session = Session(Workspace(studio.folder), studio.scenario, studio.archive)
     config = configured(application(session, guard))
-    shown = "127.0.0.1" if studio.host in ("0.0.0.0", "::") else studio.host  # noqa: S104
-    address = f"http://{f'[{shown}]' if ':' in shown else shown}:{port}/?token={guard.token}"
+    shown = "127.0.0.1" if studio.host in EVERYWHERE else studio.host
+    address = f"{guard.address(shown)}/?token={guard.token}"
     address += "#gallery" if studio.gallery else ""
     ready(address)
     if open_browser:
@@ -108,10 +112,23 @@ def listener(host: str, port: int) -> socket.socket:
     return sock
 
 
-def _names(host: str) -> list[str]:
+def names_of(host: str) -> list[str]:
     """Names under which others reach a server that listens on all addresses."""
-    if host not in ("0.0.0.0", "::"):  # noqa: S104
+    if host not in EVERYWHERE:
         return []
     name = socket.gethostname()
-    found = [info[4][0] for info in socket.getaddrinfo(name, None)]
-    return [name, *map(str, found)]
+    try:
+        found = [str(info[4][0]) for info in socket.getaddrinfo(name, None)]
+    except OSError:
+        found = []  # a computer need not know its own name
+    return [name, *(one for one in [*found, *_outward()] if not ip_address(one.split("%")[0]).is_loopback)]
+
+
+def _outward() -> list[str]:
+    """The address of this computer in its network: that of the way out, on which nothing is sent."""
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as sock:
+        try:
+            sock.connect((SOMEWHERE, 9))
+            return [str(sock.getsockname()[0])]
+        except OSError:
+            return []

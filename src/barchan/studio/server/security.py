@@ -1,4 +1,4 @@
-"""Who may use the server: the token, the host, the origin, and the rate of messages."""
+"""Who may use the server: the tokens, the host, the origin, and the rate of messages."""
 
 import re
 import secrets
@@ -12,6 +12,9 @@ from starlette.responses import PlainTextResponse
 from starlette.types import ASGIApp, Receive, Scope, Send
 
 LOOPBACK = ("127.0.0.1", "localhost", "::1")
+
+EVERYWHERE = ("0.0.0.0", "::")  # noqa: S104 - only compared with
+"""Hosts that mean all addresses of this computer."""
 
 MESSAGES_PER_SECOND = 400.0
 MESSAGES_AT_ONCE = 800.0
@@ -45,6 +48,9 @@ class Guard:
     hosts: tuple[str, ...] = LOOPBACK
     """Names under which the server is reached."""
     token: str = field(default_factory=lambda: secrets.token_urlsafe(24))
+    """What the browser shows that commands."""
+    watch_token: str = field(default_factory=lambda: secrets.token_urlsafe(24))
+    """What browsers show that only watch: drawn apart, so that nobody comes from it to the other one."""
 
     def is_addressed(self, headers: Headers) -> bool:
         """Whether the request names this server, so that no foreign name was bound to its address."""
@@ -54,10 +60,30 @@ class Guard:
         """Whether the request shows the token and does not come from another site's page."""
         return self.knows_token(headers, query) and self.is_own_page(headers)
 
+    def may_look(self, headers: Headers, query: QueryParams) -> bool:
+        """Whether the request shows one of both tokens and does not come from another site's page."""
+        known = self.knows_token(headers, query) or self.knows_watch_token(headers, query)
+        return known and self.is_own_page(headers)
+
     def knows_token(self, headers: Headers, query: QueryParams) -> bool:
-        """Whether the request shows the token."""
-        given = headers.get("x-barchan-token") or query.get("token", "")
-        return secrets.compare_digest(given.encode(), self.token.encode())
+        """Whether the request shows the token of the browser that commands."""
+        return _shows(headers, query, self.token)
+
+    def knows_watch_token(self, headers: Headers, query: QueryParams) -> bool:
+        """Whether the request shows the token of those that only watch."""
+        return _shows(headers, query, self.watch_token)
+
+    def for_watchers(self) -> dict[str, Any]:
+        """The token of those that only watch, and the addresses under which other computers reach the server.
+
+        There are none where it serves this computer only.
+        """
+        others = sorted(host for host in self.hosts if host not in (*LOOPBACK, *EVERYWHERE))
+        return {"token": self.watch_token, "addresses": [self.address(host) for host in others]}
+
+    def address(self, host: str) -> str:
+        """The address of the server under a name of it."""
+        return f"http://{f'[{host}]' if ':' in host else host}:{self.port}"
 
     def is_own_page(self, headers: Headers) -> bool:
         """Whether the request comes from this server's page, or from no page at all."""
@@ -70,6 +96,11 @@ class Guard:
             return parts.scheme == "http" and parts.hostname in self.hosts and (parts.port or 80) == self.port
         except ValueError:
             return False
+
+
+def _shows(headers: Headers, query: QueryParams, token: str) -> bool:
+    given = headers.get("x-barchan-token") or query.get("token", "")
+    return secrets.compare_digest(given.encode(), token.encode())
 
 
 class RateLimiter:

@@ -1,4 +1,4 @@
-"""The session: one or two simulations, and the browser that shows them."""
+"""The session: one or two simulations, the browser that commands them, and those that watch."""
 
 import asyncio
 import json
@@ -18,17 +18,20 @@ from barchan.studio.protocol import (
     numbered,
     read_request,
 )
+from barchan.studio.server.audience import Audience, Viewer
 from barchan.studio.server.kept_states import KeptStates
 from barchan.studio.server.lockstep import Lockstep
 from barchan.studio.server.queries import QUERIES
+from barchan.studio.server.reports import Reports
 from barchan.studio.server.session_commands import FIRST, SECOND, SESSION
 from barchan.studio.server.starts import Starts
 from barchan.studio.server.worker_handle import WorkerHandle
 from barchan.studio.server.workspace import Workspace
+from barchan.version import __version__
 
 
 class Session:
-    """Workers, the browser that is connected, and the messages between them."""
+    """Workers, the browsers that are connected, and the messages between them."""
 
     def __init__(
         self, workspace: Workspace, scenario: Scenario | None = None, archive: Path | None = None
@@ -42,7 +45,8 @@ class Session:
         self.kept = KeptStates()
         self.lockstep: Lockstep | None = None
         self._keeping: asyncio.TimerHandle | None = None
-        self.outbox: asyncio.Queue[bytes] | None = None
+        self.audience = Audience()
+        self.reports = Reports(self)
         if archive is not None:
             self.first: Request = {"command": "open_folder", "folder": str(archive)}
         else:
@@ -63,42 +67,59 @@ class Session:
             worker.close()
         self.workers.clear()
 
-    def attach(self) -> asyncio.Queue[bytes]:
-        """A browser came; returns the queue of data for it. An earlier browser is dismissed."""
-        if self.outbox is not None:
-            self.outbox.put_nowait(b"")
-        self.outbox = asyncio.Queue()
+    def attach(self, commands: bool = True) -> Viewer:
+        """A browser came; one that commands replaces an earlier one. Returns where its data wait."""
+        viewer = Viewer(commands)
+        first = self.audience.join(viewer)
         running = self.lockstep is not None and self.lockstep.running
-        self._send("hello", protocol=PROTOCOL, runs=list(self.workers), running=running)
+        hello = {
+            "protocol": PROTOCOL,
+            "version": __version__,
+            "runs": list(self.workers),
+            "running": running,
+        }
+        viewer.send(message("hello", **hello, watching=not commands))
         for worker in self.workers.values():
-            worker.send("attach")
+            if first:  # what was sent to those before may be long ago
+                self.audience.forget(worker.name)
+                worker.send("attach")
             if not worker.process.is_alive():
-                self._report_loss(worker)
-        return self.outbox
+                viewer.send(self._loss(worker))
+        if not first:
+            self.audience.show(viewer)
+        self.audience.count()
+        return viewer
 
-    def detach(self, outbox: asyncio.Queue[bytes]) -> None:
+    def detach(self, viewer: Viewer) -> None:
         """A browser went."""
-        if self.outbox is outbox:
-            self.outbox = None
+        self.audience.leave(viewer)
 
-    def on_message(self, text: str) -> None:
-        """Carry out a request of the browser; one that cannot be carried out is answered with the reason."""
+    def on_message(self, viewer: Viewer, text: str) -> None:
+        """Carry out a request of a browser; one that cannot be carried out is answered with the reason."""
         request: Request = {}
         try:
             request = read_request(text)
-            self._carry_out(request)
+            if request.get("command") == "confirm":
+                self._confirm(viewer, request.get("run"))
+            elif viewer is not self.audience.owner:
+                raise BarchanError("this window only watches; another one commands the run")
+            else:
+                self._carry_out(request)
         except ScenarioError as error:
-            self._refuse(request, str(error), [vars(problem) for problem in error.problems])
+            viewer.refuse(request, str(error), [vars(problem) for problem in error.problems])
         except ANSWERED as error:
-            self._refuse(request, str(error) or type(error).__name__, [])
+            viewer.refuse(request, str(error) or type(error).__name__, [])
 
-    def _send(self, kind: str, **content: Any) -> None:
-        if self.outbox is not None:
-            self.outbox.put_nowait(message(kind, **content))
+    def tell(self, kind: str, **content: Any) -> None:
+        """Send the browser that commands a message, where there is one."""
+        self.audience.to_owner(message(kind, **content))
 
-    def _refuse(self, request: Request, text: str, problems: list[dict[str, Any]]) -> None:
-        named = {"id": request.get("id"), "command": request.get("command")}
-        self._send("refused", **named, text=text, problems=problems)
+    def _confirm(self, viewer: Viewer, run: Any) -> None:
+        """A browser has drawn a frame; workers make the next ones at the pace of the fastest browser."""
+        for name, worker in self.workers.items():
+            if run in (name, None):
+                for _ in range(self.audience.confirm(viewer, name)):
+                    worker.send("confirm")
 
     def _carry_out(self, request: Request) -> None:
         # Workers check by themselves whether they have a run.
@@ -108,7 +129,7 @@ class Session:
         if command.owner == "worker":
             self._pass_on(request)
         elif command.owner == "query":
-            self._send("done", id=request.get("id"), **QUERIES[command.name](self.workspace, request))
+            self.tell("done", id=request.get("id"), **QUERIES[command.name](self.workspace, request))
         else:
             command_of(command.name, has_run=FIRST in self.scenarios)
             SESSION[command.name](self, request)
@@ -130,7 +151,7 @@ class Session:
         worker = self.workers.get(name)
         if worker is None or not worker.process.is_alive():
             worker = self.workers[name] = WorkerHandle(name, self._on_worker_data, self._on_worker_exit)
-            if self.outbox is not None:
+            if self.audience.viewers:
                 worker.send("attach")
         return worker
 
@@ -156,24 +177,28 @@ class Session:
         if is_state(data):
             self.kept.take(worker.name, data)
             return
-        if not is_frame(data):
-            content = json.loads(data)
-            if content["type"] == "scenario":
-                self.scenarios[worker.name] = content["scenario"]
-            elif content["type"] == "begun":
-                self._on_begun(worker.name, content)
-                return
-            elif content["type"] == "arrived" and self.lockstep is not None:
-                self.lockstep.arrived(worker.name)
-        if self.outbox is not None:
-            self.outbox.put_nowait(data)
+        if is_frame(data):
+            self.audience.on_frame(worker.name, data)
+            return
+        content = json.loads(data)
+        if content["type"] == "begun":
+            self._on_begun(worker.name, content)
+            return
+        if self.reports.takes(content):
+            return
+        if content["type"] == "scenario":
+            self.scenarios[worker.name] = content["scenario"]
+        elif content["type"] == "arrived" and self.lockstep is not None:
+            self.lockstep.arrived(worker.name)
+        self.audience.on_message(worker.name, content["type"], data)
 
     def _on_worker_exit(self, worker: WorkerHandle) -> None:
         """A worker ended by itself."""
         if self.workers.get(worker.name) is worker:
             worker.process.join()
+            self.reports.lose(worker.name)
             self.pair_again()
-            self._report_loss(worker)
+            self.audience.to_all(self._loss(worker))
             if (missed := self.starts.lost(worker.name)) is not None:
                 self.start_run(worker.name, missed)
 
@@ -183,9 +208,10 @@ class Session:
             self.lockstep = Lockstep(self.workers, self._on_lockstep)
             self.lockstep.pause()
 
-    def _report_loss(self, worker: WorkerHandle) -> None:
+    def _loss(self, worker: WorkerHandle) -> bytes:
+        """The message that a worker has ended by itself."""
         kept = self.kept.common_step(list(self.workers))
-        self._send("lost", run=worker.name, code=worker.process.exitcode, kept=kept)
+        return message("lost", run=worker.name, code=worker.process.exitcode, kept=kept)
 
     def _on_begun(self, name: str, content: dict[str, Any]) -> None:
         """A worker has begun a run, or refused to."""
@@ -221,18 +247,20 @@ class Session:
             self.worker(name).send_bytes(numbered(state, start.number))
 
     def _on_lockstep(self, running: bool) -> None:
-        self._send("lockstep", running=running)
+        self.audience.to_all(message("lockstep", running=running))
 
     def report_runs(self) -> None:
-        """Let the browser know the names of the runs."""
-        self._send("runs", runs=list(self.workers))
+        """Let the browsers know the names of the runs."""
+        self.audience.to_all(message("runs", runs=list(self.workers)))
 
     def end_second(self) -> None:
         """End the second simulation."""
         self.lockstep = None
+        self.reports.lose(SECOND)
         worker = self.workers.pop(SECOND, None)
         if worker is not None:
             worker.close()
         self.scenarios.pop(SECOND, None)
         self.kept.forget(SECOND)
+        self.audience.forget(SECOND)
         self.report_runs()

@@ -14,6 +14,9 @@ if TYPE_CHECKING:
 
 FIRST, SECOND = "a", "b"
 
+EXPORT_OPTIONS = ("format", "smooth", "fields", "frames_per_second", "pixels")
+"""Keys of a request that are options of ``barchan export``."""
+
 SESSION: Handlers[Callable[["Session", Request], None]] = Handlers("session")
 
 
@@ -55,6 +58,12 @@ def alone(session: "Session", _: Request) -> None:
     session.end_second()
 
 
+@SESSION.handles("share_look")
+def share_look(session: "Session", request: Request) -> None:
+    """Let those who watch see the surface as the one who commands sees it."""
+    session.audience.look(dict(request["look"]))
+
+
 @SESSION.handles("revive")
 def revive(session: "Session", request: Request) -> None:
     """Start lost workers again: from the states kept after step ``kept``, or from their beginning."""
@@ -76,11 +85,37 @@ def save(session: "Session", request: Request) -> None:
 
 @SESSION.handles("export")
 def export(session: "Session", request: Request) -> None:
-    """Write a run for another program, into a folder of its own in the session's folder."""
+    """Write a run for another program, into a folder of its own in the session's folder.
+
+    With ``states`` that many of the kept states, the last ones up to the one that is shown.
+    """
     target = session.workspace.new_export(str(request["name"]))
-    options = {key: request[key] for key in ("format", "smooth", "fields") if request.get(key) is not None}
+    options = {key: request[key] for key in EXPORT_OPTIONS if request.get(key) is not None}
     worker = session.workers[request.get("run") or FIRST]
-    worker.send("export_to", target=str(target), options=options, id=request.get("id"))
+    states = request.get("states")
+    worker.send("export_to", target=str(target), options=options, states=states, id=request.get("id"))
+
+
+@SESSION.handles("space_time_file")
+def space_time_file(session: "Session", request: Request) -> None:
+    """Write the section along a line over the whole run as a picture or a table."""
+    target = session.workspace.new_export(str(request["name"]))
+    worker = session.workers[request.get("run") or FIRST]
+    worker.send("space_time_to", target=str(target), line=request["line"], id=request.get("id"))
+
+
+@SESSION.handles("report")
+def report(session: "Session", request: Request) -> None:
+    """Write the report that compares both runs up to step ``until``."""
+    session.reports.begin(int(request["until"]), request.get("id"))
+
+
+@SESSION.handles("cancel")
+def cancel(session: "Session", request: Request) -> None:
+    """Break off the answer to the request with the id ``of``."""
+    session.reports.break_off(request.get("of"))
+    for worker in session.workers.values():
+        worker.send("break_off", of=request.get("of"))
 
 
 @SESSION.handles("open")

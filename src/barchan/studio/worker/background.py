@@ -22,6 +22,16 @@ class Later(Protocol):
     def result(self) -> dict[str, Any] | None:
         """The content, None as long as there is none; raises what has made it impossible."""
 
+    def break_off(self) -> None:
+        """Give it up; ``result`` raises BrokenOffError then."""
+
+
+class BrokenOffError(BarchanError):
+    """Work that somebody has broken off."""
+
+    def __init__(self) -> None:
+        super().__init__("broken off")
+
 
 class AllMeasured:
     """The rows of a run at all fixed steps up to now, as soon as every one of them is measured."""
@@ -31,9 +41,16 @@ class AllMeasured:
         self.done, self.of = 0, 1
         self._current, self._measures = current, current().measures
         self._last = self._measures.newest
+        self._broken = False
+
+    def break_off(self) -> None:
+        """Wait no longer."""
+        self._broken = True
 
     def result(self) -> dict[str, Any] | None:
         """The rows; raises BarchanError where the run has left the branch that was asked about."""
+        if self._broken:
+            raise BrokenOffError
         if self._current().measures is not self._measures:
             raise BarchanError("another run or branch was begun before all steps were measured")
         rows = self._measures.up_to(self._last)
@@ -45,10 +62,14 @@ class Background:
     """A piece of work in a thread; it only reads what no step changes."""
 
     def __init__(self, work: Callable[[Count], dict[str, Any]]) -> None:
-        """Begin; ``work`` gets a function that counts, and returns the content of the answer."""
+        """Begin; ``work`` gets a function that counts, and returns the content of the answer.
+
+        The function that counts raises BrokenOffError where the work is broken off.
+        """
         self.done, self.of = 0, 1
         self._result: dict[str, Any] | None = None
         self._error: Exception | None = None
+        self._broken = False
         self._work = work
         self._thread = threading.Thread(target=self._run, daemon=True, name="barchan-background")
         self._thread.start()
@@ -61,7 +82,13 @@ class Background:
             raise self._error
         return self._result
 
+    def break_off(self) -> None:
+        """Let the work end where it counts next."""
+        self._broken = True
+
     def _count(self, done: int, of: int) -> None:
+        if self._broken:
+            raise BrokenOffError
         self.done, self.of = done, of
 
     def _run(self) -> None:

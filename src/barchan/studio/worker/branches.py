@@ -37,6 +37,11 @@ class Branches:
         """The number of the branch that the run is on."""
         return self._kept[-1].number
 
+    @property
+    def numbers(self) -> list[int]:
+        """The numbers of all branches that are kept."""
+        return [branch.number for branch in self._kept]
+
     def leave(self, simulation: Simulation, history: History, measures: LiveMeasures) -> None:
         """Keep the branch that the run is on as it is now."""
         now = self._kept[-1]
@@ -56,7 +61,7 @@ class Branches:
         """Return to another branch; raises BarchanError where it is not kept."""
         found = next((branch for branch in self._kept if branch.number == number), None)
         if found is None:
-            raise BarchanError(f"no branch {number}; kept: {', '.join(str(b.number) for b in self._kept)}")
+            raise BarchanError(f"no branch {number}; kept: {', '.join(map(str, self.numbers))}")
         self._kept = [*(branch for branch in self._kept if branch is not found), found]
         return found
 

@@ -10,7 +10,7 @@ from barchan.scenario.changes import changed_from
 from barchan.simulation import AnyStroke, BrushStroke, SetParameter, SetWind, event_from
 from barchan.studio.commands import command_of
 from barchan.studio.protocol import Request
-from barchan.studio.worker import questions  # noqa: F401 - registers what is asked
+from barchan.studio.worker import bookmark_commands, questions  # noqa: F401 - register what they carry out
 from barchan.studio.worker.description import description
 from barchan.studio.worker.desk import Desk
 from barchan.studio.worker.frame_sender import FrameSender
@@ -22,7 +22,7 @@ from barchan.studio.worker.saved_runs import open_saved_run
 BEGINNINGS = ("start", "open_folder", "resume")
 """Commands that begin another run."""
 
-UNSEEN = ("confirm", "keep")
+UNSEEN = ("confirm", "keep", "break_off")
 """Commands that change nothing that a frame shows."""
 
 SLOWEST, FASTEST = 0.1, 1e6
@@ -46,6 +46,8 @@ class RunCommands:
         self.send_bytes = send_bytes
         self.desk = desk
         self.kept: tuple[int, int, int] | None = None
+        self.break_off: Callable[[object], None] = lambda _: None
+        """Breaks the work on the answer to a request off, by its id."""
 
     def carry_out(self, request: Request) -> Answer:
         """Carry one command out; returns the answer to it."""
@@ -76,13 +78,27 @@ class RunCommands:
         assert self.run is not None
         return self.run
 
+    def take(self, run: StudioRun, running: bool, origin: Scenario | None = None) -> None:
+        """Continue with another run, under the same speed limit, up to its scenario's end.
+
+        Without an origin it is one of its own.
+        """
+        self.origin = origin or run.live.scenario
+        if self.run:
+            run.speed.limit = self.run.speed.limit
+        self.run = run
+        self.desk.keep_only(run.measures.number)
+        self.announce()
+        if running:
+            run.run_to_its_end()
+
     @WORKER.handles("attach")
     def attach(self, _: Request) -> None:
         """A browser came."""
         self.frames.attach()
         if self.run is not None:
             self.current.measures.resend()
-            self._describe()
+            self.describe()
 
     @WORKER.handles("confirm")
     def confirm(self, _: Request) -> None:
@@ -109,23 +125,23 @@ class RunCommands:
         elif request.get("changed") and self.origin is not None:
             origin = self.origin
         run = started(changed_from(scenario, origin), self.desk)
-        self._take(run, bool(request.get("running")), origin)
+        self.take(run, bool(request.get("running")), origin)
 
     @WORKER.handles("restart")
     def restart(self, request: Request) -> None:
         """Start again with the same scenario and seed."""
         running = bool(request.get("running", self.current.running))
-        self._take(started(self.current.live.scenario, self.desk), running, self.origin)
+        self.take(started(self.current.live.scenario, self.desk), running, self.origin)
 
     @WORKER.handles("open_folder")
     def open_folder(self, request: Request) -> None:
         """Continue the run in an archive, paused where it ended."""
-        self._take(open_saved_run(Path(request["folder"]), self.desk), running=False)
+        self.take(open_saved_run(Path(request["folder"]), self.desk), running=False)
 
     @WORKER.handles("resume")
     def resume(self, request: Request) -> None:
         """Continue from a state that the server has kept, paused."""
-        self._take(from_bytes(request["state"], self.desk), running=False)
+        self.take(from_bytes(request["state"], self.desk), running=False)
 
     @WORKER.handles("run")
     def start_running(self, request: Request) -> None:
@@ -154,14 +170,14 @@ class RunCommands:
         """A parameter of the model takes a new value."""
         self.current.look_now()
         self.current.live.apply(SetParameter(key=str(request["key"]), value=request["value"]))
-        self._describe()
+        self.describe()
 
     @WORKER.handles("wind")
     def set_wind(self, request: Request) -> None:
         """Replace the wind from now on."""
         self.current.look_now()
         self.current.live.apply(SetWind(wind=request["wind"]))
-        self._describe()
+        self.describe()
 
     @WORKER.handles("stroke")
     def stroke(self, request: Request) -> None:
@@ -200,44 +216,35 @@ class RunCommands:
     def branch(self, _: Request) -> Answer:
         """Continue from the state that is looked at."""
         self.current.branch()
-        self._announce()
+        self.announce()
         return {"step": self.current.live.steps_done}
 
     @WORKER.handles("switch")
     def switch(self, request: Request) -> None:
         """Return to another branch."""
         self.current.switch(int(request["branch"]))
-        self._announce()
+        self.announce()
 
-    def _take(self, run: StudioRun, running: bool, origin: Scenario | None = None) -> None:
-        """Continue with another run, under the same speed limit, up to its scenario's end.
-
-        Without an origin it is one of its own.
-        """
-        self.origin = origin or run.live.scenario
-        if self.run:
-            run.speed.limit = self.run.speed.limit
-        self.run = run
-        self.desk.keep_only(run.measures.number)
-        self._announce()
-        if running:
-            run.run_to_its_end()
-
-    def _announce(self) -> None:
+    def announce(self) -> None:
         """Send everything again: the run's past is another one."""
         self.frames.forget()
         self.current.measures.resend()
-        self._describe()
+        self.describe()
 
-    def _describe(self) -> None:
+    def describe(self) -> None:
         """Send what the run consists of."""
         run = self.current
         branches = run.branches.listing(run.live.steps_done)
+        content = description(run.live, self.origin or run.live.scenario)
+        overlay = self.frames.overlay
+        if overlay is not None and overlay.fits(run.live):
+            content["fields"] += overlay.fields()
         self._send(
             "scenario",
-            **description(run.live, self.origin or run.live.scenario),
+            **content,
             branches=branches,
             branch=run.branches.current,
+            bookmarks=run.bookmarks.data(),
         )
 
 

@@ -9,6 +9,7 @@ from barchan.scenario import Scenario, validate
 from barchan.scenario.changes import changed_from
 from barchan.simulation import Simulation
 from barchan.squares import Squares
+from barchan.studio.worker.bookmarks import identity
 from barchan.studio.worker.brushes import brushes
 from barchan.studio.worker.changes import changes_of
 from barchan.studio.worker.frame_fields import fields_of
@@ -53,5 +54,6 @@ def description(simulation: Simulation, origin: Scenario) -> dict[str, Any]:
         "facts": {**sound.facts(), **sound.forecast()},
         "remarks": sound.remarks(simulation.bed.ground),
         "events": len(simulation.events),
+        "identity": identity(simulation),
         "changes": changes_of(simulation),
     }

@@ -16,17 +16,19 @@ def export_states(states: Sequence[State], target: Path, options: dict[str, Any]
     """Write states as a format of ``barchan export``; the name of the file for the page to fetch.
 
     Formats that hold a series get all states, the others the last one. Several files become one ``.zip``
-    beside them. Raises ExportError for what ``export`` refuses.
+    beside them. ``count`` takes how far it is: half of it is reading the states, half drawing a film of them.
+    Raises ExportError for what ``export`` refuses.
     """
     chosen = format_of(target, options.get("format"))
     used = states if chosen.series else states[-1:]
     frames = []
     for number, state in enumerate(used):
         frames.append(Simulation.from_state(state).frame())
-        count(number + 1, len(used) + 1)
+        count(number + 1, 2 * len(used))
     dataset = dataset_of(Simulation.from_state(used[-1]), frames)
     target.parent.mkdir(parents=True, exist_ok=True)
-    written = export(dataset, target, **options)
+    half = len(used)
+    written = export(dataset, target, progress=lambda done: count(half + done, 2 * half), **options)
     files = [path for path in target.parent.rglob("*") if path.is_file()]
     data = [path for path in files if path != written[-1]]
     if len(data) == 1:

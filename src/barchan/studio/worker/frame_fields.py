@@ -90,8 +90,11 @@ def encoded_field(
     ``earlier`` is the elevation (m) from which erosion and deposition are counted.
     """
     values = _values(simulation, name, earlier)
-    if values is None:
-        return None
+    return None if values is None else encoded(simulation, name, values)
+
+
+def encoded(simulation: Simulation, name: str, values: NDArray) -> EncodedField:
+    """Values on the lattice of a simulation as a field of a frame, in 16 bits a cell or fewer."""
     values = Squares(simulation.lattice).between(values)
     if values.dtype == np.bool_:
         return EncodedField(name, values.astype(np.uint8))

@@ -6,10 +6,12 @@ from typing import Any
 
 from numpy.typing import NDArray
 
+from barchan.simulation import Simulation
 from barchan.squares import Squares
 from barchan.studio.protocol import FRAMES_IN_FLIGHT, EncodedField, frame
-from barchan.studio.worker.frame_fields import CHANGE, encoded_field, surface_fields
+from barchan.studio.worker.frame_fields import CHANGE, encoded, encoded_field, surface_fields
 from barchan.studio.worker.grain_paths import GrainPaths
+from barchan.studio.worker.overlay import Overlay
 from barchan.studio.worker.run import StudioRun
 from barchan.studio.worker.time_budget import TimeBudget
 
@@ -28,6 +30,8 @@ class FrameSender:
         self.name = name
         self.fields: list[str] = []
         """Fields that the browser shows beside the surface."""
+        self.overlay: Overlay | None = None
+        """The terrain that the surface is compared with."""
         self.paths = GrainPaths()
         self.credit = 0
         """Frames that the browser can take now."""
@@ -96,8 +100,12 @@ class FrameSender:
 
     def _encoded(self, run: StudioRun) -> list[EncodedField]:
         earlier = run.earlier() if CHANGE in self.fields else None
-        found = (encoded_field(run.shown, name, earlier) for name in self.fields)
+        found = (self._field(run.shown, name, earlier) for name in self.fields)
         return [field for field in found if field is not None]
+
+    def _field(self, shown: Simulation, name: str, earlier: NDArray | None) -> EncodedField | None:
+        own = self.overlay.values(name, shown) if self.overlay and self.overlay.fits(shown) else None
+        return encoded_field(shown, name, earlier) if own is None else encoded(shown, name, own)
 
     def _header(self, run: StudioRun) -> dict[str, Any]:
         squares = Squares(run.shown.lattice).lattice

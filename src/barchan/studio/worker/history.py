@@ -1,5 +1,6 @@
 """Earlier states of a run, kept in memory within a budget, so that one can look and go back."""
 
+from collections.abc import Mapping
 from dataclasses import replace
 
 import numpy as np
@@ -16,14 +17,21 @@ MOST_STATES = 400
 FINEST = 20
 """Steps from one state to the next at first, at most."""
 
+MOST_HELD = 20
+"""Marked states that are held although others are forgotten: those that were marked last."""
+
 
 class History:
-    """States of one run by their steps, evenly spaced, the first one always kept."""
+    """States of one run by their steps: the first one, evenly spaced ones, and those that are marked."""
 
-    def __init__(self, every: int, states: tuple[State, ...] = ()) -> None:
-        """Keep a state every ``every`` steps."""
+    def __init__(
+        self, every: int, states: tuple[State, ...] = (), marks: Mapping[str, int] | None = None
+    ) -> None:
+        """Keep a state every ``every`` steps, and those at the steps of ``marks``."""
         self.every = every
         self.states = list(states)
+        self.marks = dict(marks or {})
+        """Steps that are marked, before or after the newest state, by the name of the mark."""
 
     @property
     def steps(self) -> list[int]:
@@ -34,7 +42,8 @@ class History:
     def due(self) -> int:
         """The step at which the next state is to be kept."""
         last = self.states[-1].step if self.states else -self.every
-        return (last // self.every + 1) * self.every
+        ahead = (step for step in self.marks.values() if step > last)
+        return min(((last // self.every + 1) * self.every, *ahead))
 
     def keep(self, state: State) -> None:
         """Keep a state; arrays that are as they were before are held once."""
@@ -48,8 +57,13 @@ class History:
     def fit(self, budget: int) -> None:
         """Forget every second state until all take no more than ``budget`` bytes."""
         while len(self.states) > 2 and (self.bytes > budget or len(self.states) > MOST_STATES):
+            held = set(list(self.marks.values())[-MOST_HELD:])
+            steps = [step for step in self.steps[1:] if step % self.every == 0 or step not in held]
+            forgotten = set(steps[::2]) - held
+            if not forgotten:
+                return
             self.every *= 2
-            self.states = self.states[::2]
+            self.states = [state for state in self.states if state.step not in forgotten]
 
     @property
     def bytes(self) -> int:
@@ -63,7 +77,8 @@ class History:
 
     def until(self, step: int) -> "History":
         """The states up to a step, for another run that continues from there."""
-        return History(self.every, tuple(state for state in self.states if state.step <= step))
+        marks = {name: marked for name, marked in self.marks.items() if marked <= step}
+        return History(self.every, tuple(state for state in self.states if state.step <= step), marks)
 
 
 def _same(before: NDArray | None, now: NDArray) -> NDArray:

@@ -3,6 +3,7 @@
 import json
 import os
 import signal
+from collections.abc import Callable
 from multiprocessing.connection import Connection, wait
 from typing import TYPE_CHECKING, Any
 
@@ -43,25 +44,20 @@ def run_measurer(connection: Connection) -> None:
 def run_worker(connection: Connection, name: str, measurer: Connection | None = None) -> None:
     """Be the worker at this end of a connection until it is closed; ``measurer`` measures its states."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is the server's: it ends its workers itself
-    from barchan.kernels.core.compile_notice import told_of_compilation
-    from barchan.kernels.core.threads import asked_for, thread_count
-
-    worker = Worker(connection, name, measurer)
-    one_for_the_browser = asked_for(max(1, thread_count() - 1))
-    with one_for_the_browser, told_of_compilation(lambda: worker.send("compiling")):
-        try:
-            while True:
-                worker.receive()
-                worker.work()
-        except (EOFError, BrokenPipeError, ConnectionResetError):
-            return
+    Worker(connection, name, measurer).serve()
 
 
 class Worker:
     """Takes requests from its connection and answers on it."""
 
-    def __init__(self, connection: Connection, name: str, measurer: Connection | None = None) -> None:
-        """Wait for a scenario."""
+    def __init__(
+        self,
+        connection: Connection,
+        name: str,
+        measurer: Connection | None = None,
+        answer: Callable[[bytes], None] | None = None,
+    ) -> None:
+        """Wait for a scenario; ``answer`` takes what is sent, where it does not go back by the connection."""
         from barchan.studio.worker.commands import RunCommands
         from barchan.studio.worker.desk import Desk
         from barchan.studio.worker.frame_sender import FrameSender
@@ -69,14 +65,30 @@ class Worker:
 
         self.connection = connection
         self.name = name
-        self.frames = FrameSender(name, connection.send_bytes)
+        self.answer = answer or connection.send_bytes
+        self.frames = FrameSender(name, self.answer)
         self.desk = Desk(measurer)
         self.owed = OwedAnswers(self.send, lambda request, error: self._refuse(request, reason(error), []))
-        self.commands = RunCommands(self.frames, self.send, connection.send_bytes, self.desk)
+        self.commands = RunCommands(self.frames, self.send, self.answer, self.desk)
+        self.commands.break_off = self.owed.break_off
+
+    def serve(self) -> None:
+        """Carry requests out and do steps until the connection is closed."""
+        from barchan.kernels.core.compile_notice import told_of_compilation
+        from barchan.kernels.core.threads import asked_for, thread_count
+
+        one_for_the_browser = asked_for(max(1, thread_count() - 1))
+        with one_for_the_browser, told_of_compilation(lambda: self.send("compiling")):
+            try:
+                while True:
+                    self.receive()
+                    self.work()
+            except (EOFError, BrokenPipeError, ConnectionResetError):
+                return
 
     def send(self, kind: str, **content: Any) -> None:
         """Send a control message."""
-        self.connection.send_bytes(message(kind, run=self.name, **content))
+        self.answer(message(kind, run=self.name, **content))
 
     def receive(self) -> None:
         """Carry out the requests that have come; wait for some where there is nothing else to do."""

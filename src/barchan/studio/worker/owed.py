@@ -30,6 +30,12 @@ class OwedAnswers:
         """Owe an answer."""
         self._owed.append(_Owed(request, later))
 
+    def break_off(self, request: object) -> None:
+        """Break the work on the answer to a request off, by its id."""
+        for owed in self._owed:
+            if owed.request.get("id") == request:
+                owed.later.break_off()
+
     def pay(self) -> None:
         """Send what is there."""
         self._owed = [owed for owed in self._owed if not self._paid(owed)]

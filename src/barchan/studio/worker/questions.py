@@ -1,20 +1,27 @@
-"""Commands that ask a run for something and change nothing of it, or have it kept elsewhere."""
+"""Commands that ask a run for something and change nothing of it, or have it kept or compared elsewhere."""
 
+import shutil
+from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
+from barchan.simulation import State
 from barchan.studio.protocol import Request
-from barchan.studio.worker.background import AllMeasured, Background
+from barchan.studio.worker.background import AllMeasured, Background, BrokenOffError, Count
 from barchan.studio.worker.exporting import export_states
 from barchan.studio.worker.handlers import WORKER, Answer
+from barchan.studio.worker.overlay import read_overlay
 from barchan.studio.worker.rescue import to_bytes
 from barchan.studio.worker.rose import rose_of
 from barchan.studio.worker.saved_runs import save_run, states_of
 from barchan.studio.worker.spacetime import space_time as section_over_time
+from barchan.studio.worker.spacetime_files import write_space_time
 from barchan.studio.worker.strata import layers_along
 
 if TYPE_CHECKING:
     from barchan.studio.worker.commands import RunCommands
+
+REPORT_MADE_BY = "barchan studio   (File, Comparison report of both runs)"
 
 
 @WORKER.handles("keep")
@@ -28,19 +35,70 @@ def keep(commands: "RunCommands", _: Request) -> None:
 
 @WORKER.handles("save_folder")
 def save_folder(commands: "RunCommands", request: Request) -> Answer:
-    """Save the run as an archive, while it goes on."""
-    states, folder = states_of(commands.current), Path(request["folder"])
-    return Background(lambda count: {"frames": save_run(states, folder, count), "step": states[-1].step})
+    """Save the run as an archive, while it goes on; up to step ``until`` where that is stated."""
+    folder = Path(request["folder"])
+    states = _up_to(states_of(commands.current), request.get("until"))
+    step = states[-1].step
+    bookmarks = [one for one in commands.current.bookmarks_here() if one.step <= step]
+    return _written(
+        folder, lambda count: {"frames": save_run(states, folder, count, bookmarks), "step": step}
+    )
 
 
 @WORKER.handles("export_to")
 def export_to(commands: "RunCommands", request: Request) -> Answer:
     """Write the run for another program, while it goes on; what is looked at is the last frame of it."""
     target, options = Path(request["target"]), dict(request["options"])
-    shown = commands.current.shown.steps_done
-    states = [state for state in states_of(commands.current) if state.step <= shown]
-    place = target.parent.name
-    return Background(lambda count: {"file": f"{place}/{export_states(states, target, options, count)}"})
+    states = _up_to(states_of(commands.current), commands.current.shown.steps_done)
+    if request.get("states") is not None:
+        states = states[-max(1, int(request["states"])) :]
+    return _file(target, lambda count: export_states(states, target, options, count))
+
+
+@WORKER.handles("space_time_to")
+def space_time_to(commands: "RunCommands", request: Request) -> Answer:
+    """Write the section along a line over time up to what is looked at."""
+    target, line = Path(request["target"]), [float(place) for place in request["line"]]
+    states = _up_to(states_of(commands.current), commands.current.shown.steps_done)
+    return _file(target, lambda count: write_space_time(states, line, target, count))
+
+
+@WORKER.handles("report_to")
+def report_to(_: "RunCommands", request: Request) -> Answer:
+    """Write the report that compares the saved runs in the folders ``runs``."""
+    from barchan.comparison.of_runs import compare_runs  # brings pandas and matplotlib
+
+    target, runs = Path(request["target"]), [Path(folder) for folder in request["runs"]]
+    return _file(target, lambda count: compare_runs(runs, target, count, REPORT_MADE_BY).name)
+
+
+@WORKER.handles("break_off")
+def break_off(commands: "RunCommands", request: Request) -> None:
+    """Give up the work on the answer to the request with the id ``of``."""
+    commands.break_off(request.get("of"))
+
+
+def _up_to(states: tuple[State, ...], step: int | None) -> tuple[State, ...]:
+    """The states up to a step, of which there is always the first."""
+    return states if step is None else tuple(state for state in states if state.step <= step) or states[:1]
+
+
+def _file(target: Path, write: Callable[[Count], str]) -> Background:
+    """An answer that names the file that is written, beside ``target``, for the page to fetch."""
+    return _written(target.parent, lambda count: {"file": f"{target.parent.name}/{write(count)}"})
+
+
+def _written(folder: Path, write: Callable[[Count], dict[str, Any]]) -> Background:
+    """Work that writes into a new folder, of which nothing is left where it is broken off."""
+
+    def work(count: Count) -> dict[str, Any]:
+        try:
+            return write(count)
+        except BrokenOffError:
+            shutil.rmtree(folder, ignore_errors=True)
+            raise
+
+    return Background(work)
 
 
 @WORKER.handles("measured")
@@ -60,6 +118,14 @@ def rose(commands: "RunCommands", _: Request) -> Answer:
 def space_time(commands: "RunCommands", request: Request) -> Answer:
     """The section along a line over the whole run."""
     return section_over_time(commands.current, [float(place) for place in request["line"]])
+
+
+@WORKER.handles("overlay")
+def overlay(commands: "RunCommands", request: Request) -> None:
+    """Compare the surface with the terrain in a file from now on; without a path with none."""
+    wanted = request.get("path") is not None
+    commands.frames.overlay = read_overlay(request, commands.current.live.lattice) if wanted else None
+    commands.describe()
 
 
 @WORKER.handles("strata")

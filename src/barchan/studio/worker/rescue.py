@@ -7,6 +7,7 @@ from typing import Any
 
 from barchan.simulation import State
 from barchan.studio.protocol import STATE_HEAD, STATE_MAGIC
+from barchan.studio.worker.bookmarks import Bookmark, Bookmarks, marks_of
 from barchan.studio.worker.desk import Desk
 from barchan.studio.worker.history import History
 from barchan.studio.worker.run import StudioRun, resumed
@@ -20,6 +21,7 @@ class _Saved:
     state: State
     every: int
     rows: list[dict[str, Any]]
+    bookmarks: list[Bookmark]
 
 
 def to_bytes(run: StudioRun, number: int) -> bytes | None:
@@ -30,7 +32,8 @@ def to_bytes(run: StudioRun, number: int) -> bytes | None:
     state = run.live.state()
     if sum(array.nbytes for array in state.arrays.values()) > MOST:
         return None
-    content = pickle.dumps(_Saved(state, run.history.every, run.measures.rows), pickle.HIGHEST_PROTOCOL)
+    saved = _Saved(state, run.history.every, run.measures.rows, run.bookmarks_here())
+    content = pickle.dumps(saved, pickle.HIGHEST_PROTOCOL)
     return STATE_MAGIC + struct.pack(STATE_HEAD, number, state.step) + content
 
 
@@ -38,7 +41,8 @@ def from_bytes(data: bytes, desk: Desk | None = None) -> StudioRun:
     """The run whose state ``to_bytes`` gave, paused; of its past only the measures are left."""
     head = len(STATE_MAGIC) + struct.calcsize(STATE_HEAD)
     saved: _Saved = pickle.loads(memoryview(data)[head:])  # noqa: S301 - a worker of this session wrote it
-    run = resumed(saved.state, History(saved.every), desk)
+    run = resumed(saved.state, History(saved.every, marks=marks_of(saved.bookmarks)), desk)
     run.measures.rows = saved.rows
+    run.bookmarks = Bookmarks(saved.bookmarks)
     run.measures.resend()
     return run

@@ -1,6 +1,7 @@
 """One simulation in the studio: it runs, pauses, is changed, remembers, and can go back."""
 
 import time
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -11,6 +12,7 @@ from barchan.errors import BarchanError
 from barchan.measures import highest_stack
 from barchan.scenario import Scenario
 from barchan.simulation import Simulation, State
+from barchan.studio.worker.bookmarks import Bookmark, Bookmarks
 from barchan.studio.worker.branches import Branches
 from barchan.studio.worker.desk import Desk
 from barchan.studio.worker.frame_fields import STEPS_OF_CHANGE
@@ -32,12 +34,15 @@ class StudioRun:
 
     def __init__(self, simulation: Simulation, desk: Desk | None = None) -> None:
         """Take a simulation over, paused, and let its states be measured at a desk."""
+        self.continues = True
+        """Whether there is a state that it can go on from; frames alone hold none."""
         self.speed = RunSpeed(CHUNK_SECONDS)
         self.desk = desk or Desk()
         every = simulation.scenario.run.save_every
         self.begin(simulation, History(min(every, FINEST)), LiveMeasures(every, self.desk))
         self.measures.take(simulation)
         self.branches = Branches(self.live, self.history, self.measures)
+        self.bookmarks = Bookmarks()
 
     def begin(self, simulation: Simulation, history: History, measures: LiveMeasures) -> None:
         """Continue with a simulation that has this past."""
@@ -60,7 +65,7 @@ class StudioRun:
     @property
     def busy(self) -> bool:
         """Whether there are steps to do."""
-        return self.running and self.live.finished is None
+        return self.running and self.continues and self.live.finished is None
 
     def run(self, target: int | None = None, brief: bool = False) -> None:
         """Run, on and on or up to a step; ``brief`` where it will continue at once from there."""
@@ -150,6 +155,24 @@ class StudioRun:
         self.branches.leave(self.live, self.history, self.measures)
         branch = self.branches.take(number)
         self.begin(branch.simulation, branch.history, branch.measures)
+
+    def mark(self, bookmark: Bookmark) -> None:
+        """Set a bookmark, or name a known one otherwise; its state is kept, now or once reached."""
+        new = bookmark.id not in self.bookmarks
+        self.bookmarks.set(bookmark)
+        if new:
+            self.history.marks[bookmark.id] = bookmark.step
+        if new and self.looking is None and bookmark.step == self.live.steps_done:
+            self.history.keep(self.live.state())  # what was painted since this step was kept belongs to it
+
+    def bookmarks_here(self) -> list[Bookmark]:
+        """The bookmarks on the branch that the run is on, as those of a run without other branches."""
+        return [replace(one, branch=1) for one in self.bookmarks if one.id in self.history.marks]
+
+    def unmark(self, bookmark_id: str) -> None:
+        """Remove a bookmark; the state at its step is kept no longer than others."""
+        self.bookmarks.remove(bookmark_id)
+        self.history.marks.pop(bookmark_id, None)
 
     def change(self, simulation: Simulation) -> None:
         """Continue with a simulation that the brush has brought to another state."""

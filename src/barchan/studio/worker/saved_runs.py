@@ -1,15 +1,21 @@
 """Runs of the studio saved as archives, and archives continued in the studio."""
 
+import json
+from collections.abc import Iterator, Sequence
+from dataclasses import asdict, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from barchan.analysis.fields import scenario_at
 from barchan.archive import Archive, open_run
 from barchan.archive.checkpoint import read_checkpoint
-from barchan.archive.folder import CHECKPOINT, scenario_of
+from barchan.archive.folder import BOOKMARKS, CHECKPOINT, scenario_of
 from barchan.archive.frames import COUNTERS
-from barchan.errors import ArchiveError
+from barchan.errors import ArchiveError, BarchanError
+from barchan.scenario import Scenario
 from barchan.simulation import Simulation, State
 from barchan.studio.worker.background import Count
+from barchan.studio.worker.bookmarks import Bookmark, Bookmarks, bookmark_from, marks_of
 from barchan.studio.worker.desk import Desk
 from barchan.studio.worker.history import FINEST, History
 from barchan.studio.worker.run import LOOK_ONLY, StudioRun, resumed
@@ -25,8 +31,15 @@ def states_of(run: StudioRun) -> tuple[State, ...]:
     return (*(state for state in run.history.states if state.step < now.step), now)
 
 
-def save_run(states: tuple[State, ...], folder: Path, count: Count = lambda _done, _of: None) -> int:
+def save_run(
+    states: tuple[State, ...],
+    folder: Path,
+    count: Count = lambda _done, _of: None,
+    bookmarks: Sequence[Bookmark] = (),
+) -> int:
     """Save states of a run as frames, the last one as its newest state; returns the number of frames.
+
+    Bookmarks stand beside them.
 
     Raises ArchiveError where the folder is not empty or cannot be written.
     """
@@ -38,6 +51,9 @@ def save_run(states: tuple[State, ...], folder: Path, count: Count = lambda _don
             archive.save(Simulation.from_state(state).frame())
             count(number + 1, len(states))
         archive.checkpoint(live)
+        if bookmarks:
+            text = json.dumps([asdict(bookmark) for bookmark in bookmarks], indent=1)
+            (folder / BOOKMARKS).write_text(f"{text}\n", "utf-8")
         archive.log("interrupted", step=live.steps_done, reason="saved from the studio")
         assert archive.frames is not None
         return archive.frames.count
@@ -52,17 +68,57 @@ def open_saved_run(folder: Path, desk: Desk | None = None) -> StudioRun:
     """
     scenario = scenario_of(folder)
     last = read_checkpoint(folder / CHECKPOINT)
-    history = History(min(scenario.run.save_every, FINEST))
+    bookmarks = [one for one in _bookmarks_in(folder) if one.step <= last.step]
+    history = History(min(scenario.run.save_every, FINEST), marks=marks_of(bookmarks))
+    for state in _states_in(folder, last):
+        history.keep(state)
+    history.keep(last)
+    run = resumed(last, history, desk)
+    run.bookmarks = Bookmarks(bookmarks)
+    return run
+
+
+def _states_in(folder: Path, last: State) -> Iterator[State]:
+    """The frames of a run before its newest state, to look at; none where it has no frames."""
     try:
         dataset = open_run(folder)
     except ArchiveError:
-        return resumed(last, history, desk)
+        return
     with dataset:
         for at in range(dataset.sizes["step"]):
             if int(dataset["step"][at]) < last.step:
-                history.keep(_state_of(dataset.isel(step=at), last))
-    history.keep(last)
-    return resumed(last, history, desk)
+                yield _state_of(dataset.isel(step=at), last)
+
+
+def _bookmarks_in(folder: Path) -> list[Bookmark]:
+    """The bookmarks beside a run; none where their file is missing or is damaged: the run is good without."""
+    try:
+        return [bookmark_from(data) for data in json.loads((folder / BOOKMARKS).read_text("utf-8"))]
+    except (OSError, ValueError, TypeError, BarchanError):
+        return []
+
+
+def run_of_frames(frames: "xr.Dataset", scenario: Scenario, desk: Desk | None = None) -> StudioRun:
+    """The frames of a run to look at, the last one first; no run goes on from them.
+
+    Raises ArchiveError where there are none.
+    """
+    if not frames.sizes.get("step"):
+        raise ArchiveError("the run has no frames")
+    pattern = _as_changed(Simulation(scenario).state(), frames, scenario)
+    history = History(min(scenario.run.save_every, FINEST))
+    for at in range(frames.sizes["step"]):
+        history.keep(_state_of(frames.isel(step=at), pattern))
+    run = resumed(history.states[-1], history, desk)
+    run.continues = False
+    return run
+
+
+def _as_changed(state: State, frames: "xr.Dataset", scenario: Scenario) -> State:
+    """The state with the events of the frames, and the parameters and the wind in force after them."""
+    now = scenario_at(frames.isel(step=-1), scenario).data()
+    events = json.loads(frames.attrs.get("events", "[]"))
+    return replace(state, data={**state.data, "model": now["model"], "wind": now["wind"], "events": events})
 
 
 def _state_of(frame: "xr.Dataset", last: State) -> State:

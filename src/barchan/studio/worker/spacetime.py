@@ -1,6 +1,8 @@
 """The section along a line at every kept state of a run."""
 
 import base64
+from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -9,9 +11,11 @@ from numpy.typing import NDArray
 from barchan.errors import BarchanError
 from barchan.fields import GROUND, LayerInfo, counted, depth_of
 from barchan.lattice import Lattice
-from barchan.simulation import State
+from barchan.simulation import Simulation, State
 from barchan.squares import Squares
+from barchan.studio.worker.background import Count
 from barchan.studio.worker.run import StudioRun
+from barchan.studio.worker.saved_runs import states_of
 
 COLUMNS = 512
 """Places along the line."""
@@ -19,22 +23,50 @@ COLUMNS = 512
 _LARGEST = np.iinfo(np.uint16).max
 
 
-def space_time(run: StudioRun, line: list[float]) -> dict[str, Any]:
-    """Elevations along a line from x, y to x, y (m), a row for each state, as 16 bits between two heights.
+@dataclass(frozen=True)
+class Diagram:
+    """Elevations along a line at kept states."""
+
+    steps: list[int]
+    seconds: list[float] | None
+    """Moments of the states, where steps have a duration."""
+    distance: NDArray[np.float64]
+    """Metres from the line's beginning to each place."""
+    heights: NDArray[np.float64]
+    """Elevation (m) by state and place."""
+
+
+def diagram_of(states: Sequence[State], line: list[float], count: Count = lambda _done, _of: None) -> Diagram:
+    """The elevations of states along a line from x, y to x, y (m).
 
     Raises BarchanError where that is no line.
     """
     if len(line) != 4 or not np.isfinite(line).all():
         raise BarchanError("a section needs two places: x, y, x, y in metres")
-    now = run.live.state()
-    states = [*(state for state in run.history.states if state.step < now.step), now]
-    sampler = _Sampler(run.live.lattice, run.live.bed.layers, line)
-    heights = np.array([sampler.section(state) for state in states])
+    last = Simulation.from_state(states[-1])
+    sampler = _Sampler(last.lattice, last.bed.layers, line)
+    rows = []
+    for number, state in enumerate(states):
+        rows.append(sampler.section(state))
+        count(number + 1, len(states) + 1)
+    steps, length = [state.step for state in states], np.hypot(line[2] - line[0], line[3] - line[1])
+    each = last.scenario.step_seconds
+    seconds = None if each is None else [each * step for step in steps]
+    return Diagram(steps, seconds, np.linspace(0.0, float(length), COLUMNS), np.array(rows))
+
+
+def space_time(run: StudioRun, line: list[float]) -> dict[str, Any]:
+    """Elevations along a line, a row for each kept state, as 16 bits between two heights.
+
+    Raises BarchanError where that is no line.
+    """
+    found = diagram_of(states_of(run), line)
+    heights = found.heights
     low, high = float(heights.min()), float(heights.max())
     scale = (high - low) / _LARGEST or 1.0
     numbers = np.rint((heights - low) / scale).astype("<u2")
     return {
-        "steps": [state.step for state in states],
+        "steps": found.steps,
         "columns": COLUMNS,
         "low": low,
         "scale": scale,

@@ -72,7 +72,7 @@ def joined_rows(record: WindRecord, more: WindlessRows) -> WindRecord:
 
 
 def filled(rows: WindRecord, known: NDArray[np.bool_]) -> WindRecord:
-    """The rows, those without a wind (not ``known``) with one and with a temperature."""
+    """The rows, those without a wind (not ``known``) with a supposed one and with a temperature."""
     last = np.maximum.accumulate(np.where(known, np.arange(len(known)), 0))
     run = np.cumsum(known)
     lasting = np.bincount(run, np.where(known, 0.0, rows.duration))[run]
@@ -88,6 +88,7 @@ def filled(rows: WindRecord, known: NDArray[np.bool_]) -> WindRecord:
         speed=np.where(goes_on, rows.speed[last], 0.0),
         direction=np.where(goes_on, rows.direction[last], 0.0),
         temperature=temperature,
+        supposed=None if known.all() else ~known,
     )
 
 

@@ -1,6 +1,6 @@
 """A wind record: speed and direction over time; and the rows of a file that it is made of."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -62,6 +62,25 @@ class WindRecord:
     """kg/m²/s, NaN where a row states none; None where the record has none."""
     windless: WindlessRows | None = None
     """Rows that hold weather and no wind, where the record has any."""
+    supposed: NDArray[np.bool_] | None = None
+    """Rows in gaps, whose wind is supposed and not measured; None where there are none."""
+
+    @property
+    def measured(self) -> "WindRecord":
+        """The record without the rows whose wind is supposed."""
+        if self.supposed is None:
+            return self
+        kept = ~self.supposed
+        return replace(
+            self,
+            time=self.time[kept],
+            duration=self.duration[kept],
+            speed=self.speed[kept],
+            direction=self.direction[kept],
+            temperature=None if self.temperature is None else self.temperature[kept],
+            snowfall=None if self.snowfall is None else self.snowfall[kept],
+            supposed=None,
+        )
 
     @property
     def calms(self) -> int:

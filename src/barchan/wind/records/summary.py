@@ -1,9 +1,12 @@
 """A wind record in few words: its file, columns, height, time and rows, and the height that was assumed."""
 
 import numpy as np
+from numpy.typing import NDArray
 
 from barchan.wind.clock import DAY
+from barchan.wind.records.gaps import all_rows
 from barchan.wind.records.record import WindRecord
+from barchan.wind.records.snowfall import HOUR
 
 
 def record_facts(record: WindRecord, assumed: float) -> dict[str, str]:
@@ -34,6 +37,35 @@ def height_remarks(record: WindRecord, assumed: float, key: str) -> list[str]:
         return []
     taken = f"the record does not state the height of its speeds; taken to be at {assumed:g} m"
     return [f"{taken}; {key} states another"]
+
+
+def weather_facts(record: WindRecord) -> dict[str, str]:
+    """Temperature and snowfall of a record over its whole time, gaps included, for people to read."""
+    rows = all_rows(record)
+    found = {}
+    if rows.temperature is not None and (known := ~np.isnan(rows.temperature)).any():
+        values, lasting = rows.temperature[known], rows.duration[known]
+        mean = float(np.average(values, weights=lasting))
+        unknown = 1.0 - float(lasting.sum()) / rows.seconds
+        text = f"mean {mean:.1f} °C, {values.min():.1f} to {values.max():.1f} °C"
+        found["temperature"] = text + (f", unknown for {100 * unknown:.1f} % of the time" if unknown else "")
+    if rows.snowfall is not None:
+        found |= _snow_facts(rows, np.nan_to_num(rows.snowfall))
+    return found
+
+
+def _snow_facts(rows: WindRecord, rate: NDArray[np.float64]) -> dict[str, str]:
+    """Mass, time and greatest rate of snowfall (kg/m²/s), and the measured wind that it falls in."""
+    mass = rate * rows.duration
+    total, hours = float(mass.sum()), float(rows.duration[rate > 0.0].sum()) / HOUR
+    if total == 0.0:
+        return {"snowfall": "none"}
+    found = {"snowfall": f"{total:.4g} kg/m² in {hours:.4g} h, at most {HOUR * rate.max():.3g} kg/m² an hour"}
+    known = ~np.isnan(rows.speed) & (True if rows.supposed is None else ~rows.supposed)
+    if mass[known].any():
+        mean = float(np.average(rows.speed[known], weights=mass[known]))
+        found["wind while it snows"] = f"mean {mean:.2f} m/s, by the mass that falls"
+    return found
 
 
 def _gaps(record: WindRecord) -> str:

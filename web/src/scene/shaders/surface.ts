@@ -69,6 +69,8 @@ uniform sampler2D relief;   // slopes to the east and north, open sky, sunlight
 uniform sampler2D values;   // what colours the surface, in its own unit
 uniform sampler2D map;      // colour map
 uniform sampler2D overlay;  // shares of up to four layers
+uniform sampler2D draped;   // a picture to compare with
+uniform float opacity;      // of that picture
 uniform vec2 limits;
 uniform float natural;      // 1: as the material looks, 0: colours of the map
 uniform float shaded;       // 1: colours of the map are shaded by the relief
@@ -136,6 +138,10 @@ void main() {
   vec2 slope = form.xy * exaggeration;
   vec2 cover = coverAt(inTexture(place), here);
   vec3 colour = natural > 0.5 ? asItLooks(form, slope, here, cover) : asData(form, slope, here, cover);
+  if (opacity > 0.0) {
+    vec4 picture = texture2D(draped, place);
+    colour = mix(colour, picture.rgb, opacity * picture.a);
+  }
   gl_FragColor = vec4(lined(colour, here.r, place), 1.0);
   #include <colorspace_fragment>
 }

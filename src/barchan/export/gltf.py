@@ -1,0 +1,116 @@
+"""glTF in one binary file: arrays one after the other, and the text that says what they are."""
+
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from barchan.version import __version__
+
+ARRAY, ELEMENTS = 34962, 34963
+JSON_CHUNK, BINARY_CHUNK = 0x4E4F534A, 0x004E4942
+TYPES = {"f4": 5126, "u1": 5121, "u2": 5123, "u4": 5125}
+"""Numbers by which the format names uses of buffers, chunks, and types."""
+
+SHORT = 65_535
+"""Vertices that 16 bits number: the highest number of them has a meaning of its own."""
+
+
+class Gltf:
+    """A scene that grows by arrays, meshes and nodes, and is written at the end."""
+
+    def __init__(self, colour: tuple[float, float, float] = (1.0, 1.0, 1.0)) -> None:
+        """Begin an empty scene with one rough material, of a colour in proportion to light."""
+        self._blocks: list[NDArray] = []
+        self._offset = 0
+        rough = {"metallicFactor": 0.0, "roughnessFactor": 1.0, "baseColorFactor": [*colour, 1.0]}
+        self._lists: dict[str, list[dict[str, Any]]] = {
+            "nodes": [],
+            "meshes": [],
+            "materials": [{"name": "surface", "pbrMetallicRoughness": rough}],
+            "bufferViews": [],
+            "accessors": [],
+            "animations": [],
+        }
+
+    def array(self, values: NDArray, use: int | None = ARRAY, extent: bool = False) -> int:
+        """Add an array; returns its number. ``extent`` states its lowest and highest values, as some must."""
+        block = np.ascontiguousarray(values)
+        view: dict[str, Any] = {"buffer": 0, "byteOffset": self._offset, "byteLength": block.nbytes}
+        if use is not None:
+            view["target"] = use
+        made: dict[str, Any] = {
+            "bufferView": len(self._lists["bufferViews"]),
+            "componentType": TYPES[f"{block.dtype.kind}{block.dtype.itemsize}"],
+            "count": len(block),
+            "type": "SCALAR" if block.ndim == 1 else f"VEC{block.shape[1]}",
+        }
+        if block.dtype.itemsize == 1:
+            made["normalized"] = True
+        if extent:
+            made |= {edge: np.atleast_1d(found(block, axis=0)).tolist() for edge, found in _EXTENT.items()}
+        self._blocks.append(block)
+        self._offset += block.nbytes + -block.nbytes % 4
+        self._lists["bufferViews"].append(view)
+        return self._add("accessors", made)
+
+    def triangles(self, numbers: NDArray[np.uint32], vertices: int) -> int:
+        """Add the numbers of triangles' vertices, in 16 bits where they suffice; returns the array's."""
+        return self.array(numbers.ravel().astype("<u2" if vertices <= SHORT else "<u4"), ELEMENTS)
+
+    def mesh(
+        self,
+        name: str,
+        attributes: dict[str, int],
+        triangles: int,
+        targets: list[dict[str, int]] | None = None,
+    ) -> int:
+        """Add a mesh of arrays and a node that shows it, with displaced shapes where there are any.
+
+        Returns the node's number.
+        """
+        part: dict[str, Any] = {"attributes": attributes, "indices": triangles, "material": 0}
+        mesh: dict[str, Any] = {"primitives": [part]}
+        if targets:
+            part["targets"] = targets
+            mesh["weights"] = [0.0] * len(targets)
+        return self._add("nodes", {"mesh": self._add("meshes", mesh), "name": name})
+
+    def animate(
+        self, name: str, nodes: list[int], seconds: NDArray[np.float32], weights: NDArray[np.float32]
+    ) -> None:
+        """Let the shapes of nodes follow weights (time, shape), on straight lines between the times."""
+        sampler = {
+            "input": self.array(seconds, None, extent=True),
+            "output": self.array(weights.ravel(), None),
+            "interpolation": "LINEAR",
+        }
+        channels = [{"sampler": 0, "target": {"node": node, "path": "weights"}} for node in nodes]
+        self._add("animations", {"name": name, "samplers": [sampler], "channels": channels})
+
+    def write(self, path: Path) -> None:
+        """Write the scene."""
+        head = {
+            "asset": {"version": "2.0", "generator": f"Barchan {__version__}"},
+            "scene": 0,
+            "scenes": [{"nodes": list(range(len(self._lists["nodes"])))}],
+            "buffers": [{"byteLength": self._offset}],
+            **{name: found for name, found in self._lists.items() if found},
+        }
+        text = json.dumps(head, separators=(",", ":")).encode()
+        text += b" " * (-len(text) % 4)
+        with path.open("wb") as file:
+            length = 12 + 8 + len(text) + 8 + self._offset
+            file.write(b"glTF" + np.array([2, length, len(text), JSON_CHUNK], "<u4").tobytes() + text)
+            file.write(np.array([self._offset, BINARY_CHUNK], "<u4").tobytes())
+            for block in self._blocks:
+                file.write(block.tobytes() + b"\0" * (-block.nbytes % 4))
+
+    def _add(self, kind: str, made: dict[str, Any]) -> int:
+        self._lists[kind].append(made)
+        return len(self._lists[kind]) - 1
+
+
+_EXTENT = {"min": np.min, "max": np.max}

@@ -1,0 +1,135 @@
+/** A terrain or a photograph over the surface: its sheet, and its rows in the panel of the view. */
+
+import type { App } from "../core/app";
+import { ABOVE, OVERLAY } from "../core/overlay";
+import type { Json } from "../core/protocol";
+import { photograph, shadedMap } from "../scene/draped";
+import { type Submit, formDialog } from "./dialog";
+import { h } from "./dom";
+
+const PHOTOGRAPHS = [".png", ".jpg", ".jpeg", ".webp"];
+const IMAGES = [".png", ".jpg", ".jpeg"];
+
+const has = (name: string, suffixes: string[]): boolean => suffixes.some((suffix) => name.toLowerCase().endsWith(suffix));
+
+export class OverlayPanel {
+  readonly element = h("div", {});
+
+  constructor(private readonly app: App) {
+    app.overlay.changed.watch(() => this.draw());
+    app.framed.watch(() => this.makeMap());
+    app.described.watch(() => this.follow());
+    this.draw();
+  }
+
+  private draw(): void {
+    const { overlay } = this.app;
+    if (!overlay.name) {
+      this.element.replaceChildren(h("button", { type: "button", onclick: () => overlaySheet(this.app) }, "compare with a terrain or photograph …"));
+      return;
+    }
+    if (this.element.dataset.name === overlay.name && this.element.querySelector("input")) return;
+    this.element.dataset.name = overlay.name;
+    const value = h("span", { className: "unit" }, percent(overlay.opacity));
+    const slider = h("input", {
+      type: "range",
+      min: "0",
+      max: "1",
+      step: "0.01",
+      value: String(overlay.opacity),
+      "aria-label": "Opacity of the overlay",
+      oninput: () => {
+        overlay.set({ opacity: slider.valueAsNumber });
+        value.textContent = percent(overlay.opacity);
+      },
+    });
+    const difference = h("button", { type: "button", onclick: () => this.app.view.set({ field: ABOVE }) }, "colour by the difference");
+    this.element.replaceChildren(
+      h("p", { className: "source" }, `${overlay.name}; not drawn while a field colours the surface`),
+      h("div", { className: "row" }, h("span", {}, "opacity"), h("div", { className: "control" }, slider, value)),
+      h(
+        "div",
+        { className: "buttons" },
+        overlay.terrain && difference,
+        h("button", { type: "button", onclick: () => overlaySheet(this.app) }, "another …"),
+        h("button", { type: "button", onclick: () => removeOverlay(this.app) }, "remove"),
+      ),
+    );
+  }
+
+  /** Make the map of a terrain as soon as its heights are there. */
+  private makeMap(): void {
+    const { overlay, current } = this.app;
+    const heights = current?.ready && overlay.terrain && !overlay.image ? current.fields.get(OVERLAY) : undefined;
+    if (!heights) return;
+    overlay.set({ image: shadedMap(this.app, current!, heights) });
+    this.app.view.need(OVERLAY, false);
+  }
+
+  /** A run on another lattice has no terrain over it any more. */
+  private follow(): void {
+    const { overlay, current } = this.app;
+    const there = current?.description?.fields.some((field) => field.name === ABOVE);
+    if (!overlay.terrain || there || current?.lost) return;
+    this.app.note("warning", `${overlay.name} is no longer compared with: the run has another lattice, or was started again after a loss.`);
+    removeOverlay(this.app);
+  }
+}
+
+const percent = (share: number): string => `${Math.round(100 * share)} %`;
+
+/** Ask for a file, and drape it over the surface. */
+export function overlaySheet(app: App): void {
+  const heights = app.files.heights;
+  const input = h("input", { type: "file", accept: [...heights, ".webp"].join(), required: true, "aria-label": "Terrain or photograph", onchange: () => show() });
+  const as = h("select", { "aria-label": "Read as", onchange: () => show() }, h("option", { value: "photograph" }, "a photograph"), h("option", { value: "terrain" }, "heights"));
+  const level = h("input", { type: "checkbox", checked: true });
+  const number = (name: string, value: string) => h("input", { type: "number", step: "any", value, "aria-label": name });
+  const [lowest, highest] = [number("Height of black (m)", "0"), number("Height of white (m)", "10")];
+  const row = (text: string, ...controls: (HTMLElement | string)[]) => h("div", { className: "row" }, h("span", {}, text), h("div", { className: "control" }, ...controls));
+  const kind = row("read as", as);
+  const levelled = row("compare forms only: both with the same mean height", level);
+  const ends = row("black and white (m)", lowest, highest);
+  const name = () => input.files?.[0]?.name ?? "";
+  const terrain = () => !has(name(), PHOTOGRAPHS) || as.value === "terrain";
+  const show = () => {
+    kind.hidden = !has(name(), IMAGES);
+    levelled.hidden = !name() || !terrain();
+    ends.hidden = levelled.hidden || !has(name(), IMAGES);
+  };
+  const use: Submit = async (_, signal) => {
+    const file = input.files![0]!;
+    if (!terrain()) return drape(app, file);
+    const between = has(file.name, IMAGES) ? { lowest: lowest.valueAsNumber, highest: highest.valueAsNumber } : {};
+    await compareWith(app, file, { level: level.checked, ...between }, signal);
+  };
+  const words = `A photograph (PNG, JPEG, WebP) is stretched over the field, its upper edge in the north. A terrain (${heights.join(", ")}) is read as ground from a file is: an elevation model at its own scale from its south-west corner, which must cover the field.`;
+  formDialog("Compare with a terrain or photograph", "drape it", use, h("p", {}, words), input, kind, levelled, ends);
+  show();
+}
+
+async function drape(app: App, file: File): Promise<void> {
+  const image = await photograph(file);
+  if (app.overlay.terrain) removeOverlay(app);
+  app.overlay.set({ name: file.name, terrain: false, image });
+}
+
+/** Let every run compare its surface with a terrain. */
+async function compareWith(app: App, file: File, options: { [key: string]: Json }, signal: AbortSignal): Promise<void> {
+  const kept = await app.connection.fetch<{ path: string; heights: { codes: number[] } | null }>(`upload?name=${encodeURIComponent(file.name)}`, { method: "POST", body: file, signal });
+  const codes = kept.heights?.codes ?? [];
+  const request = { command: "overlay" as const, path: kept.path, ...options, ...(codes.length ? { missing: codes } : {}) };
+  await Promise.all(app.runs.map((run) => app.connection.ask({ ...request, run: run.name }, undefined, signal)));
+  app.overlay.set({ name: file.name, terrain: true, image: null });
+  for (const run of app.runs) run.fields.delete(OVERLAY);
+  app.view.need(OVERLAY, true);
+}
+
+function removeOverlay(app: App): void {
+  const { terrain } = app.overlay;
+  app.overlay.set({ name: "", terrain: false, image: null });
+  app.view.need(OVERLAY, false);
+  if (!terrain) return;
+  if ([OVERLAY, ABOVE].includes(app.view.look.field)) app.view.set({ field: "natural" });
+  app.send({ command: "overlay" });
+}

@@ -1,0 +1,139 @@
+/** The ruler: a line between two places of the surface, and what it measures, which follows the run. */
+
+import type { App } from "../core/app";
+import { type Distance, distance } from "../core/distance";
+import { type Run, nameBeside } from "../core/run";
+import type { SectionLine } from "../core/section";
+import type { Stage } from "../scene/stage";
+import { button, copyText, h, short, suitedLength } from "./dom";
+
+const ROWS: [string, string, (of: Distance) => string][] = [
+  ["distance", "Metres on a map", (of) => suitedLength(of.horizontal)],
+  ["height difference", "How much higher the surface is at the second place", (of) => suitedLength(of.rise)],
+  ["along the surface", "Length of the profile, with every step of its cells", (of) => suitedLength(of.surface)],
+  ["slope", "Of the straight line between both places, rising positive", (of) => angle(of.slope)],
+  ["azimuth", "Of the way from the first place to the second, clockwise from north", (of) => angle(of.azimuth)],
+];
+const PLACES = ["first place, metres east", "first place, metres north", "second place, metres east", "second place, metres north"];
+const HINT = "Click two places of the surface, or drag from one to the other.";
+
+export class Ruler {
+  readonly element = h("section", { className: "ruler", hidden: true, "aria-label": "Ruler" });
+  /** Both places; the same one twice while the second is still to come. */
+  line: SectionLine | null = null;
+  /** Whether the next click of the mouse, or touch, chooses a place. */
+  active = false;
+  onActive: () => void = () => {};
+  /** Whether the first place is chosen and the second is not. */
+  private half = false;
+  private readonly inputs: HTMLInputElement[];
+  private readonly table = h("table", {});
+  private readonly hint = h("p", { className: "hint" }, HINT);
+
+  constructor(
+    private readonly app: App,
+    private readonly stage: Stage,
+  ) {
+    this.inputs = PLACES.map((name) => h("input", { type: "number", step: "any", "aria-label": name, title: `The ${name}`, onchange: () => this.type() }));
+    const [x0, y0, x1, y1] = this.inputs as [HTMLInputElement, HTMLInputElement, HTMLInputElement, HTMLInputElement];
+    this.element.append(
+      h(
+        "header",
+        {},
+        h("h2", {}, "Ruler"),
+        button("Copy the values", "copy", () => void this.copy()),
+        h("button", { type: "button", className: "close", title: "Close (M)", "aria-label": "Close the ruler", onclick: () => this.toggle() }, "×"),
+      ),
+      h("div", { className: "places" }, "from", x0, y0, "m"),
+      h("div", { className: "places" }, "to", x1, y1, "m"),
+      this.table,
+      this.hint,
+    );
+    this.element.addEventListener("keydown", (event) => {
+      if (event.key === "Escape") this.toggle();
+    });
+    app.framed.watch(() => this.show());
+    app.changed.watch(() => this.show());
+  }
+
+  /** Take the ruler out, its first place in the fields for its numbers, or put it away. */
+  toggle(): void {
+    this.active = !this.active;
+    this.element.hidden = !this.active;
+    if (this.active) this.inputs[0]!.focus();
+    else {
+      this.half = false;
+      this.stage.canvas.focus();
+    }
+    this.show();
+    this.onActive();
+  }
+
+  /** A place was clicked or touched: the first one, or the second where the first is chosen. */
+  press(x: number, y: number): void {
+    this.line = this.half ? [this.line![0], this.line![1], x, y] : [x, y, x, y];
+    this.half = !this.half;
+    this.show();
+  }
+
+  /** The mouse is over a place while the second one is to come. */
+  move(x: number, y: number): void {
+    if (!this.half || !this.line) return;
+    this.line = [this.line[0], this.line[1], x, y];
+    this.show();
+  }
+
+  /** The mouse was let go: after a drag the second place is there. */
+  release(dragged: boolean): void {
+    if (dragged) this.half = false;
+    this.show();
+  }
+
+  /** The places as they are typed. */
+  private type(): void {
+    const numbers = this.inputs.map((input) => input.valueAsNumber);
+    if (!numbers.every(Number.isFinite)) return;
+    const run = this.app.current!;
+    const { columns, rows, cell_size } = run.description!.lattice;
+    const within = (place: number, count: number) => Math.min(Math.max(place, 0), count * cell_size);
+    this.line = numbers.map((place, at) => within(place, at % 2 ? rows : columns)) as SectionLine;
+    this.half = false;
+    this.show();
+  }
+
+  private show(): void {
+    const run = this.app.current;
+    if (!this.active || !run?.ready) return this.stage.showRuler(null);
+    const { columns, rows, cell_size } = run.description!.lattice;
+    const [w, d] = [columns * cell_size, rows * cell_size];
+    this.stage.showRuler(this.line && [this.line[0] / w, this.line[1] / d, this.line[2] / w, this.line[3] / d]);
+    this.hint.hidden = this.line !== null && !this.half;
+    this.line?.forEach((place, at) => {
+      const input = this.inputs[at]!;
+      if (input !== document.activeElement || !this.half) input.value = String(Number(place.toPrecision(5)));
+    });
+    this.table.replaceChildren(...this.rows());
+  }
+
+  /** A row for each value, a column for each run. */
+  private rows(): HTMLElement[] {
+    const { line } = this;
+    const runs = line ? this.app.runs.filter((run) => run.ready) : [];
+    const found = runs.map((run) => distance(run, line!));
+    const head = runs.length > 1 ? [h("tr", {}, h("th", {}), ...runs.map((run) => h("th", { scope: "col" }, this.name(run))))] : [];
+    return [...head, ...ROWS.map(([name, title, text]) => h("tr", { title }, h("th", { scope: "row" }, name), ...found.map((one) => h("td", {}, text(one)))))];
+  }
+
+  private name(run: Run): string {
+    return nameBeside(run, this.app.runs.find((one) => one !== run));
+  }
+
+  private async copy(): Promise<void> {
+    const rows = [...this.table.rows].map((row) => [...row.cells].map((cell) => cell.textContent).join("\t"));
+    const step = `step\t${this.app.current?.status?.step ?? ""}`;
+    await copyText([step, `places (m)\t${this.line?.map((place) => Number(place.toPrecision(7))).join("\t") ?? ""}`, ...rows, ""].join("\n"));
+    this.app.note("info", "The values of the ruler are copied.");
+  }
+}
+
+const angle = (degrees: number | null): string => (degrees === null ? "–" : `${short(Number(degrees.toFixed(2)), 5)}°`);

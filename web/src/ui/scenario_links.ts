@@ -1,0 +1,122 @@
+/** Links of scenarios: made, opened, and offered when the page is opened with one; nothing starts without a click. */
+
+import type { App } from "../core/app";
+import type { JsonObject, Problem } from "../core/protocol";
+import { holdsScenario, scenarioIn, scenarioLink } from "../core/scenario_link";
+import { copyRow } from "./copy_row";
+import { dialog, formDialog } from "./dialog";
+import { h, short } from "./dom";
+import type { Files } from "./files";
+
+/** Where a page without a token hands its link on to a window of the studio that is open. */
+const CHANNEL = "barchan-links";
+const NAME = "the link";
+
+/** A sheet with the link of the scenario that is shown. */
+export async function copyScenarioLink(app: App): Promise<void> {
+  const scenario = app.current?.description?.scenario;
+  if (!scenario) return;
+  const link = await scenarioLink(scenario, `${location.origin}/`);
+  dialog(
+    "A link of this scenario",
+    "small",
+    h("p", {}, "It holds every value, the seed included, and nothing of the run; opened, it offers to start the scenario. What stands behind the # stays in the browser: no server gets to see it."),
+    copyRow("Link of the scenario", link),
+    h("p", { className: "hint" }, `${link.length} characters. Who opens it needs a studio that runs at ${location.origin}; in one at another address, `, h("i", {}, "File, open a link of a scenario"), " takes it."),
+  );
+}
+
+/** A sheet that takes a link. */
+export function askForLink(app: App, files: Files): void {
+  const input = h("input", { type: "text", required: true, "aria-label": "Link of a scenario", autocomplete: "off", spellcheck: false });
+  formDialog("Open a link of a scenario", "open it", () => offer(app, files, input.value), h("div", { className: "row" }, h("span", {}, "link"), input));
+}
+
+/** Offer to start the scenario of a link. Throws where the link is damaged. */
+async function offer(app: App, files: Files, link: string): Promise<void> {
+  const text = await scenarioIn(link);
+  const answer = await app.connection.ask({ command: "check", name: NAME, text });
+  const problems = answer.problems as unknown as Problem[];
+  if (!problems.length && answer.scenario) show(app, answer.scenario as JsonObject);
+  else files.offer(NAME, problems, answer.scenario as JsonObject | null);
+}
+
+function show(app: App, scenario: JsonObject): void {
+  const title = String(scenario.title || "Untitled scenario");
+  const { rows, columns, kind } = scenario.lattice as JsonObject;
+  const model = String((scenario.model as JsonObject).name);
+  const cells = rows === undefined ? `lattice ${String(kind)}` : `${String(columns)} × ${String(rows)} cells`;
+  const { steps, seed } = scenario.run as { steps: number; seed: number | null };
+  const facts = [app.current?.description?.models[model] ?? model, cells, `${short(steps, 9)} steps`, seed === null ? "no seed" : `seed ${seed}`];
+  const start = async () => {
+    sheet.close();
+    if (await app.create(scenario)) app.note("info", `Started ${title}, from a link.`);
+  };
+  const sheet: HTMLDialogElement = dialog(
+    "A scenario from a link",
+    "small",
+    h("h3", {}, title),
+    h("p", { className: "source" }, facts.join(" · ")),
+    scenario.look_for ? h("p", {}, String(scenario.look_for)) : false,
+    h("p", { className: "hint" }, "It takes the place of the run that is shown now; save that before, if you want to keep it."),
+    h(
+      "div",
+      { className: "buttons" },
+      h("button", { type: "button", className: "primary", onclick: () => void start() }, "start it"),
+      h("button", { type: "button", onclick: () => sheet.close() }, "leave it"),
+    ),
+  );
+}
+
+/** Offer what links bring: the one that the page was opened with, those put into its address, those of other windows. */
+export class ArrivingLinks {
+  private readonly channel = new BroadcastChannel(CHANNEL);
+  /** The link that waits for the run to be shown. */
+  private waiting = "";
+  private ready = false;
+
+  constructor(
+    private readonly app: App,
+    private readonly files: Files,
+  ) {
+    this.channel.onmessage = (event: MessageEvent<{ link?: string; taken?: boolean }>) => this.onOther(event.data);
+    addEventListener("hashchange", () => this.take());
+    this.take();
+  }
+
+  /** From now on links can be offered. */
+  open(): void {
+    this.ready = true;
+    if (this.waiting) this.present(this.waiting);
+    this.waiting = "";
+  }
+
+  /** Take the link out of the page's address; without a token it stays there, for when the page has one. */
+  private take(): void {
+    if (!holdsScenario(location.hash)) return;
+    const link = location.hash;
+    if (!this.app.connection.allowed) return this.channel.postMessage({ link });
+    history.replaceState(history.state, "", location.pathname + location.search);
+    this.arrive(link);
+  }
+
+  private arrive(link: string): void {
+    if (this.ready) this.present(link);
+    else this.waiting = link;
+  }
+
+  private onOther({ link, taken }: { link?: string; taken?: boolean }): void {
+    if (taken) {
+      this.app.handedOn = !this.app.connection.allowed;
+      this.app.changed.send();
+    } else if (typeof link === "string" && this.ready && !this.app.watching) {
+      this.channel.postMessage({ taken: true });
+      this.present(link);
+    }
+  }
+
+  private present(link: string): void {
+    if (this.app.watching) return this.app.note("warning", "The link holds a scenario, which only the window that commands can start.");
+    void offer(this.app, this.files, link).catch((error) => this.app.refused(error));
+  }
+}
