@@ -10,7 +10,7 @@ import pytest
 from PIL import Image
 
 from barchan.studio.server.app import CLIENT
-from tests.studio.browser.conftest import chromium  # noqa: F401
+from tests.studio.browser.conftest import launched
 from tests.tiny import tiny
 
 pytest.importorskip("anywidget")
@@ -80,8 +80,14 @@ class Notebook:
         return len(np.unique(np.asarray(shot.convert("RGB")).reshape(-1, 3), axis=0))
 
 
+@pytest.fixture(scope="module")
+def chromium():
+    with launched() as browser:
+        yield browser
+
+
 @pytest.fixture
-def notebook(chromium):  # noqa: F811
+def notebook(chromium):
     """Shows a view on a page that has no server behind it."""
     from barchan.notebook import view as make
 

@@ -11,7 +11,10 @@ import subprocess
 import sys
 import time
 import uuid
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -32,8 +35,9 @@ SMALL = {
 }
 
 
-@pytest.fixture(scope="package")
-def chromium():
+@contextmanager
+def launched() -> Iterator[Any]:
+    """A browser, closed at the end; the test is skipped without one, or fails where one is required."""
     if os.environ.get("BARCHAN_BROWSER") == "off":
         pytest.skip("BARCHAN_BROWSER is off")
     if not (CLIENT / "index.html").is_file():
@@ -49,6 +53,12 @@ def chromium():
             pytest.skip(f"no browser: {error.message.splitlines()[0]}")
         yield browser
         browser.close()
+
+
+@pytest.fixture(scope="package")
+def chromium():
+    with launched() as browser:
+        yield browser
 
 
 class Studio:

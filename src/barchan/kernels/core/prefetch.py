@@ -12,7 +12,7 @@ _WRITTEN, _KEPT, _DATA = 1, 3, 1
 
 @intrinsic
 def prefetch(typing: Any, address: Any) -> Any:
-    """Ask for the cache line at an address (a whole number); no address is wrong, nor does any change a bit."""
+    """Ask for the cache line at an address (a whole number); no address is wrong, none changes a bit."""
 
     def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
         byte, number = ir.IntType(8).as_pointer(), ir.IntType(32)

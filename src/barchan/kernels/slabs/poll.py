@@ -32,7 +32,6 @@ from barchan.kernels.slabs.state import (
     View,
 )
 
-
 AHEAD = 6
 """Polls by which the memory of a cell is asked for beforehand."""
 
@@ -95,7 +94,7 @@ def _strays(sliding, row, band, grid):
 
 @internal(forceinline=True)
 def _fetch(polls, k, surface, bytes_of_row, width):
-    """Ask for the memory about the cell of a later poll: on large fields it takes longer than a whole poll."""
+    """Ask for the memory about the cell of a later poll: on large fields it comes later than a poll ends."""
     later = np.uint64(k & (BLOCK - 1))
     address = surface + polls.rows[later] * bytes_of_row + polls.cols[later] * width
     prefetch(address)

@@ -36,7 +36,7 @@ def _run_round(stacks, rules, work, schedule, part, tally):
 
 @internal()
 def _round_of(schedule, step_key, number, first, count, cells, target):
-    """One of the rounds of a step: all of its polls; or all cells, again and again, in an order of their own."""
+    """One of the rounds of a step: all of its polls; or all cells, each time in an order of its own."""
     poll_key = derive(step_key, 0)
     if not schedule.each_once:
         return Round(0, first, first + count, step_key, poll_key, -1)
