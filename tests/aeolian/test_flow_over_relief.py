@@ -164,6 +164,7 @@ def test_a_wind_that_is_not_to_differ_does_not():
     assert (calm.speedup, calm.crosswind_ratio, calm.stress) == (None, None, None)
 
 
+@pytest.mark.extended
 def test_dust_goes_along_the_streamlines():
     ripples = model("ripples")
     scenario = barchan.load("ripples", lattice__rows=8, lattice__columns=64, run__seed=1)

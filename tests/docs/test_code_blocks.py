@@ -19,7 +19,16 @@ BUILT = os.environ.get("BARCHAN_DOCS") == "built"
 PAGES = [*sorted((ROOT / "docs").glob("*.md")), *([] if BUILT else TUTORIALS), ROOT / "README.md"]
 
 
-@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
+LONG = ("grains",)
+"""Pages whose blocks compile a model of their own for more than a minute."""
+
+
+def of_page(page):
+    """A page as a case of its name."""
+    return pytest.param(page, id=page.stem, marks=[pytest.mark.extended] if page.stem in LONG else [])
+
+
+@pytest.mark.parametrize("page", [of_page(page) for page in PAGES])
 def test_code_blocks_run(page, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     monkeypatch.syspath_prepend(tmp_path)

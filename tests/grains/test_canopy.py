@@ -120,6 +120,7 @@ def test_at_open_edges_plants_stand_up_to_the_edge():
         assert rise[8, -1] == pytest.approx(share * 2 / 3 * 0.05)
 
 
+@pytest.mark.extended
 def test_a_stand_catches_sand():
     rules = {
         "name": "ripples",
@@ -135,6 +136,7 @@ def test_a_stand_catches_sand():
     assert simulation.bed.units + simulation.ledger.airborne == 16 * 64 * 40
 
 
+@pytest.mark.extended
 def test_a_resumed_run_keeps_its_plants_and_its_bits():
     simulation = Simulation(barchan.load(SMALL, model__displacement=0.001))
     simulation.advance(5)

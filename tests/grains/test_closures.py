@@ -57,6 +57,7 @@ def blow(model, bed, first, steps):
     return model.advance(bed, Segment(first, steps, 0, model.lattice.cells, 270.0), Stream(3, "transport"))
 
 
+@pytest.mark.extended
 @pytest.mark.parametrize("boundary", ["periodic", "open"])
 def test_a_new_set_of_closures_keeps_the_sand(boundary):
     lattice = LATTICE.model_copy(update={"boundary_x": boundary, "boundary_y": boundary})
@@ -68,6 +69,7 @@ def test_a_new_set_of_closures_keeps_the_sand(boundary):
     assert bed.sand.min() >= 0
 
 
+@pytest.mark.extended
 def test_a_new_set_of_closures_gives_the_same_bits_resumed():
     whole, bed, _ = run(12)
     begun, same, _ = run(5)

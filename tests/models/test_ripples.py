@@ -141,7 +141,7 @@ def test_impacts_lift_most_of_the_sand():
     assert splashed.tally.moved > 2 * alone.tally.moved
 
 
-@pytest.mark.parametrize("near_bed", ["threshold", "log"])
+@pytest.mark.parametrize("near_bed", [pytest.param("threshold", marks=pytest.mark.extended), "log"])
 def test_other_winds_near_the_bed_run_too(near_bed):
     simulation = run(5, model__feedback__near_bed=near_bed)
     assert np.isfinite(simulation.model.pool.motion).all()
