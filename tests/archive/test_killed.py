@@ -59,6 +59,7 @@ def test_a_run_killed_at_any_moment_is_resumed_to_the_same_bits(killed, same_fra
     same_frames(killed / "whole", killed / moment)
 
 
+@pytest.mark.extended
 def test_a_command_killed_again_and_again_comes_to_the_same_bits(tmp_path, same_frames):
     scenario = tiny(run__steps=60, run__save_every=2)
     (tmp_path / "tiny.json").write_text(scenario.text())

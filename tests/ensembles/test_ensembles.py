@@ -302,6 +302,7 @@ def test_ctrl_c_saves_the_members_and_tells_how_to_go_on(tmp_path):
     assert not (out / "stop").exists()
 
 
+@pytest.mark.extended
 def test_a_dask_cluster_that_loses_a_worker_brings_each_member_to_its_end_once(tmp_path):
     distributed = pytest.importorskip("distributed")
     from barchan.ensembles.workers import dask_cluster

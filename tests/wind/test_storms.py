@@ -31,6 +31,7 @@ def test_storms_have_the_stated_distributions():
     assert (snow.min(), snow.max()) == (pytest.approx(0.5, abs=0.02), pytest.approx(2.0, abs=0.02))
 
 
+@pytest.mark.extended
 def test_snow_falls_in_the_first_part_of_storms_and_none_is_lost_in_rows():
     record = LONG.record(3)
     storms = storms_of(LONG, 3)

@@ -181,6 +181,7 @@ def whole_steps(way, longest, start, at):
     ]
 
 
+@pytest.mark.extended
 @settings(max_examples=20, deadline=None)
 @given(st.integers(0, 2**32))
 def test_splash_by_size_equals_the_obvious_one(seed):

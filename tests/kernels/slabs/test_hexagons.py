@@ -79,7 +79,9 @@ def test_kernel_equals_reference_on_hexagons_whatever_the_parameters(
     assert_same(bed, tally, plain)
 
 
-@pytest.mark.parametrize("features", [FEATURES[4], FEATURES[8], FEATURES[9]])
+@pytest.mark.parametrize(
+    "features", [*(pytest.param(FEATURES[k], marks=pytest.mark.extended) for k in (4, 8)), FEATURES[9]]
+)
 @settings(deadline=None, max_examples=20)
 @given(st.data())
 def test_kernel_equals_reference_on_hexagons_with_what_models_add(features, data):

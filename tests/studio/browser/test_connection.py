@@ -4,12 +4,14 @@ import io
 import re
 
 import numpy as np
+import pytest
 from PIL import Image
 
 from tests.studio.browser.conftest import NOTICE, running, says
 from tests.studio.conftest import serving, small
 
 
+@pytest.mark.extended
 def test_an_address_without_a_token_asks_for_the_whole_one(visit, server):
     address = server[1]
     page = visit(re.sub(r"\?.*", "", address))
@@ -29,6 +31,7 @@ def test_a_wrong_token_is_named_as_such_and_a_token_alone_is_taken(visit, server
     assert page.evaluate("window.barchan.app.notices.log.filter((entry) => entry.level === 'error')") == []
 
 
+@pytest.mark.extended
 def test_a_window_that_lost_the_studio_to_another_takes_it_back(visit, server):
     first = visit(server[1])
     running(first)
@@ -40,6 +43,7 @@ def test_a_window_that_lost_the_studio_to_another_takes_it_back(visit, server):
     says(second, "another window")
 
 
+@pytest.mark.extended
 def test_a_server_that_ends_is_reported_and_one_that_comes_back_is_found(visit, tmp_path):
     with serving(tmp_path, small()) as served:
         page = visit(f"{served.address}/?token={served.guard.token}")
@@ -51,6 +55,7 @@ def test_a_server_that_ends_is_reported_and_one_that_comes_back_is_found(visit, 
         page.locator(NOTICE, has_text="is not the present one").wait_for(timeout=10_000)
 
 
+@pytest.mark.extended
 def test_a_flood_of_messages_is_named_and_the_page_connects_again(visit, server):
     page = visit(server[1])
     running(page)
@@ -60,6 +65,7 @@ def test_a_flood_of_messages_is_named_and_the_page_connects_again(visit, server)
     running(page)
 
 
+@pytest.mark.extended
 def test_a_page_of_another_version_offers_to_load_it_again(visit, server):
     page = visit(server[1])
     running(page)

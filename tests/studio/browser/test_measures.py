@@ -3,6 +3,8 @@
 import csv
 import io
 
+import pytest
+
 SMALL_PAIR = "window.barchan.app.runs.length === 2 && window.barchan.app.runs[1].ready"
 
 
@@ -12,6 +14,7 @@ def saved(studio, label: str) -> list[dict[str, str]]:
     return list(csv.DictReader(io.StringIO(download.value.path().read_text("utf-8"))))
 
 
+@pytest.mark.extended
 def test_the_measures_of_both_runs_are_saved_at_the_same_fixed_steps(studio):
     page = studio.page
     page.get_by_role("tab", name="Measures").click()
@@ -36,6 +39,7 @@ def test_the_measures_of_both_runs_are_saved_at_the_same_fixed_steps(studio):
     studio.ask("window.barchan.app.send({ command: 'alone' })")
 
 
+@pytest.mark.extended
 def test_saving_shows_how_far_it_is_while_the_run_goes_on(studio):
     studio.ask("window.barchan.app.send({ command: 'limit', rate: 30 })")  # few states, and quickly written
     studio.ask("window.barchan.app.send({ command: 'restart' })")

@@ -72,6 +72,7 @@ def test_a_wrong_value_is_reported_beside_its_row(studio):
     studio.until("document.querySelector('[data-trouble=\"model.p_s\"]')?.textContent.includes('allowed')")
 
 
+@pytest.mark.extended
 def test_winds_in_turn_with_a_curve(studio):
     page = studio.page
     page.get_by_role("tab", name="Wind").click()
@@ -113,6 +114,7 @@ SNOW = {
 }
 
 
+@pytest.mark.extended
 def test_snow_shows_its_layers_its_balance_its_brushes_and_a_curve_of_its_temperature(studio):
     page, run = studio.page, "window.barchan.app.runs[0]"
     studio.ask(f"window.barchan.app.create({json.dumps(SNOW)}, true)")
@@ -187,6 +189,7 @@ def test_painting_and_undoing(studio):
     studio.until(f"window.barchan.app.runs[0].status.volume === {after}")
 
 
+@pytest.mark.extended
 def test_painting_rock_and_plants(studio):
     run = "window.barchan.app.runs[0]"
     scenario = load_scenario("nebkhas", list(SMALL.items())).data()
@@ -215,6 +218,7 @@ def test_painting_rock_and_plants(studio):
     studio.until(f"Math.max(...{run}.ground) === 0 && {run}.status.redo === 2")
 
 
+@pytest.mark.extended
 def test_paths_of_grains_are_drawn_over_the_bed(studio):
     sizes = {"lattice.rows": "24", "lattice.columns": "32", "sand.mean": "60"}
     scenario = load_scenario("first-grains", list(sizes.items())).data()
@@ -242,6 +246,7 @@ def test_a_broken_file_names_each_bad_key_and_the_rest_is_loaded_when_asked(stud
     assert "model.p_s" in studio.log()
 
 
+@pytest.mark.extended
 def test_two_models_side_by_side(studio):
     studio.page.get_by_label("Compare with another model").select_option("momiji")
     studio.until("window.barchan.app.runs[1]?.status?.step > 60")
@@ -264,6 +269,7 @@ def test_a_reload_in_mid_run_goes_on_with_the_same_run(studio):
     assert children_of(studio.process.pid) == workers
 
 
+@pytest.mark.extended
 def test_a_killed_worker_is_reported_and_restarted(studio):
     studio.page.reload()
     studio.step_beyond(5)
@@ -333,6 +339,7 @@ def test_views_and_keys(studio):
     assert page.get_by_role("dialog").get_by_text("restart with the same seed").is_visible()
 
 
+@pytest.mark.extended
 def test_the_space_time_diagram_begins_where_the_run_began(studio):
     studio.step_beyond(60)
     studio.pause()
@@ -399,6 +406,7 @@ def test_a_preset_from_the_gallery(studio):
     studio.until("window.barchan.app.runs[0].description.scenario.ground.kind === 'three_rocks'")
 
 
+@pytest.mark.extended
 def test_every_control_has_a_name(studio):
     studio.step_beyond(0)
     for tab in ("Scenario", "Wind", "Paint", "View"):

@@ -39,6 +39,7 @@ def others(chromium, studio, server):
     assert errors == []
 
 
+@pytest.mark.extended
 def test_a_window_that_watches_shows_the_run_and_has_no_control_that_works(studio, others):
     studio.pause()
     step = studio.status()["step"]
