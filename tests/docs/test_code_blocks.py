@@ -19,8 +19,8 @@ BUILT = os.environ.get("BARCHAN_DOCS") == "built"
 PAGES = [*sorted((ROOT / "docs").glob("*.md")), *([] if BUILT else TUTORIALS), ROOT / "README.md"]
 
 
-LONG = ("grains",)
-"""Pages whose blocks compile a model of their own for more than a minute."""
+LONG = ("directions", "grains", "pictures")
+"""Pages whose blocks take long: they compile rules, or a whole model, of their own."""
 
 
 def of_page(page):

@@ -244,6 +244,7 @@ def writer_in(folder, timeout=60.0):
     raise AssertionError("no member was begun")
 
 
+@pytest.mark.extended
 def test_a_worker_that_is_killed_in_mid_run_loses_nothing(tmp_path):
     plan = plan_of("model.hop_length=1,4", data=LONG)
     killed = []

@@ -20,7 +20,7 @@ def drawn(figure):
 
 
 @pytest.mark.parametrize("name", list(models()))
-@pytest.mark.parametrize("direction", [270.0, 217.0])
+@pytest.mark.parametrize("direction", [270.0, pytest.param(217.0, marks=pytest.mark.extended)])
 def test_every_field_of_every_model_can_be_drawn(name, direction):
     scenario = tiny(model={"name": name}, wind__direction=direction)
     frame = simulate(scenario).isel(step=-1)

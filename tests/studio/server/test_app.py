@@ -222,6 +222,7 @@ def last_halt(browser, run):
     return 0 if status["running"] else status["step"]
 
 
+@pytest.mark.extended
 def test_two_models_run_step_by_step_on_the_same_ground(served):
     with served.browser() as browser:
         browser.until_frame()

@@ -39,6 +39,7 @@ def test_a_lost_run_goes_on_from_the_state_that_the_server_kept(eager, served):
         browser.until_frame(lambda status: status["step"] == kept + 5)
 
 
+@pytest.mark.extended
 def test_two_lost_runs_go_on_from_the_same_step(eager, served):
     with served.browser() as browser:
         browser.until_frame()
@@ -52,6 +53,7 @@ def test_two_lost_runs_go_on_from_the_same_step(eager, served):
             browser.until(lambda h, f: f is not None and h["run"] == name and h["status"]["step"] == kept)  # noqa: B023
 
 
+@pytest.mark.extended
 def test_a_scenario_chosen_while_the_process_ends_in_another_one_is_begun(served):
     with served.browser() as browser:
         browser.until_frame()

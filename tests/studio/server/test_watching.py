@@ -105,6 +105,7 @@ def test_a_second_commanding_browser_takes_over_and_watchers_stay(served):
             browser.until_frame(lambda status: not status["running"])
 
 
+@pytest.mark.extended
 def test_a_stalled_watcher_neither_slows_the_others_nor_is_sent_more_than_two_frames(served):
     with served.browser() as owner, watcher(served, confirms=False) as stalled:
         owner.send("run")
