@@ -6,6 +6,7 @@ import pytest
 from PIL import Image
 
 from barchan.aeolian.flux import LAWS
+from tests.wind.records.weather_file import SMET
 
 WEAK = "time,speed (m/s),direction\n2024-01-01T00:00,3,270\n2024-01-01T01:00,4,280\n2024-01-01T02:00,0,\n"
 
@@ -147,24 +148,12 @@ def test_months_are_refused_where_winds_have_no_dates(here, barchan):
 
 
 HOURS = "".join(f"2024-01-01T{hour:02}:00,{9 + hour},270\n" for hour in (0, 1, 2, 7, 8))
-HUT = """SMET 1.1 ASCII
-[HEADER]
-station_id = HUT
-nodata = -999
-fields = timestamp TA PSUM
-units_offset = 0 273.15 0
-[DATA]
-2024-01-01T00:00 -10.0 0.0
-2024-01-01T03:00 -16.0 6.0
-2024-01-01T06:00 -16.0 3.0
-2024-01-01T09:00 -19.0 0.0
-"""
 
 
 @pytest.fixture
 def ridge(here):
     (here / "ridge.csv").write_text("time,speed (m/s),direction\n" + HOURS)
-    (here / "hut.smet").write_text(HUT)
+    (here / "hut.smet").write_text(SMET)
     scenario = {
         "barchan": 2,
         "lattice": {"rows": 8, "columns": 8},

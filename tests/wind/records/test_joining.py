@@ -11,19 +11,7 @@ from barchan.wind.records.joining import with_weather
 from barchan.wind.records.summary import weather_facts
 from barchan.wind.records.weather_record import read_weather
 from tests.wind.blown import segments
-
-SMET = """SMET 1.1 ASCII
-[HEADER]
-station_id = SNOW
-nodata = -999
-fields = timestamp TA PSUM
-units_offset = 0 273.15 0
-[DATA]
-2024-01-01T00:00 -10.0 0.0
-2024-01-01T03:00 -16.0 6.0
-2024-01-01T06:00 -16.0 3.0
-2024-01-01T09:00 -19.0 0.0
-"""
+from tests.wind.records.weather_file import SMET
 
 
 def winds(path, hours, start="2024-01-01T00:00"):
