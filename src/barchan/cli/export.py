@@ -54,6 +54,13 @@ class Wishes:
             "programs read no more than 65,535 of a mesh."
         ),
     ] = None
+    colour_by: Annotated[
+        str | None,
+        _option(
+            "Field that colours a mesh (.glb, .ply); natural without it. A mesh that moves has one colour "
+            "without it; with it frames follow one another, each with its own colours."
+        ),
+    ] = None
     base: Annotated[
         float | None,
         _option("Thickness (m) of a solid below its lowest point; a tenth of its relief without it."),

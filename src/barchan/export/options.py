@@ -33,6 +33,8 @@ class Options:
     """Units of a mesh to the metre; 1 without it."""
     split: int | None = None
     """Most vertices along a side of the parts that a mesh is split into; one part without it."""
+    colour_by: str | None = None
+    """Field that colours a mesh, or natural; natural without it, and one colour of a mesh that moves."""
     base: float | None = None
     """Thickness (m) of a solid below its lowest point; a tenth of its relief without it."""
     epoch: datetime | None = None
