@@ -29,6 +29,7 @@ class Wishes:
     exaggerate: Annotated[float | None, _option("exaggerate")] = None
     scale: Annotated[float | None, _option("scale")] = None
     split: Annotated[int | None, _option("split")] = None
+    colour_by: Annotated[str | None, _option("colour_by")] = None
     base: Annotated[float | None, _option("base")] = None
     epoch: Annotated[datetime | None, _option("epoch")] = None
     at: Annotated[float | None, _option("at")] = None

@@ -38,6 +38,8 @@ class Options:
     """Units of a mesh to the metre; 1 without it."""
     split: int | None = None
     """Most vertices along a side of the parts that a mesh is split into; one part without it."""
+    colour_by: str | None = None
+    """Field that colours a mesh, or natural; natural without it, and one colour of a mesh that moves."""
     base: float | None = None
     """Thickness (m) of a solid below its lowest point; a tenth of its relief without it."""
     epoch: datetime | None = None
@@ -134,6 +136,11 @@ WORDING = {
         "vertices along a part",
         "Split a .glb mesh into parts of at most this many vertices along a side, 2 to 255: some programs "
         "read no more than 65,535 of a mesh.",
+    ),
+    "colour_by": Wording(
+        "colour by",
+        "Field that colours a mesh (.glb, .ply); natural without it. A mesh that moves has one colour "
+        "without it; with it frames follow one another, each with its own colours.",
     ),
     "base": Wording(
         "base (m)", "Thickness (m) of a solid below its lowest point; a tenth of its relief without it."

@@ -2,7 +2,7 @@
 
 import type { App } from "../core/app";
 import type { Progress } from "../core/connection";
-import type { Command, JsonObject } from "../core/protocol";
+import type { Command, Description, JsonObject } from "../core/protocol";
 import { shownSteps } from "../core/run";
 import { type Submit, formDialog } from "./dialog";
 import { download, h } from "./dom";
@@ -10,7 +10,7 @@ import { download, h } from "./dom";
 /** An option of a format, as the server lists it. */
 export interface Option {
   name: string;
-  kind: "number" | "whole" | "pair" | "flag" | "moment";
+  kind: "number" | "whole" | "pair" | "flag" | "moment" | "field";
   title: string;
   meaning: string;
 }
@@ -65,7 +65,7 @@ class ExportSheet {
     const exported = this.app.current?.description?.exported ?? [];
     this.fields.replaceChildren(...exported.map(({ name, meaning }) => h("label", { className: "check" }, h("input", { type: "checkbox", value: name }), meaning)));
     this.further.hidden = options.length === 0;
-    const rows = options.map(optionRow);
+    const rows = options.map((option) => optionRow(option, exported));
     this.options.replaceChildren(...rows.map(({ element }) => element));
     this.read = () => Object.assign({}, ...rows.map(({ value }) => value())) as JsonObject;
   }
@@ -80,7 +80,11 @@ class ExportSheet {
 }
 
 /** The row of an option; its value is empty where it is left out. */
-function optionRow({ name, kind, title, meaning }: Option): { element: HTMLElement; value: () => JsonObject } {
+function optionRow({ name, kind, title, meaning }: Option, fields: Description["exported"]): { element: HTMLElement; value: () => JsonObject } {
+  if (kind === "field") {
+    const field = h("select", { "aria-label": title }, h("option", { value: "" }, "natural colours"), ...fields.map((one) => h("option", { value: one.name }, one.meaning)));
+    return { element: h("div", { className: "row", title: meaning }, h("span", {}, title), field), value: () => (field.value ? { [name]: field.value } : {}) };
+  }
   const input = (type: string, label: string) => h("input", { type, "aria-label": label, ...(type === "number" ? { step: kind === "whole" ? "1" : "any" } : {}) });
   const inputs = kind === "pair" ? ["first", "second"].map((which) => input("number", `${title}: ${which}`)) : [input({ flag: "checkbox", moment: "datetime-local" }[kind as string] ?? "number", title)];
   const [first, second] = inputs as [HTMLInputElement, HTMLInputElement?];

@@ -102,6 +102,6 @@ def _option(name: str) -> dict[str, str]:
     from barchan.export.options import WORDING, Options
 
     declared = str(Options.__dataclass_fields__[name].type)
-    kinds = {"bool": "flag", "tuple": "pair", "datetime": "moment", "int": "whole"}
+    kinds = {"bool": "flag", "tuple": "pair", "datetime": "moment", "int": "whole", "str": "field"}
     kind = next((kind for begin, kind in kinds.items() if begin in declared), "number")
     return {"name": name, "kind": kind, "title": WORDING[name].title, "meaning": WORDING[name].meaning}
