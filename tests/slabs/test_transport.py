@@ -14,7 +14,7 @@ from barchan.lattice import Lattice
 from barchan.models.bishop import Bishop
 from barchan.models.momiji import Momiji
 from barchan.models.werner import Werner
-from barchan.slabs import transport
+from barchan.slabs import rounds, transport
 from barchan.slabs.transport import Transport
 from barchan.streams import Stream
 from barchan.wind.segment import Segment
@@ -25,7 +25,7 @@ WINDS = [270.0, 90.0, 0.0, 247.5, 225.0, 300.0, 137.0]
 
 @pytest.fixture(autouse=True)
 def threads_for_small_fields(monkeypatch):
-    monkeypatch.setattr(transport, "_LEAST_POLLS", 0)
+    monkeypatch.setattr(rounds, "_LEAST_POLLS", 0)
 
 
 def field_of(lattice, seed, tower=0):
