@@ -101,8 +101,9 @@ def slid(quanta, monkeypatch, threads, band_rows, steps=4):
 
 
 def test_snow_that_slides_far_from_the_edge_of_a_band_makes_bands_wait_for_more(runs, monkeypatch):
-    quanta = np.full((48, 32), 3)
-    quanta[23] = 2000  # a wall of 2000 quanta of 1 cm: what slides off it ends up many rows away
+    # a ridge of 24 rows with steps of 60 quanta, of 3 mm or more, where 8 cm stand: drift slides to its foot
+    ridge = np.maximum(3, 720 - 60 * np.abs(np.arange(48) - 23))
+    quanta = np.repeat(ridge[:, None], 32, axis=1)
     alone = slid(quanta, monkeypatch, 1, band_rows=3)
     runs.clear()
     beside = slid(quanta, monkeypatch, 2, band_rows=3)
