@@ -124,6 +124,26 @@ def test_a_tower_that_slides_over_many_rows_makes_bands_wait_for_more(monkeypatc
     assert distances[-1][0] > distances[0][0]
 
 
+@pytest.mark.parametrize("threads", [1, 2])
+def test_no_cell_exceeds_the_heights_that_bands_go_by(threads, monkeypatch):
+    seen = []
+    whole = Transport._plan
+
+    def watched(self, *arguments):
+        plan = whole(self, *arguments)
+        seen.append((plan, self.stacks.surface, plan.peaks.copy()))
+        return plan
+
+    monkeypatch.setattr(Transport, "_plan", watched)
+    lattice = Lattice(rows=64, columns=32)
+    model = Werner(Werner.Parameters(band_rows=8), lattice)
+    moved_by(threads, model, np.full(lattice.shape, 5, np.int32), 270.0, steps=8)
+    (plan, surface, before), *_ = seen
+    heights = surface.reshape(8, -1).max(axis=1)
+    assert heights.max() > before.max()
+    assert (plan.peaks >= heights).all()
+
+
 def test_slabs_that_hop_far_find_room_however_many_they_are(monkeypatch):
     lattice = Lattice(rows=64, columns=64)
     model = Werner(Werner.Parameters(band_rows=4, hop_length=9.0), lattice)

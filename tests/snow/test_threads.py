@@ -114,6 +114,25 @@ def test_snow_that_slides_far_from_the_edge_of_a_band_makes_bands_wait_for_more(
     assert max(distance for _, distance, _ in runs) > 1
 
 
+@pytest.mark.parametrize("threads", [1, 2])
+def test_no_cell_exceeds_the_heights_that_bands_go_by(threads, monkeypatch):
+    seen = []
+    whole = SharedRounds._plan
+
+    def watched(self, *arguments):
+        plan = whole(self, *arguments)
+        seen.append((plan, self.changed()[0], plan.peaks.copy()))
+        return plan
+
+    monkeypatch.setattr(SharedRounds, "_plan", watched)
+    quanta = np.random.default_rng(2).integers(20, 30, (32, 32))
+    slid(quanta, monkeypatch, threads, band_rows=4, steps=5)
+    (plan, surface, before), *_ = seen
+    heights = surface.reshape(8, -1).max(axis=1)
+    assert heights.max() > before.max()
+    assert (plan.peaks >= heights).all()
+
+
 def test_work_of_two_threads_that_is_interrupted_ends_and_the_next_run_moves_snow(monkeypatch):
     on(2, monkeypatch)
     simulation = snow(band_rows=4)

@@ -1,8 +1,9 @@
 """What the graph of bands asks of a bed, which differs from one kind of bed to the next.
 
 The compiler chooses by the types of the arguments: a kind of bed says for each function here what it does
-(``numba.extending.overload``), in a file of its own. Functions handed over would be compiled anew in each
-process.
+(``numba.extending.overload``), in a file of its own. Functions handed over would be compiled again in each
+process. Not with ``inline="always"``: of the heights that ``poll_bed`` returned in a loop the caller then
+kept the first one (Numba 0.68).
 """
 
 from numba import types
@@ -34,7 +35,7 @@ def is_a(kind, named_tuple):
     return isinstance(kind, types.NamedTuple) and kind.instance_class is named_tuple
 
 
-@overload(poll_bed, inline="always")
+@overload(poll_bed)
 def _poll_slabs(bed, rules, work, band, count, redraw, target, peak, tally):
     if is_a(bed, Stacks):
 
@@ -45,7 +46,7 @@ def _poll_slabs(bed, rules, work, band, count, redraw, target, peak, tally):
     return None
 
 
-@overload(measure_bed, inline="always")
+@overload(measure_bed)
 def _measure_slabs(bed):
     if is_a(bed, Stacks):
 
@@ -56,7 +57,7 @@ def _measure_slabs(bed):
     return None
 
 
-@overload(lattice_rules, inline="always")
+@overload(lattice_rules)
 def _rules_of_slabs(rules):
     if is_a(rules, SlabRules):
 

@@ -7,7 +7,7 @@ from barchan.kernels.snow.poll import run_polls
 from barchan.kernels.snow.state import Pack, SnowRules
 
 
-@overload(poll_bed, inline="always")
+@overload(poll_bed)
 def _poll_snow(bed, rules, work, band, count, redraw, target, peak, tally):
     if is_a(bed, Pack):
 
@@ -18,7 +18,7 @@ def _poll_snow(bed, rules, work, band, count, redraw, target, peak, tally):
     return None
 
 
-@overload(measure_bed, inline="always")
+@overload(measure_bed)
 def _measure_snow(bed):
     if is_a(bed, Pack):
 
@@ -29,7 +29,7 @@ def _measure_snow(bed):
     return None
 
 
-@overload(lattice_rules, inline="always")
+@overload(lattice_rules)
 def _rules_of_snow(rules):
     if is_a(rules, SnowRules):
 
