@@ -51,27 +51,29 @@ static int64_t end_of_slope(const Field *f, int64_t row, int64_t col, int sign) 
   }
 }
 
+/* One poll of a band; returns the number of slabs moved. */
+static inline int64_t run_poll(Field *f, int64_t first_row, int64_t rows, uint64_t state, int32_t *peak) {
+  int64_t cols = f->cols, col = below(state >> 32, cols), row = first_row + below(state & 0xFFFFFFFF, rows);
+  if (f->bed[row * cols + col] == 0) return 0;
+  if (!f->lee_erosion && in_shadow(f, row, col, *peak)) return 0;
+  f->bed[end_of_slope(f, row, col, 1)]--;
+  for (;;) {
+    col += f->hop;
+    if (col >= cols) col -= cols;
+    state += GOLDEN;
+    uint64_t stays = f->bed[row * cols + col] > 0 ? f->on_sand : f->on_ground;
+    if ((mix(state) >> 32) < stays || in_shadow(f, row, col, *peak)) break;
+  }
+  int64_t cell = end_of_slope(f, row, col, -1);
+  if (++f->bed[cell] > *peak) *peak = f->bed[cell];
+  return 1;
+}
+
 /* Polls of a band; returns the number of slabs moved. */
 static int64_t run_band(Field *f, int64_t first_row, int64_t rows, int64_t poll, int64_t count, uint64_t key,
                         int32_t *peak) {
-  int64_t moved = 0, cols = f->cols;
-  for (int64_t k = 0; k < count; k++) {
-    uint64_t state = derive(key, poll + k);
-    int64_t col = below(state >> 32, cols), row = first_row + below(state & 0xFFFFFFFF, rows);
-    if (f->bed[row * cols + col] == 0) continue;
-    if (!f->lee_erosion && in_shadow(f, row, col, *peak)) continue;
-    moved++;
-    f->bed[end_of_slope(f, row, col, 1)]--;
-    for (;;) {
-      col += f->hop;
-      if (col >= cols) col -= cols;
-      state += GOLDEN;
-      uint64_t stays = f->bed[row * cols + col] > 0 ? f->on_sand : f->on_ground;
-      if ((mix(state) >> 32) < stays || in_shadow(f, row, col, *peak)) break;
-    }
-    int64_t cell = end_of_slope(f, row, col, -1);
-    if (++f->bed[cell] > *peak) *peak = f->bed[cell];
-  }
+  int64_t moved = 0;
+  for (int64_t k = 0; k < count; k++) moved += run_poll(f, first_row, rows, derive(key, poll + k), peak);
   return moved;
 }
 

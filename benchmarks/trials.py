@@ -17,13 +17,19 @@ from benchmarks.plain import SOURCE, Case, by_loop, compiled, shadow_line
 
 CASES = (Case(256, 100, True, 9), Case(256, 400, False, 9), Case(1024, 10, True, 9), Case(4096, 1, True, 5))
 
-DRAW = """    uint64_t state = derive(key, poll + k);
-    int64_t col = below(state >> 32, cols), row = first_row + below(state & 0xFFFFFFFF, rows);
-"""
-LOOP = "  for (int64_t k = 0; k < count; k++) {\n" + DRAW
+DRAW = (
+    "  int64_t cols = f->cols, col = below(state >> 32, cols), "
+    "row = first_row + below(state & 0xFFFFFFFF, rows);\n"
+)
+GIVEN = "uint64_t state, int32_t *peak) {\n"
+LOOP = (
+    "  for (int64_t k = 0; k < count; k++) "
+    "moved += run_poll(f, first_row, rows, derive(key, poll + k), peak);\n"
+)
 AHEAD = """  enum { BLOCK = 256 };
   uint64_t states[BLOCK];
   int32_t own_rows[BLOCK], own_cols[BLOCK];
+  int64_t cols = f->cols;
   for (int64_t k = 0; k < count; k++) {
     int64_t at = k % BLOCK;
     if (at == 0)
@@ -32,9 +38,18 @@ AHEAD = """  enum { BLOCK = 256 };
         states[n] = drawn;
         own_cols[n] = below(drawn >> 32, cols), own_rows[n] = first_row + below(drawn & 0xFFFFFFFF, rows);
       }
-    uint64_t state = states[at];
-    int64_t col = own_cols[at], row = own_rows[at];
 """
+RUN_DRAWN = "    moved += run_poll(f, own_rows[at], own_cols[at], states[at], peak);\n  }\n"
+TAKE_DRAWN = (
+    (
+        "Field *f, int64_t first_row, int64_t rows, " + GIVEN + DRAW,
+        "Field *f, int64_t row, int64_t col, " + GIVEN,
+    ),
+    (
+        "  if (f->bed[row * cols + col] == 0) return 0;",
+        "  int64_t cols = f->cols;\n  if (f->bed[row * cols + col] == 0) return 0;",
+    ),
+)
 FETCH = """    if (at + 6 < BLOCK) {
       const int32_t *next = f->bed + own_rows[at + 6] * cols + own_cols[at + 6];
       __builtin_prefetch(next), __builtin_prefetch(next + cols), __builtin_prefetch(next - cols);
@@ -62,9 +77,68 @@ static void renew(const Field *f, int64_t cell) {
 """
 FIELDS = "  int lee_erosion;\n} Field;"
 GIVE, RECEIVE = (
-    "    f->bed[end_of_slope(f, row, col, 1)]--;",
-    "    if (++f->bed[cell] > *peak) *peak = f->bed[cell];",
+    "  f->bed[end_of_slope(f, row, col, 1)]--;",
+    "  if (++f->bed[cell] > *peak) *peak = f->bed[cell];",
 )
+BANDS = SOURCE.read_text().partition("    int64_t poll = 0;\n")[2].partition("  }\n  free(")[0]
+TOGETHER = """    enum { MOST = MOST_BANDS };
+    for (int64_t b = 0; b < bands;) {
+      int64_t first[MOST], size[MOST], count[MOST], longest = 0;
+      int n = 0;
+      for (; n < MOST && b + n < bands; n++) {
+        int far = 1;
+        for (int m = 0; m < n; m++) {
+          int64_t apart = llabs(order[b + n] - order[b + m]);
+          far &= apart > 2 && bands - apart > 2;
+        }
+        if (!far) break;
+        first[n] = order[b + n] * band_rows, count[n] = 0;
+        size[n] = first[n] + band_rows < rows ? band_rows : rows - first[n];
+        for (int64_t row = first[n]; row < first[n] + size[n]; row++) count[n] += row_polls[row];
+        longest = count[n] > longest ? count[n] : longest;
+      }
+      int64_t polls[MOST];
+      for (int m = 0; m < n; m++) polls[m] = poll, poll += count[m];
+      uint64_t poll_key = derive(step_key, 0);
+      for (int64_t k = 0; k < longest; k++) {
+        RUN_TOGETHER
+      }
+      b += n;
+    }
+"""
+IN_TURN = """for (int m = 0; m < n; m++)
+          if (k < count[m])
+            moved += run_poll(&f, first[m], size[m], derive(poll_key, polls[m] + k), &peak);"""
+STAGES = """int64_t row[MOST], col[MOST];
+        uint64_t state[MOST];
+        int at_work[MOST];
+        for (int m = 0; m < n; m++) {
+          state[m] = derive(poll_key, polls[m] + k);
+          col[m] = below(state[m] >> 32, cols), row[m] = first[m] + below(state[m] & 0xFFFFFFFF, size[m]);
+        }
+        for (int m = 0; m < n; m++) {
+          at_work[m] = k < count[m] && f.bed[row[m] * cols + col[m]] > 0;
+          if (at_work[m] && !f.lee_erosion) at_work[m] = !in_shadow(&f, row[m], col[m], peak);
+        }
+        for (int m = 0; m < n; m++)
+          if (at_work[m]) f.bed[end_of_slope(&f, row[m], col[m], 1)]--, moved++;
+        for (int hopping = 1; hopping;) {
+          hopping = 0;
+          for (int m = 0; m < n; m++)
+            if (at_work[m] == 1) {
+              col[m] += f.hop;
+              if (col[m] >= cols) col[m] -= cols;
+              state[m] += GOLDEN;
+              uint64_t stays = f.bed[row[m] * cols + col[m]] > 0 ? f.on_sand : f.on_ground;
+              if ((mix(state[m]) >> 32) < stays || in_shadow(&f, row[m], col[m], peak)) at_work[m] = 2;
+              hopping |= at_work[m] == 1;
+            }
+        }
+        for (int m = 0; m < n; m++)
+          if (at_work[m]) {
+            int64_t cell = end_of_slope(&f, row[m], col[m], -1);
+            if (++f.bed[cell] > peak) peak = f.bed[cell];
+          }"""
 SETTLE = "(mix(state) >> 32) < stays || in_shadow(f, row, col, *peak)"
 MADE = "on_sand, on_ground, lee_erosion};"
 LINES = """on_sand, on_ground, lee_erosion, malloc(rows * cols * 8)};
@@ -93,10 +167,21 @@ class Trial:
         return text
 
 
+def together(most: int, run: str) -> tuple[tuple[str, str], ...]:
+    """The change that runs polls of up to ``most`` bands together that follow on each other, far apart."""
+    return ((BANDS, TOGETHER.replace("RUN_TOGETHER", run).replace("MOST_BANDS", str(most))),)
+
+
 TRIALS = (
     Trial("as it is", ()),
-    Trial("random numbers of 256 polls drawn at once", ((LOOP, AHEAD),)),
-    Trial("the same, cells of the sixth poll ahead fetched", ((LOOP, AHEAD + FETCH),)),
+    Trial("random numbers of 256 polls drawn at once", ((LOOP, AHEAD + RUN_DRAWN), *TAKE_DRAWN)),
+    Trial(
+        "the same, cells of the sixth poll ahead fetched", ((LOOP, AHEAD + FETCH + RUN_DRAWN), *TAKE_DRAWN)
+    ),
+    Trial("polls of two bands in turn", together(2, IN_TURN)),
+    Trial("polls of four bands in turn", together(4, IN_TURN)),
+    Trial("polls of four bands at once, stage by stage", together(4, STAGES)),
+    Trial("polls of eight bands at once, stage by stage", together(8, STAGES)),
     Trial("shadow tested also where chance holds the slab", ((SETTLE, SETTLE.replace("||", "|")),)),
     Trial(
         "stacks of 16 bits",
@@ -112,9 +197,9 @@ TRIALS = (
             (SHADOW_BY_SEARCH, SHADOW_BY_LINE),
             (
                 GIVE,
-                "    int64_t from = end_of_slope(f, row, col, 1);\n    f->bed[from]--;\n    renew(f, from);",
+                "  int64_t from = end_of_slope(f, row, col, 1);\n  f->bed[from]--;\n  renew(f, from);",
             ),
-            (RECEIVE, RECEIVE + "\n    renew(f, cell);"),
+            (RECEIVE, RECEIVE + "\n  renew(f, cell);"),
             (MADE, LINES),
         ),
     ),

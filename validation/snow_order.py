@@ -2,7 +2,7 @@
 
 Bare ground, 2.4 × 11.2 m, periodic, cells and hops of 0.1 m, quanta of 2 kg/m², -10 °C. 24 kg/m² fall within
 six hours of 8 m/s; then 12 hours of 11 m/s, calm for 4.5 days, and 12 hours of 15 m/s. Classes by
-`barchan.measures.snow_forms`; four seeds.
+`barchan.measures.snow_forms`; five seeds.
 """
 
 from collections import Counter
@@ -32,7 +32,7 @@ def series(seed):
 
 
 def rows():
-    (found,) = over_seeds(series, [()], (1, 2, 3, 4))
+    (found,) = over_seeds(series, [()])
     expected = {"young": "flat or skewness below 0", "old": "skewness above 0"}
     for name, _ in STAGES:
         classes = Counter(found[f"{name}_form"])
@@ -48,7 +48,7 @@ def rows():
             expected.get(name, ""),
             f"{text}; skewness {spread(skew)}, relief {spread(relief)} cm, bonded "
             f"{spread(found[f'{name}_bonded'])}, bare {spread(found[f'{name}_bare'])}",
-            f"{sum(held)} of 4 seeds" if held else "",
+            f"{sum(held)} of {len(held)} seeds" if held else "",
         )
 
 

@@ -13,6 +13,8 @@ from barchan.comparison.report import number
 from barchan.simulation import Simulation
 from tests.tiny import tiny
 
+pytestmark = pytest.mark.extended
+
 
 class BrokenOffError(Exception):
     pass

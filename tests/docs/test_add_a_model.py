@@ -34,6 +34,7 @@ def installed(tmp_path):
     return barchan
 
 
+@pytest.mark.extended
 def test_a_model_of_another_package_is_found_and_run(installed, tmp_path):
     size = ["--lattice.rows", "32", "--lattice.columns", "64", "--run.steps", "20", "--run.seed", "1"]
     model = ["--model.name", "damp", "--model.water-table", "0.4"]

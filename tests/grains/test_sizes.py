@@ -61,6 +61,7 @@ def check_bed(simulation):
     np.testing.assert_array_equal(layer.sum(0), np.minimum(simulation.bed.sand, sizes.capacity))
 
 
+@pytest.mark.extended
 @settings(max_examples=12, deadline=None, phases=[Phase.explicit, Phase.generate])
 @given(
     st.sampled_from([TWO, CREEPING, THREE]),

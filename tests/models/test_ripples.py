@@ -106,6 +106,7 @@ def test_what_is_slowed_stays_near_the_way_of_the_wind(direction):
     assert widths == pytest.approx([0.04, 0.01], rel=0.05)
 
 
+@pytest.mark.extended
 def test_wind_by_place_is_the_same_wind_where_it_has_none():
     ripples = model("ripples")
     bed = Simulation(barchan.load(SMALL)).bed
@@ -141,7 +142,8 @@ def test_impacts_lift_most_of_the_sand():
     assert splashed.tally.moved > 2 * alone.tally.moved
 
 
-@pytest.mark.parametrize("near_bed", [pytest.param("threshold", marks=pytest.mark.extended), "log"])
+@pytest.mark.extended
+@pytest.mark.parametrize("near_bed", ["threshold", "log"])
 def test_other_winds_near_the_bed_run_too(near_bed):
     simulation = run(5, model__feedback__near_bed=near_bed)
     assert np.isfinite(simulation.model.pool.motion).all()

@@ -25,6 +25,7 @@ import { Moments } from "./ui/moments";
 import { Paint } from "./ui/paint";
 import { Panel } from "./ui/panel";
 import { Pointer } from "./ui/pointer";
+import { Recorder } from "./ui/recorder";
 import { Ruler } from "./ui/ruler";
 import { ArrivingLinks } from "./ui/scenario_links";
 import { Side } from "./ui/side";
@@ -62,7 +63,9 @@ const stage = sceneIn(scene, app);
 const hud = new Hud(app, stage);
 scene.append(hud.element);
 
-const files = new Files(app, stage);
+const recorder = new Recorder(app, stage);
+scene.append(recorder.element);
+const files = new Files(app, stage, recorder);
 if (!app.watching) files.accept(scene);
 const paint = new Paint(app);
 const section = new SectionView(app, stage, () => pointer.drawLine());
@@ -142,6 +145,7 @@ const looking: Shortcut[] = [
   key("-", "go back", () => stage.turn(0, 0, 1.1)),
   key("f", "full screen with large type, and back", () => full.toggle(), "F"),
   key("p", "save a picture", () => void files.savePicture(), "P"),
+  key("v", "record the scene, and end that", () => recorder.toggle(), "V"),
   key("n", "panel: fold or draw out", () => side.toggle(), "N"),
   key("?", "this list", () => help(shortcuts)),
 ];

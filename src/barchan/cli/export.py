@@ -8,11 +8,12 @@ from typing import Annotated, Any
 from cyclopts import Parameter
 
 from barchan.errors import ExportError
+from barchan.export.options import WORDING
 
 
-def _option(text: str) -> Parameter:
+def _option(name: str) -> Parameter:
     """An option that is left out unless it is given."""
-    return Parameter(help=text, negative=())
+    return Parameter(help=WORDING[name].meaning, negative=())
 
 
 @Parameter(name="*")
@@ -20,60 +21,22 @@ def _option(text: str) -> Parameter:
 class Wishes:
     """How frames are changed and written; each format takes some of these options."""
 
-    smooth: Annotated[
-        float | None,
-        _option(
-            "Smooth surface and layers over this many cells; their mean stays but for rounding. Whole slabs "
-            "make terraces, which 1 to 2 cells remove."
-        ),
-    ] = None
-    cells: Annotated[
-        tuple[int, int] | None,
-        _option("Columns and rows to bring the field onto: means over areas, so that the volume stays."),
-    ] = None
-    close: Annotated[
-        bool, _option("Repeat the first row and column of periodic directions at their end, for engines.")
-    ] = False
-    limits: Annotated[
-        tuple[float, float] | None,
-        _option(
-            "Values that 0 and 65535 stand for in 16-bit files, the same for tiles that belong together; "
-            "the extremes of all written frames without it."
-        ),
-    ] = None
-    flip: Annotated[bool, _option("Southern row first (height maps), as Unity shows them.")] = False
-    exaggerate: Annotated[float | None, _option("Factor of a mesh's heights over the lowest.")] = None
-    scale: Annotated[
-        float | None,
-        _option("Units of a mesh to the metre; slicers read units as mm, so 10 prints 1 m as 1 cm."),
-    ] = None
-    split: Annotated[
-        int | None,
-        _option(
-            "Split a .glb mesh into parts of at most this many vertices along a side, 2 to 255: some "
-            "programs read no more than 65,535 of a mesh."
-        ),
-    ] = None
-    base: Annotated[
-        float | None,
-        _option("Thickness (m) of a solid below its lowest point; a tenth of its relief without it."),
-    ] = None
-    epoch: Annotated[
-        datetime | None,
-        _option("Date and time of step 0 in NetCDF; 2000-01-01, said to be arbitrary, without it."),
-    ] = None
-    at: Annotated[
-        float | None,
-        _option("Where a section lies across the wind, 0 to 1; through the highest stack without it."),
-    ] = None
-    frames_per_second: Annotated[
-        float | None, _option("Frames a second of a film or animation; 12 without it.")
-    ] = None
-    pixels: Annotated[int | None, _option("Pixels on the longer side of a film, about; 512 without it.")] = (
-        None
-    )
-    size: Annotated[tuple[float, float] | None, _option("Width and height (cm) of a picture.")] = None
-    dpi: Annotated[int | None, _option("Dots per inch of a picture; 150 without it.")] = None
+    smooth: Annotated[float | None, _option("smooth")] = None
+    cells: Annotated[tuple[int, int] | None, _option("cells")] = None
+    close: Annotated[bool, _option("close")] = False
+    limits: Annotated[tuple[float, float] | None, _option("limits")] = None
+    flip: Annotated[bool, _option("flip")] = False
+    exaggerate: Annotated[float | None, _option("exaggerate")] = None
+    scale: Annotated[float | None, _option("scale")] = None
+    split: Annotated[int | None, _option("split")] = None
+    colour_by: Annotated[str | None, _option("colour_by")] = None
+    base: Annotated[float | None, _option("base")] = None
+    epoch: Annotated[datetime | None, _option("epoch")] = None
+    at: Annotated[float | None, _option("at")] = None
+    frames_per_second: Annotated[float | None, _option("frames_per_second")] = None
+    pixels: Annotated[int | None, _option("pixels")] = None
+    size: Annotated[tuple[float, float] | None, _option("size")] = None
+    dpi: Annotated[int | None, _option("dpi")] = None
 
 
 def export(

@@ -1,8 +1,9 @@
 """glTF in one binary file: arrays one after the other, and the text that says what they are."""
 
 import json
+from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,6 +17,19 @@ TYPES = {"f4": 5126, "u1": 5121, "u2": 5123, "u4": 5125}
 
 SHORT = 65_535
 """Vertices that 16 bits number: the highest number of them has a meaning of its own."""
+
+
+@dataclass(frozen=True)
+class Track:
+    """What a property of some nodes does over time."""
+
+    nodes: list[int]
+    path: Literal["weights", "scale"]
+    seconds: NDArray[np.float32]
+    values: NDArray[np.float32]
+    """A row for each time: weights of all shapes, or the scale along three axes."""
+    steps: bool = False
+    """Whether values jump at their times; otherwise they change along straight lines between them."""
 
 
 class Gltf:
@@ -34,6 +48,7 @@ class Gltf:
             "accessors": [],
             "animations": [],
         }
+        self._roots: list[int] = []
 
     def array(self, values: NDArray, use: int | None = ARRAY, extent: bool = False) -> int:
         """Add an array; returns its number. ``extent`` states its lowest and highest values, as some must."""
@@ -76,26 +91,36 @@ class Gltf:
         if targets:
             part["targets"] = targets
             mesh["weights"] = [0.0] * len(targets)
-        return self._add("nodes", {"mesh": self._add("meshes", mesh), "name": name})
+        return self._node({"mesh": self._add("meshes", mesh), "name": name})
 
-    def animate(
-        self, name: str, nodes: list[int], seconds: NDArray[np.float32], weights: NDArray[np.float32]
-    ) -> None:
-        """Let the shapes of nodes follow weights (time, shape), on straight lines between the times."""
-        sampler = {
-            "input": self.array(seconds, None, extent=True),
-            "output": self.array(weights.ravel(), None),
-            "interpolation": "LINEAR",
-        }
-        channels = [{"sampler": 0, "target": {"node": node, "path": "weights"}} for node in nodes]
-        self._add("animations", {"name": name, "samplers": [sampler], "channels": channels})
+    def group(self, name: str, nodes: list[int], shown: bool) -> int:
+        """Add a node that holds others, of no size unless they are shown at first; returns its number."""
+        self._roots = [root for root in self._roots if root not in nodes]
+        return self._node({"name": name, "children": nodes, "scale": [float(shown)] * 3})
+
+    def animate(self, name: str, tracks: list[Track]) -> None:
+        """Let properties of nodes follow tracks, all at the same time."""
+        samplers: list[dict[str, Any]] = []
+        channels: list[dict[str, Any]] = []
+        for track in tracks:
+            targets = [{"node": node, "path": track.path} for node in track.nodes]
+            channels += [{"sampler": len(samplers), "target": target} for target in targets]
+            values = track.values.ravel() if track.path == "weights" else track.values
+            samplers.append(
+                {
+                    "input": self.array(track.seconds, None, extent=True),
+                    "output": self.array(values, None),
+                    "interpolation": "STEP" if track.steps else "LINEAR",
+                }
+            )
+        self._add("animations", {"name": name, "samplers": samplers, "channels": channels})
 
     def write(self, path: Path) -> None:
         """Write the scene."""
         head = {
             "asset": {"version": "2.0", "generator": f"Barchan {__version__}"},
             "scene": 0,
-            "scenes": [{"nodes": list(range(len(self._lists["nodes"])))}],
+            "scenes": [{"nodes": self._roots}],
             "buffers": [{"byteLength": self._offset}],
             **{name: found for name, found in self._lists.items() if found},
         }
@@ -107,6 +132,10 @@ class Gltf:
             file.write(np.array([self._offset, BINARY_CHUNK], "<u4").tobytes())
             for block in self._blocks:
                 file.write(block.tobytes() + b"\0" * (-block.nbytes % 4))
+
+    def _node(self, made: dict[str, Any]) -> int:
+        self._roots.append(self._add("nodes", made))
+        return self._roots[-1]
 
     def _add(self, kind: str, made: dict[str, Any]) -> int:
         self._lists[kind].append(made)

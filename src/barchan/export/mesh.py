@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from barchan.errors import ExportError
-from barchan.export.source import Source, changed
+from barchan.export.source import Source
 from barchan.measures.filters import gradient
 
 MOST_VERTICES = 50_000_000
@@ -148,22 +148,3 @@ def mesh_facts(source: Source, axes: str) -> dict[str, Any]:
             "exaggeration": options.exaggerate or 1.0,
         }
     }
-
-
-def colours_of(source: Source) -> NDArray[np.float32]:
-    """Colours (red, green, blue from 0 to 1, as screens show them) of all vertices, without shade."""
-    from matplotlib.colors import Normalize
-
-    from barchan.analysis.on_squares import on_squares
-    from barchan.figures.bare import with_bare_ground
-    from barchan.figures.layers import overlaid
-    from barchan.figures.maps import surface_range
-    from barchan.figures.style import SMOOTHING, colour_map, material_of, smooth
-
-    frame, scenario = on_squares(source.frame(source.steps[0]), source.scenario)
-    shown = smooth(frame["elevation"].values, SMOOTHING, scenario)
-    norm = Normalize(*surface_range(frame, scenario))
-    base = np.asarray(colour_map("natural", material_of(scenario))(norm(shown)))[..., :3]
-    base = overlaid(with_bare_ground(base, frame, scenario, SMOOTHING), frame, scenario)
-    channels = [changed(base[..., k], scenario.lattice.periodic, source.options) for k in range(3)]
-    return np.clip(np.stack(channels, axis=-1).reshape(-1, 3), 0.0, 1.0).astype("<f4")

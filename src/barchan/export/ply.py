@@ -5,7 +5,8 @@ from typing import Any
 
 import numpy as np
 
-from barchan.export.mesh import colours_of, mesh_facts, surface_of
+from barchan.export.colours import colour_facts, colours_of
+from barchan.export.mesh import mesh_facts, surface_of
 from barchan.export.numbers import floats
 from barchan.export.source import Source
 
@@ -40,4 +41,4 @@ def write(path: Path, source: Source) -> dict[str, Any]:
         )
         file.write(points.tobytes())
         file.write(faces.tobytes())
-    return mesh_facts(source, "x to the east, y to the north, z up")
+    return {**mesh_facts(source, "x to the east, y to the north, z up"), **colour_facts(source)}

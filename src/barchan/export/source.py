@@ -47,6 +47,10 @@ class Source:
     """Lowest and highest value of each field in all frames that were looked at."""
     progress: Callable[[int], None] | None = None
     """Takes the number of frames that are drawn, where somebody asks for it."""
+    all_steps: tuple[int, ...] = ()
+    """The steps of the whole export, of which this may be one file."""
+    scales: dict[str, tuple[float, float]] = field(default_factory=dict)
+    """Lowest and highest value of the colour scale of each field, the same in all files of an export."""
 
     @cached_property
     def grid(self) -> Grid:

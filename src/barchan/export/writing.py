@@ -62,7 +62,7 @@ def export(
     dataset, scenario = opened(run)
     try:
         steps = chosen_steps(dataset, step if step is not None else ("all" if chosen.series else "last"))
-        source = Source(dataset, scenario, steps, (), wishes, progress=progress)
+        source = Source(dataset, scenario, steps, (), wishes, progress=progress, all_steps=steps)
         source = source.only(steps, chosen_fields(source, chosen, fields))
         return _written(path, chosen, source)
     finally:

@@ -44,14 +44,9 @@ def field_map(
     """
     field = field_on_squares(field, scenario)
     frame, scenario = on_squares(frame, scenario)
-    held = ~bare_cells(frame) if field.attrs.get("of_layers") else np.ones(field.shape, np.bool_)
-    if limits is None and held.any() and not held.all():
-        limits = limits_of(field.values[held], None)
-    scale, ends = (_choice if field.values.dtype == bool else _scale)(
-        field, scenario, colours, limits, smoothing
+    colour, scale, ends = field_colours(
+        field, frame, scenario, colours=colours, limits=limits, smoothing=smoothing
     )
-    shown = smooth(field.values, smoothing, scenario)
-    colour = np.where(held[..., None], scale.to_rgba(shown)[..., :3], ground_colours(scenario))
     image = lit(colour, frame, scenario, max(smoothing, SMOOTHING), RELIEF)
     figure, axes = map_panel(scenario, frame, image)
     bar = colour_bar(figure, axes, scale, label_of(field), extend=ends)
@@ -61,31 +56,68 @@ def field_map(
     return figure
 
 
+def field_colours(
+    field: "xr.DataArray",
+    frame: "xr.Dataset",
+    scenario: Scenario,
+    *,
+    colours: Colours = "perceptual",
+    limits: Limits = None,
+    automatic: Limits = None,
+    smoothing: float = 0.0,
+) -> tuple[NDArray[np.float64], "ScalarMappable", str]:
+    """Colours (red, green, blue) of a field on squares without light and shade; see ``field_map``.
+
+    ``automatic`` are the limits of a scale that nobody chose, where it is that of more frames than this one.
+    Also returns the colour scale, and which of its ends there are values beyond.
+    """
+    shown = smooth(field.values, smoothing, scenario)
+    shades, held = _colours(field, scenario, colours), _held(field, frame)
+    if field.values.dtype == bool:
+        scale, ends = _choice(shades), "neither"
+    else:
+        found = automatic or automatic_limits(field, frame, scenario, smoothing)
+        scale, ends = _scale(field, shown, shades, limits, found)
+    return np.where(held[..., None], scale.to_rgba(shown)[..., :3], ground_colours(scenario)), scale, ends
+
+
+def automatic_limits(
+    field: "xr.DataArray", frame: "xr.Dataset", scenario: Scenario, smoothing: float = 0.0
+) -> tuple[float, float]:
+    """The colour scale of a field of one frame where nobody chooses one; that of a choice is 0 to 1."""
+    if field.values.dtype == bool:
+        return 0.0, 1.0
+    held = _held(field, frame)
+    if held.any() and not held.all():
+        return limits_of(field.values[held], None)
+    return limits_of(smooth(field.values, smoothing, scenario), field.attrs.get("centre"))
+
+
+def _held(field: "xr.DataArray", frame: "xr.Dataset") -> NDArray[np.bool_]:
+    """The cells that have a value: of a field of the layers those that are not bare."""
+    return ~bare_cells(frame) if field.attrs.get("of_layers") else np.ones(field.shape, np.bool_)
+
+
 def _scale(
-    field: "xr.DataArray", scenario: Scenario, colours: Colours, limits: Limits, smoothing: float
+    field: "xr.DataArray", shown: NDArray, shades: "Colormap", limits: Limits, automatic: tuple[float, float]
 ) -> tuple["ScalarMappable", str]:
     """The colour scale of a field of numbers, and which of its ends there are values beyond."""
     from matplotlib.cm import ScalarMappable
     from matplotlib.colors import Normalize
 
-    shown = smooth(field.values, smoothing, scenario)
-    shades = _colours(field, scenario, colours)
-    low, high = limits or limits_of(shown, field.attrs.get("centre"))
+    low, high = limits or automatic
     least = field.attrs.get("least", low)
     if limits is None and low < least < high:
         low, shades = least, _upper(shades, (least - low) / (high - low))
     return ScalarMappable(Normalize(low, high), shades), _ends(shown, low, high)
 
 
-def _choice(
-    field: "xr.DataArray", scenario: Scenario, colours: Colours, _limits: Limits, _smoothing: float
-) -> tuple["ScalarMappable", str]:
+def _choice(shades: "Colormap") -> "ScalarMappable":
     """Two colours, for no and yes; a smoothed field has that of most of its neighbours."""
     from matplotlib.cm import ScalarMappable
     from matplotlib.colors import BoundaryNorm, ListedColormap
 
-    two = ListedColormap(_colours(field, scenario, colours)([0.0, 1.0]))
-    return ScalarMappable(BoundaryNorm([-0.5, 0.5, 1.5], 2), two), "neither"
+    return ScalarMappable(BoundaryNorm([-0.5, 0.5, 1.5], 2), ListedColormap(shades([0.0, 1.0])))
 
 
 def limits_of(values: NDArray, centre: float | None) -> tuple[float, float]:

@@ -10,7 +10,7 @@ from PIL import Image
 from barchan.analysis.on_squares import on_squares
 from barchan.errors import BarchanError
 from barchan.figures.light import exaggeration
-from barchan.figures.maps import elevation_range, shaded, surface_range
+from barchan.figures.maps import range_over, shaded, surface_range
 from barchan.figures.mp4 import require_video, write_mp4
 from barchan.figures.style import SMOOTHING, Colours
 from barchan.replacing import replacing
@@ -91,7 +91,7 @@ def shaded_frames(
     count = dataset.sizes["step"]
     last, square = on_squares(dataset.isel(step=-1).load(), scenario)
     steeper = None if follow else exaggeration(last["elevation"].values, square, smoothing)
-    norm = Normalize(*_range(dataset, scenario))
+    norm = Normalize(*range_over(dataset, scenario))
     scale = max(1, round(pixels / max(scenario.lattice.shape)))
     for k in range(count):
         frame, square = on_squares(dataset.isel(step=k).load(), scenario)
@@ -103,10 +103,3 @@ def shaded_frames(
         yield picture.resize((picture.width * scale, picture.height * scale), Image.Resampling.BICUBIC)
         if progress is not None:
             progress(k + 1)
-
-
-def _range(dataset: "xr.Dataset", scenario: Scenario) -> tuple[float, float]:
-    """Lowest and highest elevation (m) of the sand in all frames."""
-    ranges = [elevation_range(dataset.isel(step=k)) for k in range(dataset.sizes["step"])]
-    low, high = min(low for low, _ in ranges), max(high for _, high in ranges)
-    return (low, high) if high > low else surface_range(dataset.isel(step=-1), scenario)

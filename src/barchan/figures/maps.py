@@ -103,3 +103,10 @@ def elevation_range(frame: "xr.Dataset", show_bare: bool = True) -> tuple[float,
     surface, covered = frame["elevation"].values, ~bare_cells(frame)
     coloured = surface[covered] if show_bare and covered.any() else surface
     return float(coloured.min()), float(coloured.max())
+
+
+def range_over(dataset: "xr.Dataset", scenario: Scenario) -> tuple[float, float]:
+    """Lowest and highest elevation (m) of the sand in all frames of a dataset."""
+    ranges = [elevation_range(dataset.isel(step=k)) for k in range(dataset.sizes["step"])]
+    low, high = min(low for low, _ in ranges), max(high for _, high in ranges)
+    return (low, high) if high > low else surface_range(dataset.isel(step=-1), scenario)

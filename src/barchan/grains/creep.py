@@ -7,8 +7,15 @@ import numpy as np
 
 from barchan.directions import downwind
 from barchan.grains.closure import Closure, Setting
+from barchan.grains.parameters import GrainFlight
 from barchan.kernels.grains.rules import Creep as CreepRule
+from barchan.lattice import Lattice
 from barchan.parameters import parameter
+
+
+def calm_depth(rules: GrainFlight, lattice: Lattice) -> float:
+    """Depth (m) below the shelter surface in which the wind still reaches the bed: it is not exact."""
+    return max(rules.diameter, rules.carried * lattice.thickness)
 
 
 class Creep(Closure):
@@ -52,5 +59,5 @@ class Creep(Closure):
             friction=math.tan(math.radians(rules.repose_angle)),
             wind_x=wind_x,
             wind_y=wind_y,
-            shelter=max(rules.diameter, rules.carried * lattice.thickness),
+            shelter=calm_depth(rules, lattice),
         )

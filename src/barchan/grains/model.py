@@ -13,6 +13,7 @@ from barchan.grains.bed import GrainGround
 from barchan.grains.canopy import PAINTED, PLANT_HEIGHT, PLANT_SHARE, PLANTS, Canopy, planted
 from barchan.grains.closure import Closure
 from barchan.grains.collapse import repose_limits
+from barchan.grains.friction_over_relief import FRICTION_VELOCITY
 from barchan.grains.parameters import GrainFlight
 from barchan.grains.pool import SLOT_BYTES, Pool
 from barchan.grains.rules import entrainment_of
@@ -25,7 +26,7 @@ from barchan.kernels.grains.air_state import Air
 from barchan.kernels.grains.rules import Rules
 from barchan.kernels.grains.state import Bonds, Ejecta, Landings, Scene
 from barchan.lattice import Lattice
-from barchan.model import Tally
+from barchan.model import Derived, Tally
 from barchan.streams import Stream
 from barchan.wind.segment import Segment
 
@@ -45,6 +46,7 @@ class GrainModel(WindOverGrains):
     closures: ClassVar[tuple[type[Closure], ...]] = ()
     Parameters = GrainFlight
     parameters: GrainFlight
+    derived: tuple[Derived, ...] = (FRICTION_VELOCITY,)
 
     def __init__(self, parameters: Any, lattice: Lattice) -> None:
         """Set the model up with no grain in the air."""

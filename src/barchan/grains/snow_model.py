@@ -20,7 +20,7 @@ class SnowGrainModel(GrainModel):
 
     material = "snow"
     temperature_range = (-90.0, 5.0)
-    derived = DERIVED
+    derived = (*GrainModel.derived, *DERIVED)
     strata = STRATA
 
     def __init__(self, parameters: Any, lattice: Lattice) -> None:

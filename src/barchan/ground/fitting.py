@@ -79,7 +79,7 @@ class FromFile(Parameters):
     def raster(self) -> Raster:
         """What the file holds; raises UnreadableError where its coordinates are no metres on the ground."""
         hints = Hints(self.crs, self.variable)
-        raster = read(Path(self.path), hints)
+        raster = raster_in(Path(self.path), hints)
         if raster.place is not None:
             require_metres(raster.place, raster.values.shape, hints)
         return raster
@@ -169,6 +169,21 @@ class FromFile(Parameters):
                 f"{lattice.columns} cells, or resample true"
             )
         return heights
+
+
+def raster_in(path: Path, hints: Hints) -> Raster:
+    """The raster in a file, as ``reading.read`` reads it; the one that was read last is kept.
+
+    Its numbers must not be changed. Raises UnreadableError where the file holds none.
+    """
+    return _raster(path, hints, _stamps(path, path.with_suffix(".prj")))
+
+
+@lru_cache(maxsize=1)
+def _raster(path: Path, hints: Hints, _stamps: tuple[tuple[str, int, int], ...]) -> Raster:
+    raster = read(path, hints)
+    raster.values.setflags(write=False)
+    return raster
 
 
 def doubtful(raster: Raster, cell_size: float) -> list[tuple[float, int]]:

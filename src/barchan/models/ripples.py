@@ -95,5 +95,5 @@ class Ripples(GrainModel):
     )
     closures = (SparseEntrainment, Splash, Creep, Feedback, ReliefFlow, LeeShelter, Sizes, Canopy)
     Parameters = composed(RipplesParameters, closures)
-    derived = (SURFACE_DIAMETER,)
+    derived = (*GrainModel.derived, SURFACE_DIAMETER)
     measures = (COARSE_CRESTS,)

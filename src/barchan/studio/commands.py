@@ -17,6 +17,9 @@ CLIENT_FILE = Path(__file__).parents[3] / "web" / "src" / "core" / "commands.ts"
 
 Owner = Literal["worker", "session", "query"]
 
+Pair = Literal["any time", "meeting", "pause"]
+"""When two runs that are compared carry a command out: at any time, where they meet next, or paused there."""
+
 
 @dataclass(frozen=True)
 class Command:
@@ -29,6 +32,7 @@ class Command:
     needs_run: bool = True
     internal: bool = False
     """Whether only the server gives it, never the browser."""
+    pair: Pair = "any time"
 
 
 def _table(*commands: Command) -> dict[str, Command]:
@@ -54,22 +58,23 @@ COMMANDS = _table(
     Command("run", "worker", "Run: on and on, some steps, or up to a step."),
     Command("pause", "worker", "Pause."),
     Command("limit", "worker", "Limit the steps per second; null for no limit."),
-    Command("restart", "worker", "Start again with the same scenario and seed."),
-    Command("set", "worker", "Give a live parameter a new value."),
-    Command("wind", "worker", "Replace the wind."),
+    Command("restart", "worker", "Start again with the same scenario and seed.", pair="pause"),
+    Command("set", "worker", "Give a live parameter a new value.", pair="meeting"),
+    Command("wind", "worker", "Replace the wind.", pair="meeting"),
     Command("rose", "worker", "Ask for the roses of the wind."),
-    Command("stroke", "worker", "Paint with a brush."),
-    Command("undo", "worker", "Undo the last gesture of the brush."),
-    Command("redo", "worker", "Repeat the gesture that was undone last."),
-    Command("look", "worker", "Look back at a step; null for the newest state."),
-    Command("branch", "worker", "Continue from the state that is looked at."),
-    Command("switch", "worker", "Return to another branch."),
-    Command("bookmark", "worker", "Set bookmarks, or name known ones otherwise."),
+    Command("stroke", "worker", "Paint with a brush.", pair="meeting"),
+    Command("undo", "worker", "Undo the last gesture of the brush.", pair="meeting"),
+    Command("redo", "worker", "Repeat the gesture that was undone last.", pair="meeting"),
+    Command("look", "worker", "Look back at a step; null for the newest state.", pair="pause"),
+    Command("branch", "worker", "Continue from the state that is looked at.", pair="pause"),
+    Command("switch", "worker", "Return to another branch.", pair="pause"),
+    Command("bookmark", "worker", "Set bookmarks, or name known ones otherwise.", pair="meeting"),
     Command("unbookmark", "worker", "Remove a bookmark."),
-    Command("visit", "worker", "Look at a bookmark's moment, on the branch that holds it."),
+    Command("visit", "worker", "Look at a bookmark's moment, on the branch that holds it.", pair="pause"),
     Command("measured", "worker", "Ask for the measures at every fixed step up to now."),
     Command("space_time", "worker", "Ask for the section along a line over the whole run."),
     Command("overlay", "worker", "Compare the surface with the terrain in a file; without a path with none."),
+    Command("inspect", "worker", "Ask what a file of the session's folder holds: heights, or a record."),
     Command("strata", "worker", "Ask for the layers of the bed along a line, as it is looked at."),
     Command("create", "session", "Start a scenario, in both runs where two are compared.", needs_run=False),
     Command("compare", "session", "Start a second run with another model, or another value of one key."),

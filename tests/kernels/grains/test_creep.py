@@ -20,6 +20,9 @@ from barchan.kernels.grains.state import MOVED, TRAVEL_X, TRAVEL_Y
 from barchan.simulation import Simulation
 from barchan.streams import derive
 
+pytestmark = pytest.mark.extended
+"""Pushes alone are a kernel of their own, which no model runs."""
+
 DIAMETER, WIDTH = 0.15e-3, 0.005
 
 

@@ -198,7 +198,7 @@ CASES = [
     for number, case in enumerate(FEATURES)
 ]
 
-WITH_PLACE = (FEATURES[0], FEATURES[1], FEATURES[9])
+WITH_PLACE = (FEATURES[0], FEATURES[1], FEATURES[8])
 """Those that are tried with the shadow from each slab's place too, which is another kernel."""
 
 

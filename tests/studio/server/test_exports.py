@@ -1,7 +1,9 @@
 """Runs exported from the page: read back by other libraries, and nothing else can be fetched."""
 
 import io
+import re
 import zipfile
+from datetime import datetime
 
 import httpx
 import numpy as np
@@ -9,7 +11,8 @@ import pytest
 import trimesh
 from PIL import Image
 
-from barchan.errors import BarchanError
+from barchan.errors import BarchanError, ExportError
+from barchan.export.options import WORDING, Options, options_of
 from barchan.studio.worker.exporting import export_states
 from barchan.studio.worker.run import started
 from barchan.studio.worker.saved_runs import states_of
@@ -49,7 +52,7 @@ def test_a_grid_of_the_shown_state_is_fetched(exported):
 
 
 def test_a_mesh_is_smoothed_on_request(exported):
-    _, answer = exported("dunes.glb", smooth=1.0)
+    _, answer = exported("dunes.glb", options={"smooth": 1.0})
     mesh = trimesh.load(io.BytesIO(answer.content), file_type="glb", force="mesh")
     assert len(mesh.vertices) == 32 * 48
 
@@ -65,7 +68,7 @@ def test_several_files_come_in_one_archive_with_all_kept_states(exported):
 
 def test_a_film_holds_the_states_that_were_asked_for_and_says_how_far_it_is(exported):
     """Of the states after 0, 10 and 20 steps the last two."""
-    _, answer = exported("dunes.webp", states=2, frames_per_second=4.0, pixels=64)
+    _, answer = exported("dunes.webp", states=2, options={"frames_per_second": 4.0, "pixels": 64})
     with Image.open(io.BytesIO(answer.content)) as picture:
         assert picture.n_frames == 2
         assert max(picture.size) == 48
@@ -86,6 +89,40 @@ def test_drawing_a_film_counts_its_frames_and_ends_where_counting_ends_it(scenar
     with pytest.raises(BarchanError, match="broken off"):
         export_states(states_of(run), tmp_path / "g.webp", {"pixels": 48}, until_drawing)
     assert [path.name for path in tmp_path.iterdir() if path.name.startswith("g")] == []
+
+
+def test_grids_of_several_states_and_fields_come_a_file_each(exported):
+    """Of two states two fields: four grids, all of 3 columns."""
+    _, answer = exported("dunes.asc", states=2, fields=["depth", "slope"], options={"cells": [3, 2]})
+    with zipfile.ZipFile(io.BytesIO(answer.content)) as archive:
+        grids = sorted(name for name in archive.namelist() if name.endswith(".asc"))
+        heads = {archive.read(name).decode().split()[1] for name in grids}
+    assert [name.split("-")[1] for name in grids] == ["depth", "depth", "slope", "slope"]
+    assert heads == {"3"}
+
+
+@pytest.mark.parametrize(
+    ("name", "options", "said"),
+    [
+        ("d.glb", {"exaggerate": 0}, "heights ×: is 0; allowed: above 0"),
+        ("d.asc", {"dpi": 100}, "dots per inch: asc does not take it; of these options it takes smoothing"),
+        ("d.glb", {"split": "many"}, "vertices along a part: is 'many'"),
+        ("d.glb", {"speed": 1}, "speed: no such option"),
+    ],
+)
+def test_wrong_options_are_refused_in_the_words_of_the_page(scenario, tmp_path, name, options, said):
+    states = states_of(started(scenario))
+    with pytest.raises(ExportError, match=re.escape(said)) as refused:
+        export_states(states, tmp_path / name, options_of(options), lambda *_: None)
+    assert "--" not in str(refused.value)
+
+
+def test_every_option_of_an_export_has_its_wording():
+    assert set(WORDING) == set(Options.__dataclass_fields__)
+    assert options_of({"cells": [3, 2], "epoch": "2020-05-01T06:00", "flip": False}) == {
+        "cells": (3, 2),
+        "epoch": datetime(2020, 5, 1, 6),
+    }
 
 
 @pytest.mark.parametrize("name", ["../dunes.asc", "dunes.doc", "dunes"])

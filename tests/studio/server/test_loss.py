@@ -68,6 +68,7 @@ def test_a_scenario_chosen_while_the_process_ends_in_another_one_is_begun(served
         assert message["scenario"]["title"] == "second"
 
 
+@pytest.mark.extended
 def test_a_scenario_that_was_refused_is_not_what_restarts(served):
     large = {**small().data(), "title": "large", "lattice": {"rows": 65536, "columns": 65536}}
     with served.browser() as browser:

@@ -6,10 +6,14 @@ import numpy as np
 import pytest
 
 from barchan.errors import BarchanError
+from barchan.ground import fitting
+from barchan.ground.raster import Hints
+from barchan.ground.surface import FileGround
 from barchan.studio.server.gallery import files_taken
 from barchan.studio.server.queries import QUERIES
-from barchan.studio.server.uploads import heights_in
 from barchan.studio.server.workspace import Workspace
+from barchan.studio.worker.file_content import file_content, heights_in
+from barchan.wind.recorded import Recorded
 
 HEAD = "ncols 12\nnrows 3\nxllcorner 500000\nyllcorner 4000000\ncellsize 2.5\n"
 
@@ -73,3 +77,29 @@ def test_every_kind_of_file_that_a_reader_knows_may_be_uploaded(tmp_path):
     workspace = Workspace(tmp_path)
     for suffix in (*taken["records"], *taken["heights"]):
         assert workspace.keep(f"file{suffix}", b"1").is_file()
+
+
+def test_a_file_that_was_looked_into_is_not_read_a_second_time(dem, monkeypatch):
+    file = dem()
+    heights_in(file)
+    monkeypatch.setattr(fitting, "read", lambda *_: pytest.fail("read twice"))
+    ground = FileGround(kind="file", path=str(file))
+    assert ground.raster().values.shape == (3, 12)
+
+
+def test_a_file_that_was_changed_is_read_again(dem):
+    assert heights_in(dem(hole="-9999"))["codes"] == [-9999.0]
+    assert heights_in(dem(hole="8"))["codes"] == []
+
+
+def test_numbers_that_are_kept_cannot_be_changed(dem):
+    with pytest.raises(ValueError, match="read-only"):
+        fitting.raster_in(dem(), Hints()).values[0, 0] = 1.0
+
+
+def test_a_record_is_read_where_a_file_holds_no_heights(tmp_path, monkeypatch):
+    read = []
+    monkeypatch.setattr(Recorded, "series", lambda record: read.append(record.path))
+    (tmp_path / "wind.csv").write_text("time,speed,direction\n")
+    assert file_content(tmp_path / "wind.csv") == {"heights": None}
+    assert read == [str(tmp_path / "wind.csv")]

@@ -124,6 +124,7 @@ def test_a_stalled_watcher_neither_slows_the_others_nor_is_sent_more_than_two_fr
         assert stalled.until_frame()[0]["status"]["live"] > first + 200  # the newest one, not those between
 
 
+@pytest.mark.extended
 def test_watchers_see_a_run_whose_commanding_browser_stalls_or_has_gone(served):
     with watcher(served) as browser:
         with served.browser(confirms=False) as owner:
@@ -134,6 +135,7 @@ def test_watchers_see_a_run_whose_commanding_browser_stalls_or_has_gone(served):
         browser.until_frame(lambda status: status["live"] > at + 50)
 
 
+@pytest.mark.extended
 def test_both_runs_of_a_pair_are_seen_by_one_who_comes_later(served):
     with served.browser() as owner:
         owner.until_frame()

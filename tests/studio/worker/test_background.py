@@ -1,10 +1,11 @@
 """Work beside the run: it counts, and ends where it is broken off."""
 
+import threading
 import time
 
 import pytest
 
-from barchan.studio.worker.background import AllMeasured, Background, BrokenOffError
+from barchan.studio.worker.background import AllMeasured, Background, BrokenOffError, Reading
 from barchan.studio.worker.owed import OwedAnswers
 from barchan.studio.worker.run import started
 
@@ -57,3 +58,14 @@ def test_only_the_answer_that_is_named_is_broken_off():
     assert refused == [(4, "broken off")]
     assert len(owed) == 1
     works[3].break_off()
+
+
+def test_a_reading_that_is_broken_off_is_answered_at_once():
+    """Nobody waits for work that cannot be stopped: it goes on, and what it gives is dropped."""
+    go_on = threading.Event()
+    reading = Reading(lambda _: {"rows": [1]} if go_on.wait(10.0) else {})
+    assert reading.result() is None
+    reading.break_off()
+    with pytest.raises(BrokenOffError):
+        reading.result()
+    go_on.set()

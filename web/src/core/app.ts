@@ -4,10 +4,11 @@ import type { MessageType } from "./commands";
 import { Connection, type ConnectionState, Refused } from "./connection";
 import { type Level, Notices, problemText } from "./notices";
 import { Overlay } from "./overlay";
-import { type Command, type Description, type Json, type JsonObject, type Message, type RunName, readFrame } from "./protocol";
+import { type Command, type Description, type Json, type JsonObject, type Message, type RunName, readFrame, type Frame } from "./protocol";
 import { Run } from "./run";
 import { Sharing } from "./sharing";
 import { Signal } from "./signal";
+import { Together } from "./together";
 import { type Schema } from "./schema";
 import { View } from "./view";
 
@@ -221,13 +222,23 @@ export class App {
     this.changed.send();
   }
 
+  private readonly together = new Together((frames) => this.show(frames));
+
   private onFrame(data: ArrayBuffer): void {
     const frame = readFrame(data);
-    const run = this.run(frame.run);
     this.unconfirmed.push(frame.run);
-    if (!run) return;
-    run.take(frame);
-    this.framed.send(run);
+    this.together.take(frame, this.runs.map((run) => run.name));
+  }
+
+  /** Take frames over into their runs, all before anything is drawn of them. */
+  private show(frames: Frame[]): void {
+    const taken = new Set<Run>();
+    for (const frame of frames) {
+      const run = this.run(frame.run);
+      run?.take(frame);
+      if (run) taken.add(run);
+    }
+    for (const run of taken) this.framed.send(run);
   }
 
   private asked = "";

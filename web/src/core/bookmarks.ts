@@ -53,7 +53,7 @@ export class Bookmarks {
     if (this.app.running) this.app.send({ command: "pause" });
     const ahead = this.ahead(bookmark);
     if (ahead > 0) {
-      this.app.send({ command: "run", steps: ahead });
+      this.app.send({ command: "run", until: bookmark.step });
       this.app.note("info", `The run goes on to step ${bookmark.step}, where ‘${bookmark.name}’ is.`);
       return;
     }

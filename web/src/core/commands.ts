@@ -47,6 +47,8 @@ export type CommandName =
   | "space_time"
   /** Compare the surface with the terrain in a file; without a path with none. */
   | "overlay"
+  /** Ask what a file of the session's folder holds: heights, or a record. */
+  | "inspect"
   /** Ask for the layers of the bed along a line, as it is looked at. */
   | "strata"
   /** Start a scenario, in both runs where two are compared. */

@@ -44,6 +44,9 @@ export abstract class Connection {
   /** Fetch something that is given once. */
   abstract fetch<T>(path: string, init?: RequestInit): Promise<T>;
 
+  /** Send a file; `progress` takes how many of its bytes are sent, and `signal` breaks that off. */
+  abstract upload<T>(path: string, file: Blob, progress?: Progress, signal?: AbortSignal): Promise<T>;
+
   /** A file, as it is. */
   abstract file(path: string): Promise<Blob>;
 

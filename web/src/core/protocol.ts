@@ -103,6 +103,8 @@ export interface Description {
   /** The material that each model moves, by the model's name: sand, for instance. */
   materials: Record<string, string>;
   fields: Field[];
+  /** What files for other programs may hold. */
+  exported: { name: string; meaning: string }[];
   layers: { field: string; title: string; colours: string }[];
   brushes: Brush[];
   /** What a section can show of the layers; empty for a model that keeps none. */

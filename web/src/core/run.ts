@@ -61,6 +61,19 @@ export class Run {
   }
 }
 
+/** Steps of which all runs keep a state, from the first on: models whose states are larger keep fewer. */
+export function commonHistory(runs: Run[]): number[] {
+  const [first, ...others] = runs.map((run) => run.history);
+  const known = others.map((steps) => new Set(steps));
+  return (first ?? []).filter((step) => known.every((steps) => steps.has(step)));
+}
+
+/** Steps of the states that are kept of all runs up to the one that is shown, and of that. */
+export function shownSteps(runs: Run[]): number[] {
+  const status = runs[0]?.status;
+  return status ? [...commonHistory(runs).filter((step) => step < status.step), status.step] : [];
+}
+
 /** How a run is named beside another: by its model, or where both have the same, by what differs. */
 export function nameBeside(run: Run, other: Run | undefined): string {
   const [own, others] = [run.description, other?.description];

@@ -8,7 +8,12 @@ export class Signal<T> {
     this.watchers.add(watcher);
   }
 
+  /** Call it no more. */
+  leave(watcher: (value: T) => void): void {
+    this.watchers.delete(watcher);
+  }
+
   send(value: T): void {
-    for (const watcher of this.watchers) watcher(value);
+    for (const watcher of [...this.watchers]) watcher(value);
   }
 }

@@ -1,7 +1,7 @@
 /** The connection to the studio's server, which reconnects by itself. */
 
 import { PROTOCOL } from "./commands";
-import { Connection, type ConnectionState } from "./connection";
+import { Connection, type ConnectionState, type Progress } from "./connection";
 import type { Command, Message } from "./protocol";
 import { type Access, watchQuery } from "./token";
 
@@ -10,6 +10,8 @@ const NOT_ALLOWED = 4403;
 const TOO_MUCH = 4429;
 const FULL = 4503;
 const FORBIDDEN = 403;
+const BAD = 400;
+const STRANGER = "The address of this page does not hold the present token.";
 /** Milliseconds between two attempts to reach a server that does not answer. */
 const AGAIN = 1000;
 
@@ -51,10 +53,30 @@ export class SocketConnection extends Connection {
       ...init,
       headers: { "x-barchan-token": this.token },
     });
-    if (answer.status === FORBIDDEN) throw new Error("The address of this page does not hold the present token.");
+    if (answer.status === FORBIDDEN) throw new Error(STRANGER);
     const content = await answer.json().catch(() => ({}));
     if (!answer.ok) throw new Error(content.text ?? answer.statusText);
     return content as T;
+  }
+
+  upload<T>(path: string, file: Blob, progress?: Progress, signal?: AbortSignal): Promise<T> {
+    const request = new XMLHttpRequest(); // fetch does not say how much is sent
+    request.open("POST", `api/${path}`);
+    request.setRequestHeader("x-barchan-token", this.token);
+    request.responseType = "json";
+    return new Promise((done, refused) => {
+      signal?.throwIfAborted();
+      signal?.addEventListener("abort", () => request.abort());
+      request.upload.onprogress = ({ loaded, total }) => progress?.(loaded, total);
+      request.onabort = () => refused(new DOMException("broken off", "AbortError"));
+      request.onerror = () => refused(new Error("The studio’s server does not answer."));
+      request.onload = () => {
+        if (request.status === FORBIDDEN) refused(new Error(STRANGER));
+        else if (request.status >= BAD) refused(new Error(request.response?.text ?? request.statusText));
+        else done(request.response as T);
+      };
+      request.send(file);
+    });
   }
 
   async file(path: string): Promise<Blob> {

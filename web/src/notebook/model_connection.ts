@@ -42,6 +42,10 @@ export class ModelConnection extends Connection {
     return (path === "colours" ? this.model.get("colours") : {}) as T;
   }
 
+  async upload<T>(path: string): Promise<T> {
+    throw new Error(`a view in a notebook sends no file to ${path}`);
+  }
+
   async file(path: string): Promise<Blob> {
     throw new Error(`a view in a notebook has no file ${path}`);
   }

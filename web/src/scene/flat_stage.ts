@@ -2,6 +2,7 @@
 
 import type { App } from "../core/app";
 import type { Run } from "../core/run";
+import { Signal } from "../core/signal";
 import type { Standpoint } from "./camera";
 import { type Colouring, colouring } from "./colouring";
 import { hillShade } from "./hill_shade";
@@ -30,7 +31,8 @@ interface Map {
 export class FlatStage {
   readonly canvas = document.createElement("canvas");
   readonly controls = { enabled: true };
-  onDrawn: () => void = () => {};
+  readonly painted = new Signal<void>();
+  steady = false;
   drawn = 0;
   private maps: Map[] = [];
   private dirty = true;
@@ -182,7 +184,7 @@ export class FlatStage {
     this.drawMaps(context, this.size);
     this.app.confirm();
     this.drawn++;
-    this.onDrawn();
+    this.painted.send();
   }
 
   private update(run: Run): Map {

@@ -75,7 +75,10 @@ export class Tiles {
   }
 }
 
-/** A canvas as a PNG. */
-export function blobOf(canvas: HTMLCanvasElement): Promise<Blob> {
-  return new Promise((done, failed) => canvas.toBlob((blob) => (blob ? done(blob) : failed(new Error("The browser cannot make a picture of this size."))), "image/png"));
+/** A canvas as a PNG, or as a picture of another type. */
+export function blobOf(canvas: HTMLCanvasElement, type = "image/png", quality = 1): Promise<Blob> {
+  return new Promise((done, failed) => canvas.toBlob((blob) => (blob ? done(blob) : failed(new Error("The browser cannot make a picture of this size."))), type, quality));
 }
+
+/** A canvas as a JPEG, for a picture of a film: a tenth of a PNG, and made as much faster. */
+export const jpegOf = (canvas: HTMLCanvasElement): Promise<Blob> => blobOf(canvas, "image/jpeg", 0.95);

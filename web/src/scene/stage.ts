@@ -4,6 +4,7 @@ import * as THREE from "three";
 import type { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import type { App } from "../core/app";
 import type { Run } from "../core/run";
+import { Signal } from "../core/signal";
 import { Camera, type Standpoint, type Viewpoint } from "./camera";
 import { shine, sunOf } from "./light";
 import { type Place, pick } from "./pick";
@@ -16,8 +17,10 @@ import type { Terrain } from "./terrain";
 export class Stage {
   readonly view: Camera;
   readonly canvas: HTMLCanvasElement;
-  /** Called after every picture that was drawn. */
-  onDrawn: () => void = () => {};
+  /** After every picture that was drawn, while it can still be copied. */
+  readonly painted = new Signal<void>();
+  /** Whether the camera does not turn by itself: a film is being made. */
+  steady = false;
   /** Frames drawn, for those who measure. */
   drawn = 0;
   readonly quality: Quality;
@@ -49,7 +52,7 @@ export class Stage {
     host.prepend(this.canvas);
     this.view = new Camera(this.canvas);
     this.view.onMoved = () => this.redraw();
-    this.view.mayTurn = () => app.view.look.turning && !this.still.matches && !this.plain && this.shown.some(({ run }) => run.ready);
+    this.view.mayTurn = () => app.view.look.turning && !this.steady && !this.still.matches && !this.plain && this.shown.some(({ run }) => run.ready);
     this.resized.observe(host);
     app.framed.watch((run) => this.refresh(run));
     app.changed.watch(() => this.all());
@@ -248,7 +251,7 @@ export class Stage {
     this.paint(width, height);
     this.app.confirm();
     this.drawn++;
-    this.onDrawn();
+    this.painted.send();
   }
 
   /** Bring the surfaces of runs up to date: of all, or of those named. */

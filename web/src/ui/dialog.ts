@@ -17,6 +17,9 @@ export function dialog(title: string, className: string, ...content: Content[]):
   return element;
 }
 
+/** Milliseconds that work may take before a sheet shows how far it is. */
+const SOON = 300;
+
 /** Does what a sheet asks for; `progress` shows how far it is, `signal` says that it was broken off. */
 export type Submit = (progress: Progress, signal: AbortSignal) => Promise<void>;
 
@@ -29,7 +32,7 @@ export function formDialog(title: string, action: string, submit: Submit, ...con
   let work: AbortController | null = null;
   const progress = (done: number, of: number) => {
     bar.hidden = stop.hidden = false;
-    Object.assign(bar, { value: done, max: of });
+    showOn(bar, done, of);
   };
   const send = async (event: Event) => {
     event.preventDefault();
@@ -51,4 +54,30 @@ export function formDialog(title: string, action: string, submit: Submit, ...con
   const element = dialog(title, "small", form);
   element.addEventListener("close", () => work?.abort());
   return element;
+}
+
+/** Do what may take long; where it does, a sheet shows how far it is, and closing it breaks it off. A refusal is thrown. */
+export async function working(title: string, work: Submit): Promise<void> {
+  const own = new AbortController();
+  const bar = h("progress", { "aria-label": "Progress" });
+  const stop = h("button", { type: "button", onclick: () => own.abort() }, "cancel");
+  let sheet: HTMLDialogElement | undefined;
+  const soon = setTimeout(() => {
+    sheet = dialog(title, "small", bar, h("div", { className: "buttons" }, stop));
+    sheet.addEventListener("close", () => own.abort());
+  }, SOON);
+  try {
+    await work((done, of) => showOn(bar, done, of), own.signal);
+  } catch (error) {
+    if (!own.signal.aborted) throw error;
+  } finally {
+    clearTimeout(soon);
+    sheet?.close();
+  }
+}
+
+/** Show how much is done, of how much; of 0 where nobody knows how long it takes. */
+function showOn(bar: HTMLProgressElement, done: number, of: number): void {
+  if (of > 0) Object.assign(bar, { value: done, max: of });
+  else bar.removeAttribute("value");
 }

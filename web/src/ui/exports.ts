@@ -2,56 +2,98 @@
 
 import type { App } from "../core/app";
 import type { Progress } from "../core/connection";
-import type { Command } from "../core/protocol";
-import { plainFields } from "../scene/colouring";
+import type { Command, Description, JsonObject } from "../core/protocol";
+import { shownSteps } from "../core/run";
 import { type Submit, formDialog } from "./dialog";
 import { download, h } from "./dom";
+
+/** An option of a format, as the server lists it. */
+export interface Option {
+  name: string;
+  kind: "number" | "whole" | "pair" | "flag" | "moment" | "field";
+  title: string;
+  meaning: string;
+}
 
 /** A format, as the server lists it. */
 export interface Format {
   name: string;
   suffix: string;
   meaning: string;
+  /** Whether all states go into one file. */
   series: boolean;
-  one_field: boolean;
-  smooth: boolean;
+  /** Fields that a file holds. */
+  fields: "one" | "many" | "none";
+  options: Option[];
 }
 
-const SMOOTHING = "Whole slabs make terraces in close views; smoothing takes them away and keeps the mean.";
-
 export async function exportRun(app: App): Promise<void> {
-  const formats = await app.connection.fetch<Format[]>("formats");
-  const choice = h(
-    "select",
-    { "aria-label": "Format", onchange: () => show() },
-    ...formats.map((one) => h("option", { value: one.name }, `${one.suffix}: ${one.meaning}`)),
-  );
-  const fields = [...plainFields(app.current?.material ?? "sand"), ...(app.current?.description?.fields ?? [])];
-  const field = h("select", { "aria-label": "Field" }, ...fields.map((one) => h("option", { value: one.name }, one.meaning)));
-  const smooth = h("input", { type: "number", min: "0", max: "20", step: "0.1", value: "0", "aria-label": "Smoothing in cells" });
-  const name = h("input", { type: "text", value: "dunes", required: true, pattern: "[A-Za-z0-9_\\-]+", "aria-label": "Name of the file" });
-  const told = h("p", { className: "hint" });
-  const one = h("div", { className: "row" }, h("span", {}, "field"), field);
-  const soft = h("div", { className: "row", title: SMOOTHING }, h("span", {}, "smoothing (cells)"), smooth);
+  new ExportSheet(app, await app.connection.fetch<Format[]>("formats"));
+}
 
-  const chosen = () => formats.find((format) => format.name === choice.value)!;
-  const show = () => {
-    one.hidden = !chosen().one_field;
-    soft.hidden = !chosen().smooth;
-    told.textContent = chosen().series ? "All states that are kept, in one file." : "The state that is shown.";
+class ExportSheet {
+  private readonly choice: HTMLSelectElement;
+  private readonly states = h("select", { "aria-label": "States" });
+  private readonly fields = h("div", { className: "checks" });
+  private readonly chosenFields = h("details", {}, h("summary", {}, "fields"), h("p", { className: "hint" }, "Each by its name. None chosen: those that the format usually has."), this.fields);
+  private readonly options = h("div", {});
+  private readonly further = h("details", {}, h("summary", {}, "options"), this.options);
+  private readonly name = h("input", { type: "text", value: "dunes", required: true, pattern: "[A-Za-z0-9_\\-]+", "aria-label": "Name of the file" });
+  private read: () => JsonObject = () => ({});
+
+  constructor(
+    private readonly app: App,
+    private readonly formats: Format[],
+  ) {
+    this.choice = h("select", { "aria-label": "Format", onchange: () => this.show() }, ...formats.map((one) => h("option", { value: one.name }, `${one.suffix}: ${one.meaning}`)));
+    const row = (text: string, control: HTMLElement) => h("div", { className: "row" }, h("span", {}, text), control);
+    formDialog("Export for other programs", "export", (progress, signal) => this.save(progress, signal), row("format", this.choice), row("states", this.states), this.chosenFields, this.further, row("name", this.name));
+    this.show();
+  }
+
+  private get format(): Format {
+    return this.formats.find((format) => format.name === this.choice.value)!;
+  }
+
+  private show(): void {
+    const { series, fields, options } = this.format;
+    const kept = shownSteps([this.app.current!]).length;
+    const several = series ? `all ${kept} that are kept, in one file` : `all ${kept} that are kept, a file each`;
+    const choices = [h("option", { value: "1" }, "the one that is shown"), h("option", { value: String(kept) }, several)];
+    this.states.replaceChildren(...(series ? choices.reverse() : choices));
+    this.chosenFields.hidden = fields === "none";
+    const exported = this.app.current?.description?.exported ?? [];
+    this.fields.replaceChildren(...exported.map(({ name, meaning }) => h("label", { className: "check" }, h("input", { type: "checkbox", value: name }), meaning)));
+    this.further.hidden = options.length === 0;
+    const rows = options.map((option) => optionRow(option, exported));
+    this.options.replaceChildren(...rows.map(({ element }) => element));
+    this.read = () => Object.assign({}, ...rows.map(({ value }) => value())) as JsonObject;
+  }
+
+  private async save(progress: Progress, signal: AbortSignal): Promise<void> {
+    const { name, suffix, fields } = this.format;
+    const chosen = fields === "none" ? [] : [...this.fields.querySelectorAll<HTMLInputElement>("input:checked")].map((box) => box.value);
+    const what = { format: name, states: Number(this.states.value), options: this.read(), ...(chosen.length ? { fields: chosen } : {}) };
+    const written = await fetchFile(this.app, { command: "export", name: `${this.name.value}${suffix}`, ...what, run: this.app.selected }, progress, signal);
+    this.app.note("info", `Exported ${written}; it is kept in studio-exports, with a file that tells what its numbers mean.`);
+  }
+}
+
+/** The row of an option; its value is empty where it is left out. */
+function optionRow({ name, kind, title, meaning }: Option, fields: Description["exported"]): { element: HTMLElement; value: () => JsonObject } {
+  if (kind === "field") {
+    const field = h("select", { "aria-label": title }, h("option", { value: "" }, "natural colours"), ...fields.map((one) => h("option", { value: one.name }, one.meaning)));
+    return { element: h("div", { className: "row", title: meaning }, h("span", {}, title), field), value: () => (field.value ? { [name]: field.value } : {}) };
+  }
+  const input = (type: string, label: string) => h("input", { type, "aria-label": label, ...(type === "number" ? { step: kind === "whole" ? "1" : "any" } : {}) });
+  const inputs = kind === "pair" ? ["first", "second"].map((which) => input("number", `${title}: ${which}`)) : [input({ flag: "checkbox", moment: "datetime-local" }[kind as string] ?? "number", title)];
+  const [first, second] = inputs as [HTMLInputElement, HTMLInputElement?];
+  const value = () => {
+    if (kind === "flag") return first.checked ? { [name]: true } : {};
+    if (second) return first.value || second.value ? { [name]: inputs.map((one) => (one.value ? one.valueAsNumber : null)) } : {};
+    return first.value ? { [name]: kind === "moment" ? first.value : first.valueAsNumber } : {};
   };
-  const save: Submit = async (progress, signal) => {
-    const format = chosen();
-    const options = {
-      ...(format.smooth && Number(smooth.value) > 0 ? { smooth: Number(smooth.value) } : {}),
-      ...(format.one_field ? { fields: [field.value] } : {}),
-    };
-    const request = { command: "export" as const, name: `${name.value}${format.suffix}`, format: format.name, ...options, run: app.selected };
-    const written = await fetchFile(app, request, progress, signal);
-    app.note("info", `Exported ${written}; it is kept in studio-exports, with a file that tells what its numbers mean.`);
-  };
-  formDialog("Export for other programs", "export", save, h("div", { className: "row" }, h("span", {}, "format"), choice), one, soft, h("div", { className: "row" }, h("span", {}, "name"), name), told);
-  show();
+  return { element: h("div", { className: "row", title: meaning }, h("span", {}, title), h("div", { className: "control" }, ...inputs)), value };
 }
 
 /** Let the server write a file, and give it to the user; returns its name. */

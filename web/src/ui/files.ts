@@ -1,16 +1,19 @@
 /** Scenarios, runs and pictures in and out; files dropped onto the page. */
 
 import type { App } from "../core/app";
+import type { Progress } from "../core/connection";
+import { type KeptFile, keepFile } from "../core/kept_file";
 import { problemText } from "../core/notices";
 import type { JsonObject, Problem } from "../core/protocol";
 import type { Stage } from "../scene/stage";
-import { type Submit, dialog, formDialog } from "./dialog";
+import { type Submit, dialog, formDialog, working } from "./dialog";
 import { download, h } from "./dom";
 import { exportRun, reportSheet } from "./exports";
 import { filmSheet } from "./film";
 import { menu } from "./menu";
 import { overlaySheet } from "./overlay";
 import { pictureSheet } from "./picture";
+import type { Recorder } from "./recorder";
 import { askForLink, copyScenarioLink } from "./scenario_links";
 import { letOthersWatch } from "./watching";
 
@@ -20,18 +23,13 @@ const ends = (name: string, suffixes: string[]): boolean => suffixes.some((suffi
 /** Most cells of a dropped elevation model that become cells of the lattice one by one. */
 const MOST_CELLS = 2 ** 19;
 
-/** An uploaded file, and the heights that it holds, if it does. */
-interface Kept {
-  path: string;
-  heights: { rows: number; columns: number; cell_size: number | null; codes: number[] } | null;
-}
-
 export class Files {
   readonly menu: HTMLElement;
 
   constructor(
     private readonly app: App,
     private readonly stage: Stage,
+    private readonly recorder: Recorder,
   ) {
     this.menu = menu("File", "Files", [
       ["Load a scenario …", () => this.choose()],
@@ -47,7 +45,8 @@ export class Files {
       null,
       ["Save a picture (P)", () => void this.savePicture()],
       ["Picture with title and scale …", () => pictureSheet(this.app, this.stage)],
-      ["Film of what was just seen …", () => void filmSheet(this.app).catch((error) => this.app.refused(error))],
+      ["Record the scene … (V)", () => this.recorder.toggle()],
+      ["Film of what was just seen …", () => void filmSheet(this.app, this.stage).catch((error) => this.app.refused(error))],
       null,
       ["Let others watch …", () => void letOthersWatch(this.app).catch((error) => this.app.refused(error))],
     ]);
@@ -71,11 +70,16 @@ export class Files {
   async take(file: File): Promise<void> {
     const { heights, records } = this.app.files;
     if (ends(file.name, [".json"])) await this.load(file.name, await file.text());
-    else if (ends(file.name, [...heights, ...records])) await this.keep(file).catch((error) => this.app.refused(error));
+    else if (ends(file.name, [...heights, ...records])) await this.dropped(file);
     else {
       const kinds = [["scenarios", ".json"], ["grounds", heights.join(", ")], ["records of wind", records.join(", ")]];
       this.app.note("error", `${file.name} is of an unknown kind. Allowed: ${kinds.map((kind) => kind.join(" ")).join("; ")}.`);
     }
+  }
+
+  /** Use a file that was dropped; where reading it takes long, a sheet shows how far it is. */
+  private async dropped(file: File): Promise<void> {
+    await working(`Reading ${file.name}`, (progress, signal) => this.keep(file, progress, signal)).catch((error) => this.app.refused(error));
   }
 
   async savePicture(): Promise<void> {
@@ -126,9 +130,9 @@ export class Files {
     const { heights, records } = this.app.files;
     const [title, suffixes] = purpose === "ground" ? ["Ground from a file", heights] : ["Wind from a record", records];
     const input = h("input", { type: "file", accept: suffixes.join(), required: true, "aria-label": title });
-    const use = async () => {
+    const use: Submit = async (progress, signal) => {
       const file = input.files?.[0];
-      if (file) await this.keep(file);
+      if (file) await this.keep(file, progress, signal);
     };
     const text = `One of ${suffixes.join(", ")}. Files can be dropped onto the scene as well.`;
     formDialog(title, "use it", use, h("p", {}, text), input);
@@ -147,13 +151,13 @@ export class Files {
   }
 
   /** Use a file as ground, or as a record of winds where it holds no heights; a refusal is thrown. */
-  private async keep(file: File): Promise<void> {
-    const kept = await this.upload(file);
+  private async keep(file: File, progress: Progress, signal: AbortSignal): Promise<void> {
+    const kept = await keepFile(this.app, file, progress, signal);
     if (ends(file.name, this.app.files.records) && !kept.heights) await this.record(file, kept);
     else await this.ground(file, kept);
   }
 
-  private async ground(file: File, kept: Kept): Promise<void> {
+  private async ground(file: File, kept: KeptFile): Promise<void> {
     const scenario = this.app.current?.description?.scenario;
     if (!scenario) return;
     const image = /\.(png|jpe?g)$/i.test(file.name);
@@ -172,7 +176,7 @@ export class Files {
   }
 
   /** The lattice over a whole elevation model: its own cells, or larger ones where there are too many. */
-  private lattice(scenario: JsonObject, kept: Kept): JsonObject {
+  private lattice(scenario: JsonObject, kept: KeptFile): JsonObject {
     const { rows = 0, columns = 0, cell_size = null } = kept.heights ?? {};
     if (cell_size === null) return {};
     const { rows: _rows, columns: _columns, ...rest } = scenario.lattice as JsonObject;
@@ -180,12 +184,8 @@ export class Files {
     return { lattice: { ...rest, kind: "from ground", cell_size: cell_size * times } };
   }
 
-  private upload(file: File): Promise<Kept> {
-    return this.app.connection.fetch(`upload?name=${encodeURIComponent(file.name)}`, { method: "POST", body: file });
-  }
-
   /** Let the winds of a record blow. */
-  private async record(file: File, kept: Kept): Promise<void> {
+  private async record(file: File, kept: KeptFile): Promise<void> {
     await this.app.connection.ask({ command: "wind", wind: { kind: "record", path: kept.path }, run: this.app.selected });
     this.app.note("info", `The winds of ${file.name} blow now.`);
   }

@@ -1,54 +1,62 @@
-/** A film of what was just seen: of the states of the run that are kept, drawn by the server as shaded maps. */
+/** A film of what was just seen: of the states of the run that are kept, as the scene shows them or as maps from above. */
 
 import type { App } from "../core/app";
-import type { Format } from "./exports";
-import { fetchFile } from "./exports";
+import { shownSteps } from "../core/run";
+import type { Stage } from "../scene/stage";
 import { type Submit, formDialog } from "./dialog";
 import { h, short } from "./dom";
+import type { Format } from "./exports";
+import { fetchFile } from "./exports";
+import { filmOfStates } from "./scene_film";
+import { wordsRows } from "./words_rows";
 
-/** Frames a second at first, and the longer side of the picture (pixels) to choose from. */
+/** Frames a second at first, and the longer side of a map (pixels) to choose from. */
 const RATE = 12;
-const SIZES = [512, 1024, 1920];
+const SIDES = [512, 1024, 1920];
+/** Sizes (pixels) of pictures of the scene. */
+const SIZES: [number, number][] = [
+  [1280, 720],
+  [1920, 1080],
+  [3840, 2160],
+];
 
-export async function filmSheet(app: App): Promise<void> {
-  const steps = shownSteps(app);
+export async function filmSheet(app: App, stage: Stage): Promise<void> {
+  const steps = shownSteps(app.runs);
   if (steps.length < 2) throw new Error("A film needs two kept states at least; run some steps first.");
   const formats = await app.connection.fetch<Format[]>("formats");
   const format = formats.find((one) => one.name === "mp4") ?? formats.find((one) => one.name === "film")!;
+  const view = h("select", { "aria-label": "Drawn", onchange: () => show() }, h("option", { value: "scene" }, "as the scene shows it, from where you look"), h("option", { value: "map" }, "as a shaded map, from above"));
   const states = h("input", { type: "range", min: "2", max: String(steps.length), value: String(steps.length), "aria-label": "States of the film, the last ones" });
   const rate = h("input", { type: "number", min: "1", max: "60", step: "1", value: String(RATE), required: true, "aria-label": "Frames a second" });
-  const size = h("select", { "aria-label": "Longer side" }, ...SIZES.map((one) => h("option", { value: String(one), selected: one === 1024 }, `${one} pixels`)));
+  const size = h("select", { "aria-label": "Size" }, ...SIZES.map(([width, height], at) => h("option", { value: String(at) }, `${width} × ${height}`)));
+  const turn = h("input", { type: "number", min: "-720", max: "720", step: "any", value: "0", required: true, "aria-label": "Degrees that the camera turns" });
+  const side = h("select", { "aria-label": "Longer side" }, ...SIDES.map((one) => h("option", { value: String(one), selected: one === 1024 }, `${one} pixels`)));
   const name = h("input", { type: "text", value: "dunes", required: true, pattern: "[A-Za-z0-9_\\-]+", "aria-label": "Name of the file" });
+  const words = wordsRows(app, stage, () => {});
   const told = h("p", { role: "status" });
+  const hint = h("p", { className: "hint" });
+  const row = (label: string, control: HTMLElement) => h("div", { className: "row" }, h("span", {}, label), control);
+  const ofScene = [row("size (pixels)", size), row("camera turns (°)", turn), words.element];
+  const ofMap = [row("longer side", side)];
+  const other = format.name === "mp4" ? "" : " MP4 needs the extra ‘video’: python -m pip install av.";
+
   const show = () => {
-    const count = Number(states.value);
+    const [count, scene] = [Number(states.value), view.value === "scene"];
     told.textContent = `${count} states, from step ${short(steps.at(-count), 9)} to ${short(steps.at(-1), 9)}: ${short(count / (Number(rate.value) || RATE), 2)} s of film.`;
+    for (const one of ofScene) one.hidden = !scene;
+    for (const one of ofMap) one.hidden = scene;
+    const how = scene ? "in the colours and the light of the scene, exaggeration and scale of colours held. The run rests meanwhile and then goes on" : "with the model’s layers. The run may go on meanwhile";
+    hint.textContent = `The kept states up to the one that is shown, ${how}.${other}`;
   };
   states.oninput = rate.oninput = show;
   const write: Submit = async (progress, signal) => {
-    const options = { states: Number(states.value), frames_per_second: Number(rate.value), pixels: Number(size.value) };
-    const request = { command: "export" as const, name: `${name.value}${format.suffix}`, format: format.name, ...options, run: app.selected };
-    app.note("info", `The film ${await fetchFile(app, request, progress, signal)} is written; it is kept in studio-exports.`);
+    const [count, second, file] = [Number(states.value), Number(rate.value), `${name.value}${format.suffix}`];
+    const [width, height] = SIZES[Number(size.value)]!;
+    const request = { command: "export" as const, name: file, format: format.name, states: count, options: { frames_per_second: second, pixels: Number(side.value) }, run: app.selected };
+    const film = { name: file, states: count, width, height, rate: second, turn: turn.valueAsNumber, words: words.chosen() };
+    const written = view.value === "scene" ? await filmOfStates(app, stage, film, progress, signal) : await fetchFile(app, request, progress, signal);
+    app.note("info", `The film ${written} is written; it is kept in studio-exports.`);
   };
-  const row = (label: string, control: HTMLElement) => h("div", { className: "row" }, h("span", {}, label), control);
-  const other = format.name === "mp4" ? "" : " MP4 needs the extra ‘video’: python -m pip install av.";
-  formDialog(
-    "Film of what was just seen",
-    "write the film",
-    write,
-    told,
-    row("how far back", states),
-    row("frames a second", rate),
-    row("longer side", size),
-    row(`name (${format.suffix})`, name),
-    h("p", { className: "hint" }, `The kept states up to the one that is shown, as shaded maps from above with the model’s layers. The run may go on meanwhile.${other}`),
-  );
+  formDialog("Film of what was just seen", "write the film", write, told, row("drawn", view), row("how far back", states), row("frames a second", rate), ...ofScene, ...ofMap, row(`name (${format.suffix})`, name), hint);
   show();
-}
-
-/** Steps of the kept states up to the one that is shown, and of that. */
-function shownSteps(app: App): number[] {
-  const { history = [], status } = app.current ?? {};
-  if (!status) return [];
-  return [...history.filter((step) => step < status.step), status.step];
 }

@@ -42,7 +42,7 @@ export class Hud {
       h("div", { className: "corner" }, this.colours, h("div", { className: "measure" }, this.scale, this.steeper)),
       this.under,
     );
-    stage.onDrawn = () => this.draw();
+    stage.painted.watch(() => this.draw());
   }
 
   /** Show position, elevation, slope and depth at a place of the page. */

@@ -1,6 +1,8 @@
 /** A terrain or a photograph over the surface: its sheet, and its rows in the panel of the view. */
 
 import type { App } from "../core/app";
+import type { Progress } from "../core/connection";
+import { keepFile } from "../core/kept_file";
 import { ABOVE, OVERLAY } from "../core/overlay";
 import type { Json } from "../core/protocol";
 import { photograph, shadedMap } from "../scene/draped";
@@ -97,26 +99,27 @@ export function overlaySheet(app: App): void {
     levelled.hidden = !name() || !terrain();
     ends.hidden = levelled.hidden || !has(name(), IMAGES);
   };
-  const use: Submit = async (_, signal) => {
+  const use: Submit = async (progress, signal) => {
     const file = input.files![0]!;
-    if (!terrain()) return drape(app, file);
+    if (!terrain()) return drape(app, file, signal);
     const between = has(file.name, IMAGES) ? { lowest: lowest.valueAsNumber, highest: highest.valueAsNumber } : {};
-    await compareWith(app, file, { level: level.checked, ...between }, signal);
+    await compareWith(app, file, { level: level.checked, ...between }, progress, signal);
   };
   const words = `A photograph (PNG, JPEG, WebP) is stretched over the field, its upper edge in the north. A terrain (${heights.join(", ")}) is read as ground from a file is: an elevation model at its own scale from its south-west corner, which must cover the field.`;
   formDialog("Compare with a terrain or photograph", "drape it", use, h("p", {}, words), input, kind, levelled, ends);
   show();
 }
 
-async function drape(app: App, file: File): Promise<void> {
+async function drape(app: App, file: File, signal: AbortSignal): Promise<void> {
   const image = await photograph(file);
+  signal.throwIfAborted();
   if (app.overlay.terrain) removeOverlay(app);
   app.overlay.set({ name: file.name, terrain: false, image });
 }
 
 /** Let every run compare its surface with a terrain. */
-async function compareWith(app: App, file: File, options: { [key: string]: Json }, signal: AbortSignal): Promise<void> {
-  const kept = await app.connection.fetch<{ path: string; heights: { codes: number[] } | null }>(`upload?name=${encodeURIComponent(file.name)}`, { method: "POST", body: file, signal });
+async function compareWith(app: App, file: File, options: { [key: string]: Json }, progress: Progress, signal: AbortSignal): Promise<void> {
+  const kept = await keepFile(app, file, progress, signal);
   const codes = kept.heights?.codes ?? [];
   const request = { command: "overlay" as const, path: kept.path, ...options, ...(codes.length ? { missing: codes } : {}) };
   await Promise.all(app.runs.map((run) => app.connection.ask({ ...request, run: run.name }, undefined, signal)));

@@ -6,7 +6,8 @@ import { type Shot, blobOf } from "../scene/shots";
 import type { Stage } from "../scene/stage";
 import { formDialog } from "./dialog";
 import { download, h, later } from "./dom";
-import { type Words, drawWords } from "./picture_words";
+import { drawWords } from "./picture_words";
+import { type WordsRows, wordsRows } from "./words_rows";
 
 /** Sizes (pixels) by name; of the window and free ones are filled in. */
 const SIZES: [string, string, [number, number] | null][] = [
@@ -35,7 +36,7 @@ class PictureSheet {
     { "aria-label": "Light", onchange: () => this.changed() },
     ...["as the page", "day", "dusk"].map((text) => h("option", { value: text }, text)),
   );
-  private readonly words: Record<keyof Words, HTMLInputElement> = { title: this.box(), scale: this.box(), legend: this.box() };
+  private readonly words: WordsRows;
   private readonly clear = h("input", { type: "checkbox", onchange: () => this.changed() });
   private readonly sheet: HTMLDialogElement;
   private drawing = false;
@@ -45,10 +46,9 @@ class PictureSheet {
     private readonly app: App,
     private readonly stage: Stage,
   ) {
-    const natural = stage.terrain(app.current!)?.colouring?.natural ?? true;
-    this.words.legend.disabled = natural;
-    const row = (text: string, ...controls: HTMLElement[]) => h("div", { className: "row" }, h("span", {}, text), h("div", { className: "control" }, ...controls));
     const check = (text: string, box: HTMLInputElement) => h("label", { className: "check" }, box, text);
+    this.words = wordsRows(app, stage, () => this.changed(), check("without sky and plain (transparent)", this.clear));
+    const row = (text: string, ...controls: HTMLElement[]) => h("div", { className: "row" }, h("span", {}, text), h("div", { className: "control" }, ...controls));
     this.sheet = formDialog(
       "Picture",
       "save PNG",
@@ -57,21 +57,10 @@ class PictureSheet {
       row("size", this.size),
       row("width × height", this.width, h("span", {}, "×"), this.height, h("span", { className: "unit" }, "pixels")),
       row("light", this.light),
-      h(
-        "div",
-        { className: "checks" },
-        check("title, model, step, seed, version", this.words.title),
-        check("scale bar and compass", this.words.scale),
-        check(natural ? "legend (choose a field under View, colour by)" : "legend of the colours", this.words.legend),
-        check("without sky and plain (transparent)", this.clear),
-      ),
+      this.words.element,
     );
     this.sheet.classList.add("picture");
     this.resize();
-  }
-
-  private box(): HTMLInputElement {
-    return h("input", { type: "checkbox", checked: true, onchange: () => this.changed() });
   }
 
   private resize(): void {
@@ -95,8 +84,7 @@ class PictureSheet {
   private async shot(share: number, progress?: Progress): Promise<Shot> {
     const [width, height] = [this.width, this.height].map((input) => Math.max(Math.round(input.valueAsNumber * share), 1)) as [number, number];
     const shot = await this.stage.shoot({ width, height, dark: this.dark, transparent: this.clear.checked, ...(progress ? { progress } : {}) });
-    const { title, scale, legend } = this.words;
-    drawWords(this.app, this.stage, shot, { title: title.checked, scale: scale.checked, legend: legend.checked }, this.dark);
+    drawWords(this.app, this.stage, shot, this.words.chosen(), this.dark);
     return shot;
   }
 

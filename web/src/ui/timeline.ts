@@ -1,6 +1,7 @@
 /** The run's past: look back, play, return to now, go on from an earlier state. */
 
 import type { App } from "../core/app";
+import { commonHistory } from "../core/run";
 import { button, h, isActive, short } from "./dom";
 
 const PLAY_PAUSE = 90;
@@ -62,16 +63,15 @@ export class Timeline {
   }
 
   private place(): { history: number[]; at: number } {
-    const run = this.app.current;
-    const history = run?.history ?? [];
-    const step = run?.status?.step ?? 0;
+    const history = commonHistory(this.app.runs);
+    const step = this.app.current?.status?.step ?? 0;
     let at = history.findLastIndex((one) => one <= step);
     if (at < 0) at = 0;
     return { history, at };
   }
 
   private look(at: number): void {
-    const step = this.app.current?.history[at];
+    const step = commonHistory(this.app.runs)[at];
     if (step === undefined) return;
     this.waiting = true;
     this.app.send({ command: "look", step });

@@ -9,7 +9,7 @@ from typing import Any
 from starlette.applications import Starlette
 from starlette.concurrency import run_in_threadpool
 from starlette.middleware.gzip import GZipMiddleware
-from starlette.requests import Request
+from starlette.requests import ClientDisconnect, Request
 from starlette.responses import FileResponse, JSONResponse, PlainTextResponse, Response
 from starlette.routing import Mount, Route, WebSocketRoute
 from starlette.staticfiles import StaticFiles
@@ -19,9 +19,10 @@ from barchan.errors import BarchanError
 from barchan.studio.colours import colours
 from barchan.studio.protocol import LARGEST_MESSAGE, is_frame
 from barchan.studio.server import gallery
+from barchan.studio.server.film_routes import film_routes
 from barchan.studio.server.security import LARGEST_UPLOAD, Guard, HostCheck, RateLimiter
 from barchan.studio.server.session import Session
-from barchan.studio.server.uploads import heights_in
+from barchan.studio.server.uploads import body_of
 
 CLIENT = Path(__file__).parents[1] / "client"
 
@@ -85,6 +86,7 @@ def application(session: Session, guard: Guard) -> Starlette:
         Route("/api/exports/{number}/{name}", guarded(exported)),
         Route("/api/pictures/{name}", guarded(thumbnail)),
         Route("/api/upload", guarded(upload), methods=["POST"]),
+        *film_routes(session.films, guarded),
         WebSocketRoute("/connection", connect),
         Mount("/", StaticFiles(directory=CLIENT, html=True, check_dir=False)),
     ]
@@ -95,18 +97,16 @@ def application(session: Session, guard: Guard) -> Starlette:
 
 
 async def _upload(request: Request, session: Session) -> Response:
-    """Keep a file in the session's folder, and answer with the heights that it holds, if it does."""
-    content = bytearray()
-    async for part in request.stream():
-        content += part
-        if len(content) > LARGEST_UPLOAD:
-            return JSONResponse({"text": f"more than {LARGEST_UPLOAD >> 20} MB"}, 413)
+    """Keep a file in the session's folder; of one whose sending is broken off nothing is kept."""
+    name = request.query_params.get("name", "")
     try:
-        path = session.workspace.keep(request.query_params.get("name", ""), bytes(content))
+        content = await body_of(request, LARGEST_UPLOAD)
+        path = await run_in_threadpool(session.workspace.keep, name, content)
     except (BarchanError, OSError) as error:
         return JSONResponse({"text": str(error)}, 400)
-    heights = await run_in_threadpool(heights_in, path)
-    return JSONResponse({"path": str(path), "name": path.name, "heights": heights})
+    except ClientDisconnect:
+        return Response(status_code=400)
+    return JSONResponse({"path": str(path), "name": path.name})
 
 
 async def _connect(websocket: WebSocket, session: Session, guard: Guard) -> None:

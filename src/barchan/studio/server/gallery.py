@@ -78,7 +78,7 @@ def files_taken() -> dict[str, tuple[str, ...]]:
 
 @cache
 def formats() -> list[dict[str, Any]]:
-    """The formats that a run can be written in, those whose libraries are installed."""
+    """The formats that a run can be written in, those whose libraries are installed, with their options."""
     from importlib.util import find_spec
 
     from barchan.export.formats import FORMATS
@@ -89,9 +89,19 @@ def formats() -> list[dict[str, Any]]:
             "suffix": one.suffixes[0],
             "meaning": one.meaning,
             "series": one.series,
-            "one_field": one.fields == "one",
-            "smooth": "smooth" in one.options,
+            "fields": one.fields,
+            "options": [_option(name) for name in one.options],
         }
         for one in FORMATS
         if not one.needs or find_spec(one.needs[0]) is not None
     ]
+
+
+def _option(name: str) -> dict[str, str]:
+    """An option of ``barchan export`` as the page shows it: name, title, meaning, and kind of its values."""
+    from barchan.export.options import WORDING, Options
+
+    declared = str(Options.__dataclass_fields__[name].type)
+    kinds = {"bool": "flag", "tuple": "pair", "datetime": "moment", "int": "whole", "str": "field"}
+    kind = next((kind for begin, kind in kinds.items() if begin in declared), "number")
+    return {"name": name, "kind": kind, "title": WORDING[name].title, "meaning": WORDING[name].meaning}

@@ -2,12 +2,17 @@
 
 import time
 from collections.abc import Callable
+from itertools import count
+from typing import Any
 
 from barchan.simulation import StepPacer
 from barchan.studio.server.worker_handle import WorkerHandle
 
 MEETING_SECONDS = 0.06
 """Seconds that the slower run takes from one meeting to the next, about."""
+
+_ORDERS = count(1)
+"""Numbers of orders to run, each given once: the answer to an order of an earlier pair counts for nothing."""
 
 
 class Lockstep:
@@ -17,32 +22,47 @@ class Lockstep:
         """Lead these workers; ``on_change`` is called with whether they run."""
         self.workers = workers
         self.running = False
+        """Whether they run, or are still on their way to where they meet."""
+        self._goes_on = False
         self._on_change = on_change
         self._left: int | None = None
+        self._until: int | None = None
         self._pacer = StepPacer(MEETING_SECONDS)
         self._steps = 0
+        self._order = 0
         self._keep = False
         self._away: set[str] = set()
+        self._held: list[Callable[[], None]] = []
         self._began = 0.0
 
-    def run(self, steps: int | None = None) -> None:
-        """Run: on and on, or a number of steps."""
-        self._left = steps
-        self.running = True
+    def run(self, steps: int | None = None, until: int | None = None) -> None:
+        """Run: on and on, a number of steps, or up to a step."""
+        self._left = None if steps is None else max(1, int(steps))
+        self._until = None if until is None else int(until)
+        self._goes_on = self.running = True
         self._on_change(True)
         if not self._away:
             self._go()
 
     def pause(self) -> None:
-        """Stop where both meet next; there both are measured."""
-        self.running = False
-        self._on_change(False)
+        """Stop where both meet next; there both are measured, and not before are they said to pause."""
+        self._goes_on = False
         if not self._away:
-            self._pause_workers()
+            self._rest()
 
-    def _pause_workers(self) -> None:
-        for worker in self.workers.values():
-            worker.send("pause")
+    def meet(self, act: Callable[[], None], pausing: bool = False) -> None:
+        """Do something where both are at one step, at once or where they meet next; ``pausing`` there."""
+        if not self._away:
+            act()
+            return
+        self._held.append(act)
+        if pausing:
+            self._goes_on = False
+
+    def leave(self) -> None:
+        """Lead them no more; what was to be done where they meet is done now."""
+        self._goes_on, self._away = False, set()
+        self._do_held()
 
     def keep(self) -> None:
         """Let both send their states where they meet next, so that both are of the same step."""
@@ -50,33 +70,57 @@ class Lockstep:
         if not self._away:
             self._send_keep()
 
-    def _send_keep(self) -> None:
-        if self._keep:
-            self._keep = False
-            for worker in self.workers.values():
-                worker.send("keep")
-
-    def arrived(self, name: str) -> None:
-        """A worker has done its steps."""
-        if name not in self._away:
+    def arrived(self, name: str, step: int, order: Any) -> None:
+        """A worker has done the steps of an order, and is at a step."""
+        if name not in self._away or order != self._order:
             return
         self._away.discard(name)
         if self._away:
             return
         self._send_keep()
         self._pacer.record(self._steps, time.perf_counter() - self._began)
-        if self._left == 0:
-            self.pause()
-        elif self.running:
+        if self._left == 0 or (self._until is not None and step >= self._until):
+            self._goes_on = False
+        self._met()
+
+    def stopped(self, name: str) -> None:
+        """A worker could not do its steps: both pause, the other one where it arrives."""
+        self._goes_on = False
+        if name in self._away:
+            self._away.discard(name)
+            if not self._away:
+                self._met()
+
+    def _met(self) -> None:
+        if not self._goes_on:
+            self._rest()
+        self._do_held()
+        if self._goes_on:
             self._go()
-        else:
-            self._pause_workers()
+
+    def _rest(self) -> None:
+        for worker in self.workers.values():
+            worker.send("pause")
+        self.running = False
+        self._on_change(False)
+
+    def _do_held(self) -> None:
+        held, self._held = self._held, []
+        for act in held:
+            act()
+
+    def _send_keep(self) -> None:
+        if self._keep:
+            self._keep = False
+            for worker in self.workers.values():
+                worker.send("keep")
 
     def _go(self) -> None:
         self._steps = self._pacer.steps if self._left is None else min(self._pacer.steps, self._left)
         if self._left is not None:
             self._left -= self._steps
         self._away = set(self.workers)
+        self._order = next(_ORDERS)
         self._began = time.perf_counter()
         for worker in self.workers.values():
-            worker.send("run", steps=self._steps, brief=True)
+            worker.send("run", steps=self._steps, until=self._until, brief=True, order=self._order)

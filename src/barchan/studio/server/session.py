@@ -7,7 +7,7 @@ from typing import Any
 
 from barchan.errors import BarchanError, ScenarioError
 from barchan.scenario import Scenario
-from barchan.studio.commands import command_of
+from barchan.studio.commands import COMMANDS, command_of
 from barchan.studio.protocol import (
     ANSWERED,
     PROTOCOL,
@@ -19,6 +19,7 @@ from barchan.studio.protocol import (
     read_request,
 )
 from barchan.studio.server.audience import Audience, Viewer
+from barchan.studio.server.films import Films
 from barchan.studio.server.kept_states import KeptStates
 from barchan.studio.server.lockstep import Lockstep
 from barchan.studio.server.queries import QUERIES
@@ -47,6 +48,7 @@ class Session:
         self._keeping: asyncio.TimerHandle | None = None
         self.audience = Audience()
         self.reports = Reports(self)
+        self.films = Films(workspace)
         if archive is not None:
             self.first: Request = {"command": "open_folder", "folder": str(archive)}
         else:
@@ -63,6 +65,7 @@ class Session:
         """End all workers."""
         if self._keeping is not None:
             self._keeping.cancel()
+        self.films.give_up()
         for worker in self.workers.values():
             worker.close()
         self.workers.clear()
@@ -136,15 +139,25 @@ class Session:
 
     def _pass_on(self, request: Request) -> None:
         """Let the worker that is named, or where none is named all of them, carry a request out."""
-        if self.lockstep is not None and request["command"] == "run":
-            self.lockstep.run(request.get("steps"))
-        elif self.lockstep is not None and request["command"] == "pause":
-            self.lockstep.pause()
-        else:
-            self.workspace.check(request)
-            named = request.get("run")
-            for name in [named] if named is not None else list(self.workers):
-                self.workers[name].forward({**request, "run": None})
+        pair, command = self.lockstep, COMMANDS[request["command"]]
+        if pair is not None and command.name == "run":
+            pair.run(request.get("steps"), request.get("until"))
+            return
+        if pair is not None and command.name == "pause":
+            pair.pause()
+            return
+        self.workspace.check(request)
+        named = request.get("run")
+        workers = [self.workers[name] for name in ([named] if named is not None else self.workers)]
+
+        def pass_on() -> None:
+            for worker in workers:
+                worker.forward({**request, "run": None})
+
+        if pair is None or command.pair == "any time":
+            pass_on()
+        else:  # to look at the newest state, of step null, nothing is paused
+            pair.meet(pass_on, command.pair == "pause" and request.get("step", 0) is not None)
 
     def worker(self, name: str) -> WorkerHandle:
         """The worker of that name, a new one where there is none or it was lost."""
@@ -189,7 +202,9 @@ class Session:
         if content["type"] == "scenario":
             self.scenarios[worker.name] = content["scenario"]
         elif content["type"] == "arrived" and self.lockstep is not None:
-            self.lockstep.arrived(worker.name)
+            self.lockstep.arrived(worker.name, content["step"], content["order"])
+        elif content["type"] == "refused" and content["command"] == "run" and self.lockstep is not None:
+            self.lockstep.stopped(worker.name)
         self.audience.on_message(worker.name, content["type"], data)
 
     def _on_worker_exit(self, worker: WorkerHandle) -> None:
@@ -205,6 +220,7 @@ class Session:
     def pair_again(self) -> None:
         """Pause two runs; neither waits for steps of the other any more, whose process may be lost."""
         if self.lockstep is not None:
+            self.lockstep.leave()
             self.lockstep = Lockstep(self.workers, self._on_lockstep)
             self.lockstep.pause()
 
@@ -229,6 +245,7 @@ class Session:
         ``answering`` adds to the requests of the workers that it names.
         """
         alone = len(scenarios) == 1
+        self._end_lockstep()
         for name, data in scenarios.items():
             answer = (answering or {}).get(name, {})
             self.start_run(
@@ -249,13 +266,18 @@ class Session:
     def _on_lockstep(self, running: bool) -> None:
         self.audience.to_all(message("lockstep", running=running))
 
+    def _end_lockstep(self) -> None:
+        if self.lockstep is not None:
+            self.lockstep.leave()
+        self.lockstep = None
+
     def report_runs(self) -> None:
         """Let the browsers know the names of the runs."""
         self.audience.to_all(message("runs", runs=list(self.workers)))
 
     def end_second(self) -> None:
         """End the second simulation."""
-        self.lockstep = None
+        self._end_lockstep()
         self.reports.lose(SECOND)
         worker = self.workers.pop(SECOND, None)
         if worker is not None:

@@ -14,9 +14,6 @@ if TYPE_CHECKING:
 
 FIRST, SECOND = "a", "b"
 
-EXPORT_OPTIONS = ("format", "smooth", "fields", "frames_per_second", "pixels")
-"""Keys of a request that are options of ``barchan export``."""
-
 SESSION: Handlers[Callable[["Session", Request], None]] = Handlers("session")
 
 
@@ -87,13 +84,17 @@ def save(session: "Session", request: Request) -> None:
 def export(session: "Session", request: Request) -> None:
     """Write a run for another program, into a folder of its own in the session's folder.
 
-    With ``states`` that many of the kept states, the last ones up to the one that is shown.
+    With ``states`` that many of the kept states, the last ones up to the one that is shown; ``options`` are
+    those of ``barchan export``, ``fields`` the fields of the file.
     """
     target = session.workspace.new_export(str(request["name"]))
-    options = {key: request[key] for key in EXPORT_OPTIONS if request.get(key) is not None}
+    options = dict(request.get("options") or {})
+    chosen = {key: request[key] for key in ("format", "fields") if request.get(key) is not None}
     worker = session.workers[request.get("run") or FIRST]
     states = request.get("states")
-    worker.send("export_to", target=str(target), options=options, states=states, id=request.get("id"))
+    worker.send(
+        "export_to", target=str(target), options=options, **chosen, states=states, id=request.get("id")
+    )
 
 
 @SESSION.handles("space_time_file")

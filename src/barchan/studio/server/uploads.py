@@ -1,31 +1,15 @@
-"""What an uploaded file of heights holds, as far as the browser needs it to use the file as ground."""
+"""What the page sends as the body of a request: files and pictures."""
 
-from pathlib import Path
-from typing import Any
+from starlette.requests import Request
 
-from barchan.ground.fitting import doubtful
-from barchan.ground.raster import Raster, UnreadableError
-from barchan.ground.reading import read
+from barchan.errors import BarchanError
 
 
-def heights_in(path: Path) -> dict[str, Any] | None:
-    """Rows, columns, cell size (m, where it has one) and undeclared codes for missing cells.
-
-    None where the file holds no heights, or holds them in a way that is refused with the reason later.
-    """
-    try:
-        raster = read(path)
-    except UnreadableError:
-        return None
-    rows, columns = raster.values.shape
-    codes = [] if raster.full_scale is not None else [value for value, _ in doubtful(raster, _cell(raster))]
-    return {
-        "rows": rows,
-        "columns": columns,
-        "cell_size": None if raster.place is None else raster.place.cell_size,
-        "codes": codes,
-    }
-
-
-def _cell(raster: Raster) -> float:
-    return 1.0 if raster.place is None else raster.place.cell_size
+async def body_of(request: Request, largest: int) -> bytes:
+    """The body of a request; raises BarchanError where it has more bytes than ``largest``."""
+    content = bytearray()
+    async for part in request.stream():
+        content += part
+        if len(content) > largest:
+            raise BarchanError(f"more than {largest >> 20} MB; allowed: as much")
+    return bytes(content)

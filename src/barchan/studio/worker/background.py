@@ -96,3 +96,16 @@ class Background:
             self._result = self._work(self._count)
         except ANSWERED as error:
             self._error = error
+
+
+class Reading(Background):
+    """Work that leaves nothing behind and cannot be stopped half-way, such as reading a file.
+
+    Where it is broken off nobody waits for it: what it gives is dropped.
+    """
+
+    def result(self) -> dict[str, Any] | None:
+        """As of ``Background``; raises BrokenOffError as soon as it is broken off."""
+        if self._broken:
+            raise BrokenOffError
+        return super().result()

@@ -42,6 +42,8 @@ class RunCommands:
         """The scenario that was loaded, whose words name what was changed on the page since."""
         self.number = 0
         """The number of the start that the run goes back to."""
+        self.order: Any = None
+        """The number of the order to run that was given last, which the message that it is done repeats."""
         self._send = send
         self.send_bytes = send_bytes
         self.desk = desk
@@ -145,13 +147,19 @@ class RunCommands:
 
     @WORKER.handles("run")
     def start_running(self, request: Request) -> None:
-        """Run on and on, ``steps`` steps, or up to step ``until``."""
-        target = request.get("until")
-        if "steps" in request:
-            target = self.current.live.steps_done + max(1, int(request["steps"]))
+        """Run on and on, ``steps`` steps, or up to step ``until``, whichever comes first."""
+        targets = [int(request["until"])] if request.get("until") is not None else []
+        if request.get("steps") is not None:
+            targets.append(self.current.live.steps_done + max(1, int(request["steps"])))
+        target = min(targets, default=None)
+        self.order = request.get("order")
         self.current.run(target, bool(request.get("brief")))
         if target is not None and not self.current.busy:
-            self._send("arrived", step=self.current.live.steps_done)
+            self.arrive()
+
+    def arrive(self) -> None:
+        """Let the server know that the run has done the steps that it was asked for."""
+        self._send("arrived", step=self.current.live.steps_done, order=self.order)
 
     @WORKER.handles("pause")
     def pause(self, _: Request) -> None:

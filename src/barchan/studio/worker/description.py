@@ -12,7 +12,7 @@ from barchan.squares import Squares
 from barchan.studio.worker.bookmarks import identity
 from barchan.studio.worker.brushes import brushes
 from barchan.studio.worker.changes import changes_of
-from barchan.studio.worker.frame_fields import fields_of
+from barchan.studio.worker.frame_fields import exported_fields, fields_of
 from barchan.studio.worker.live_measures import FINEST, ROWS, declared_measures
 from barchan.studio.worker.strata import declared_strata
 
@@ -38,6 +38,7 @@ def description(simulation: Simulation, origin: Scenario) -> dict[str, Any]:
         "models": {name: known.title for name, known in models().items()},
         "materials": {name: known.material for name, known in models().items()},
         "fields": fields_of(simulation),
+        "exported": exported_fields(simulation),
         "layers": [
             {"field": name, "title": layer.title if name == layer.field else name, "colours": layer.colours}
             for layer in model.overlays

@@ -7,7 +7,7 @@ from typing import Any
 
 from barchan.archive import dataset_of
 from barchan.export import export
-from barchan.export.formats import format_of
+from barchan.export.options import in_words
 from barchan.simulation import Simulation, State
 from barchan.studio.worker.background import Count
 
@@ -15,20 +15,20 @@ from barchan.studio.worker.background import Count
 def export_states(states: Sequence[State], target: Path, options: dict[str, Any], count: Count) -> str:
     """Write states as a format of ``barchan export``; the name of the file for the page to fetch.
 
-    Formats that hold a series get all states, the others the last one. Several files become one ``.zip``
-    beside them. ``count`` takes how far it is: half of it is reading the states, half drawing a film of them.
-    Raises ExportError for what ``export`` refuses.
+    Formats of one frame a file get a file for each state. Several files become one ``.zip`` beside them.
+    ``count`` takes how far it is: half of it is reading the states, half drawing a film of them. Raises
+    ExportError for what ``export`` refuses, in the words of the page.
     """
-    chosen = format_of(target, options.get("format"))
-    used = states if chosen.series else states[-1:]
-    frames = []
-    for number, state in enumerate(used):
+    frames, half = [], len(states)
+    for number, state in enumerate(states):
         frames.append(Simulation.from_state(state).frame())
-        count(number + 1, 2 * len(used))
-    dataset = dataset_of(Simulation.from_state(used[-1]), frames)
+        count(number + 1, 2 * half)
+    dataset = dataset_of(Simulation.from_state(states[-1]), frames)
     target.parent.mkdir(parents=True, exist_ok=True)
-    half = len(used)
-    written = export(dataset, target, progress=lambda done: count(half + done, 2 * half), **options)
+    with in_words():
+        written = export(
+            dataset, target, step="all", progress=lambda done: count(half + done, 2 * half), **options
+        )
     files = [path for path in target.parent.rglob("*") if path.is_file()]
     data = [path for path in files if path != written[-1]]
     if len(data) == 1:

@@ -47,6 +47,16 @@ def fields_of(simulation: Simulation) -> list[dict[str, Any]]:
     return [asdict(field) for field in (_CHANGE, *_kept(simulation), *_derived(simulation))]
 
 
+def exported_fields(simulation: Simulation) -> list[dict[str, str]]:
+    """Name and meaning of all fields that files for other programs may hold."""
+    layers = [(layer.name, f"depth of the layer {layer.name}") for layer in simulation.bed.layers]
+    kept = [(field.name, field.meaning) for field in (*_kept(simulation), *_derived(simulation))]
+    plain = [(field.name, field.meaning) for field in PLAIN]
+    surface = [("elevation", "elevation of the surface"), (GROUND.name, GROUND.meaning)]
+    names = dict(reversed([*surface, *plain, *layers, *kept]))
+    return [{"name": name, "meaning": meaning} for name, meaning in reversed(names.items())]
+
+
 def _kept(simulation: Simulation) -> Iterator[AvailableField]:
     hidden = {GROUND.name, *(layer.name for layer in simulation.bed.layers)}
     for field in simulation.bed.declared.values():

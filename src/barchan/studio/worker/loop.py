@@ -154,8 +154,9 @@ class Worker:
             if arrived:
                 if self.frames.credit:  # those who compare two runs see both at every meeting
                     self.frames.send(run)
-                self.send("arrived", step=run.live.steps_done)
-        self.frames.send_if_due(run)
+                self.commands.arrive()
+        if not (run.busy and run.brief):  # on the way to a meeting two runs are at different steps
+            self.frames.send_if_due(run)
 
     def _advance(self, run: "StudioRun") -> bool:
         """Do some steps; a run whose steps fail is paused at the last state that is whole."""

@@ -5,10 +5,13 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from barchan.export.formats import format_of
+from barchan.export.options import options_of
 from barchan.simulation import State
 from barchan.studio.protocol import Request
-from barchan.studio.worker.background import AllMeasured, Background, BrokenOffError, Count
+from barchan.studio.worker.background import AllMeasured, Background, BrokenOffError, Count, Reading
 from barchan.studio.worker.exporting import export_states
+from barchan.studio.worker.file_content import file_content
 from barchan.studio.worker.handlers import WORKER, Answer
 from barchan.studio.worker.overlay import read_overlay
 from barchan.studio.worker.rescue import to_bytes
@@ -48,11 +51,13 @@ def save_folder(commands: "RunCommands", request: Request) -> Answer:
 @WORKER.handles("export_to")
 def export_to(commands: "RunCommands", request: Request) -> Answer:
     """Write the run for another program, while it goes on; what is looked at is the last frame of it."""
-    target, options = Path(request["target"]), dict(request["options"])
+    target, options = Path(request["target"]), options_of(dict(request["options"]))
+    chosen = {key: request[key] for key in ("format", "fields") if request.get(key) is not None}
     states = _up_to(states_of(commands.current), commands.current.shown.steps_done)
-    if request.get("states") is not None:
-        states = states[-max(1, int(request["states"])) :]
-    return _file(target, lambda count: export_states(states, target, options, count))
+    series = format_of(target, chosen.get("format")).series
+    several = request.get("states") or (len(states) if series else 1)
+    states = states[-max(1, int(several)) :]
+    return _file(target, lambda count: export_states(states, target, {**options, **chosen}, count))
 
 
 @WORKER.handles("space_time_to")
@@ -126,6 +131,13 @@ def overlay(commands: "RunCommands", request: Request) -> None:
     wanted = request.get("path") is not None
     commands.frames.overlay = read_overlay(request, commands.current.live.lattice) if wanted else None
     commands.describe()
+
+
+@WORKER.handles("inspect")
+def inspect(_: "RunCommands", request: Request) -> Answer:
+    """What a file holds; what was read is at hand for the command that uses it."""
+    path = Path(request["path"])
+    return Reading(lambda _: file_content(path))
 
 
 @WORKER.handles("strata")

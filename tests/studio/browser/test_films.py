@@ -1,0 +1,126 @@
+"""Films of the scene: of kept states by the studio's own camera, and recorded while the run goes on."""
+
+import io
+import os
+import shutil
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PIL import Image
+
+RUN = "window.barchan.app.runs[0]"
+
+
+def open_sheet(page, name):
+    page.locator("summary", has_text="File").click()
+    page.get_by_role("menuitem", name=name).click()
+    return page.get_by_role("dialog")
+
+
+def pictures_of(path, suffix):
+    """The pictures of a film, as another library reads them."""
+    if suffix == ".webp":
+        with Image.open(path) as film:
+            return [np.asarray(frame.convert("RGB")) for frame in _frames(film)]
+    av = pytest.importorskip("av")
+    with av.open(str(path)) as film:
+        return [frame.to_ndarray(format="rgb24") for frame in film.decode(video=0)]
+
+
+def _frames(film):
+    for at in range(film.n_frames):
+        film.seek(at)
+        yield film
+
+
+def keep(path, name):
+    """Keep a film to look at, where a folder for that is stated."""
+    if folder := os.environ.get("BARCHAN_LOOK"):
+        shutil.copy(path, Path(folder) / name)
+
+
+@pytest.mark.extended
+def test_a_film_of_kept_states_is_drawn_by_the_camera_of_the_scene(studio):
+    page = studio.page
+    studio.step_beyond(60)
+    before = studio.ask("window.barchan.stage.standpoint()")
+    sheet = open_sheet(page, "Film of what was just seen")
+    sheet.get_by_label("States of the film, the last ones").fill("4")
+    sheet.get_by_label("Degrees that the camera turns").fill("30")
+    with page.expect_download(timeout=120_000) as download:
+        sheet.get_by_role("button", name="write the film").click()
+    suffix = Path(download.value.suggested_filename).suffix
+    path = download.value.path()
+    keep(path, f"states{suffix}")
+    pictures = pictures_of(path, suffix)
+    assert [picture.shape for picture in pictures] == [(720, 1280, 3)] * 4
+    turned = np.abs(pictures[0].astype(float) - pictures[-1]).mean()
+    assert turned > 5
+    assert studio.ask("window.barchan.stage.standpoint()") == before
+    studio.until("window.barchan.app.running")
+    assert list((studio.folder / "studio-exports").rglob(f"dunes{suffix}"))
+
+
+@pytest.mark.extended
+def test_a_film_that_is_broken_off_leaves_nothing_and_the_run_as_it_was(studio):
+    page = studio.page
+    studio.step_beyond(60)
+    studio.pause()
+    stood = studio.status()["step"]
+    sheet = open_sheet(page, "Film of what was just seen")
+    sheet.get_by_label("Name of the file").fill("given-up")
+    sheet.get_by_role("button", name="write the film").click()
+    sheet.get_by_role("button", name="cancel").click()
+    sheet.get_by_text("Broken off").wait_for()
+    studio.until(f"{RUN}.status.step === {stood} && !{RUN}.status.looking")
+    assert list((studio.folder / "studio-exports").rglob("given-up*")) == []
+    assert not studio.ask("window.barchan.stage.steady")
+
+
+@pytest.mark.extended
+def test_the_scene_is_recorded_while_it_runs(studio):
+    page = studio.page
+    page.keyboard.press("v")
+    page.get_by_role("button", name="begin", exact=True).click()
+    page.get_by_text("recording 0:02").wait_for()
+    with page.expect_download() as download:
+        page.get_by_role("button", name="stop and save").click()
+    suffix = Path(download.value.suggested_filename).suffix
+    path = download.value.path()
+    keep(path, f"recorded{suffix}")
+    pictures = pictures_of(path, suffix)
+    assert len(pictures) > 3
+    assert pictures[-1].std() > 10
+    assert np.abs(pictures[0].astype(float) - pictures[-1]).max() > 5
+    assert page.get_by_role("group", name="Recording").is_hidden()
+
+
+@pytest.mark.extended
+def test_a_browser_that_cannot_record_says_so(studio):
+    studio.ask("void delete window.MediaRecorder")
+    studio.page.keyboard.press("v")
+    studio.page.locator(".toast", has_text="cannot record what it draws").wait_for()
+
+
+@pytest.mark.extended
+def test_reading_a_file_is_broken_off_and_the_run_stays_as_it_was(studio, tmp_path):
+    """Points on a grid as text, some 20 MB, which take seconds to read."""
+    page = studio.page
+    side = 1000
+    x, y = np.meshgrid(np.arange(side), np.arange(side))
+    table = io.StringIO()
+    np.savetxt(table, np.stack([x.ravel(), y.ravel(), (x % 50).ravel()], axis=1), fmt="%.3f")
+    (tmp_path / "points.xyz").write_text(table.getvalue())
+    before = studio.ask(f"{RUN}.description.scenario.ground")
+    page.locator("summary", has_text="File").click()
+    with page.expect_file_chooser() as chooser:
+        page.get_by_role("menuitem", name="Load a scenario").click()
+    chooser.value.set_files(tmp_path / "points.xyz")
+    sheet = page.get_by_role("dialog", name="Reading points.xyz")
+    sheet.get_by_role("button", name="cancel").click()
+    sheet.wait_for(state="detached")
+    assert studio.ask(f"{RUN}.description.scenario.ground") == before
+    stood = studio.status()["step"]
+    studio.step_beyond(stood + 2)
+    assert page.locator(".toast").count() == 0

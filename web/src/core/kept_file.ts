@@ -1,0 +1,23 @@
+/** A file of the user that the server keeps and the runs have read. */
+
+import type { App } from "./app";
+import type { Progress } from "./connection";
+
+export interface KeptFile {
+  path: string;
+  /** The heights that it holds, if it does. */
+  heights: { rows: number; columns: number; cell_size: number | null; codes: number[] } | null;
+}
+
+/**
+ * Send a file and let every run read it, so that it is at hand for the command that uses it.
+ *
+ * `progress` takes the bytes that are sent, then 0 of 0 while the file is read; breaking either off leaves the runs as they are.
+ */
+export async function keepFile(app: App, file: File, progress: Progress, signal: AbortSignal): Promise<KeptFile> {
+  const { path } = await app.connection.upload<{ path: string }>(`upload?name=${encodeURIComponent(file.name)}`, file, progress, signal);
+  progress(0, 0);
+  const answers = await Promise.all(app.runs.map((run) => app.connection.ask({ command: "inspect", path, run: run.name }, undefined, signal)));
+  signal.throwIfAborted();
+  return { path, heights: answers[0]!.heights as unknown as KeptFile["heights"] };
+}

@@ -1,0 +1,112 @@
+/** A film of kept states as the scene shows them, from where one looks: drawn one by one, encoded by the server. */
+
+import type { App } from "../core/app";
+import type { Progress } from "../core/connection";
+import { shownSteps } from "../core/run";
+import { type Shot, jpegOf } from "../scene/shots";
+import type { Stage } from "../scene/stage";
+import { download } from "./dom";
+import { type Words, drawWords } from "./picture_words";
+
+export interface SceneFilm {
+  /** The name of the file; its suffix tells the format. */
+  name: string;
+  /** Kept states, the last ones up to the one that is shown. */
+  states: number;
+  width: number;
+  height: number;
+  /** Pictures a second. */
+  rate: number;
+  /** Degrees that the camera turns from the first picture to the last. */
+  turn: number;
+  words: Words;
+}
+
+/** Seconds until a state that was asked for must be shown. */
+const PATIENCE = 60;
+
+/** Make a film and give it to the user; the run rests meanwhile, and is then as it was. Returns the name of the file. */
+export async function filmOfStates(app: App, stage: Stage, film: SceneFilm, progress: Progress, signal: AbortSignal): Promise<string> {
+  const place = stage.standpoint();
+  const look = { ...app.view.look };
+  const ran = app.running;
+  if (ran) await rest(app);
+  const shown = app.current!.status!;
+  const back = shown.looking ? shown.step : null;
+  const steps = shownSteps(app.runs).slice(-film.states);
+  stage.steady = true;
+  // from the first picture to the last one, heights and colours mean the same
+  app.view.follow({ ...look, exaggeration: look.exaggeration ?? stage.terrain(app.current!)?.exaggeration ?? null, limits: look.limits ?? limitsOf(stage, app) });
+  try {
+    return await encoded(app, film, signal, async (send) => {
+      for (const [at, step] of steps.entries()) {
+        signal.throwIfAborted();
+        await showStep(app, step, back);
+        await send(await pictureOf(app, stage, film));
+        if (film.turn) stage.turn((film.turn * Math.PI) / 180 / Math.max(steps.length - 1, 1), 0);
+        progress(at + 1, steps.length);
+      }
+    });
+  } finally {
+    stage.steady = false;
+    app.view.follow(look);
+    stage.stand(place);
+    app.send({ command: "look", step: back });
+    if (ran) app.send({ command: "run" });
+  }
+}
+
+/** Open a film at the server, let `draw` send its pictures, and give the file to the user; of one that fails nothing is left. */
+async function encoded(app: App, { name, rate }: SceneFilm, signal: AbortSignal, draw: (send: (picture: Blob) => Promise<void>) => Promise<void>): Promise<string> {
+  const { film } = await app.connection.fetch<{ film: string }>(`films?name=${encodeURIComponent(name)}&rate=${rate}`, { method: "POST", signal });
+  try {
+    await draw(async (picture) => void (await app.connection.fetch(`films/${film}`, { method: "POST", body: picture, signal })));
+    const { file } = await app.connection.fetch<{ file: string }>(`films/${film}/end`, { method: "POST" });
+    download(name, await app.connection.file(`exports/${file}`));
+    return name;
+  } catch (error) {
+    await app.connection.fetch(`films/${film}`, { method: "DELETE" }).catch(() => {}); // what has failed is said already
+    throw error;
+  }
+}
+
+async function pictureOf(app: App, stage: Stage, { width, height, words }: SceneFilm): Promise<Blob> {
+  const shot: Shot = await stage.shoot({ width, height });
+  drawWords(app, stage, shot, words, document.documentElement.dataset.theme === "dark");
+  return jpegOf(shot.canvas);
+}
+
+function limitsOf(stage: Stage, app: App): [number, number] | null {
+  const colouring = stage.terrain(app.current!)?.colouring;
+  return colouring && !colouring.natural ? [...colouring.limits] : null;
+}
+
+/** Pause the run, and wait until it rests. */
+async function rest(app: App): Promise<void> {
+  app.send({ command: "pause" });
+  await until(app, () => !app.running);
+}
+
+/** Let all runs show the state after a step, which is the newest one unless one looks `back`. */
+async function showStep(app: App, step: number, back: number | null): Promise<void> {
+  const newest = back === null && app.current!.status!.live === step;
+  app.send({ command: "look", step: newest ? null : step });
+  await until(app, () => app.runs.every(({ status }) => status!.step === step && status!.looking !== newest));
+}
+
+/** Wait until a frame has brought what is wanted; throws where none does. */
+function until(app: App, wanted: () => boolean): Promise<void> {
+  return new Promise((done, failed) => {
+    const late = setTimeout(() => end(() => failed(new Error("The run does not show the state that was asked for."))), 1000 * PATIENCE);
+    const see = () => wanted() && end(done);
+    const end = (act: () => void) => {
+      clearTimeout(late);
+      app.framed.leave(see);
+      app.changed.leave(see);
+      act();
+    };
+    app.framed.watch(see);
+    app.changed.watch(see);
+    see();
+  });
+}
