@@ -28,8 +28,9 @@ class SnowRounds(SharedRounds):
         return self.rules.slabs.ray is not None
 
     def changed(self) -> list[NDArray[Any]]:
-        """All of the pack."""
-        return list(self.pack)
+        """The pack, of its buried layers those that any cell has: beyond them nothing is read."""
+        deepest = int(self.pack.buried_count.max())
+        return [*self.pack._replace(buried=self.pack.buried[:, :deepest])]
 
     def bed_and_rules(self) -> tuple[Pack, SnowRules]:
         """The pack and the rules, which polls only read."""
