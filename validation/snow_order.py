@@ -62,8 +62,7 @@ WORDS = {
 READING = """
 The first storm leaves what is expected of young snow: forms with slip faces that travel, in every seed. In
 the calm they bond and stand. The second storm is above what fallen snow of five days withstands and below
-what drift of that age does. Two fields of four are then worn, steeper to windward and mostly bonded; in the
-other two the drift that it set in motion travels over the old forms with slip faces of its own. So the
-order comes out, and worn forms do in half of the fields, all of them within the twelve hours that are
-reported.
+what drift of that age does. Two fields of five are then worn, steeper to windward and mostly bonded; in the
+other three the drift that it set in motion travels over the old forms with slip faces of its own. So the
+order comes out, and worn forms do in two fields of five, within the twelve hours that are reported.
 """

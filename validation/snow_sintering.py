@@ -1,7 +1,7 @@
 """Ripples of snow and a steep hump, with bonds that grow and without, under `snow_grains`.
 
-Flat snow 3 cm deep on 64 × 12 cells of 1 cm, 12 m/s at 10 m, 8 minutes of wind, 5 seeds. A hump 8 cm high,
-4.5 cm wide, in snow 1 cm deep on 28 × 28 cells, 15 m/s, 4 minutes, 5 seeds. A simulated grain's snow is two
+Flat snow 3 cm deep on 64 × 12 cells of 1 cm, 12 m/s at 10 m, 8 minutes of wind, 3 seeds. A hump 8 cm high,
+4.5 cm wide, in snow 1 cm deep on 28 × 28 cells, 15 m/s, 4 minutes, 3 seeds. A simulated grain's snow is two
 grain diameters thick. Sintering is hastened 720 times: snow bonds in 2 minutes instead of 24 hours at -10
 °C. Height is 2√2 times the standard deviation of the bed, as of a wave. Of the hump, what lies within 1.5 of
 its widths is compared with what was laid there evenly; what it lost slid and crept down its slopes, the
@@ -20,7 +20,7 @@ from validation.study import Row, order, over_seeds, spread
 
 TITLE = "Snow that bonds while it lies"
 
-SEEDS = (1, 2, 3, 4, 5)
+SEEDS = (1, 2, 3)
 CELL, PARCEL = 0.01, 0.4e-3 / 16
 MINUTE = 60.0
 LOOKS = (1.5, 4, 8)
@@ -44,7 +44,7 @@ def scenario(rows, columns, parcels, speed, sintering, seed, **more):
     """A field of snow under a steady wind from the west."""
     return barchan.load(
         {
-            "barchan": 3,
+            "barchan": 2,
             "lattice": {"rows": rows, "columns": columns, "cell_size": CELL, "slab_height": PARCEL},
             "sand": {"kind": "flat", "mean": parcels},
             "model": {
