@@ -10,7 +10,15 @@ from numpy.typing import NDArray
 from barchan.aeolian.saltation import Saltation
 from barchan.scenario import Scenario
 from barchan.theory.crests import Crest, bed_instability, elongation, gross_transport
-from barchan.theory.drift import KNOT, THRESHOLD, Drift, drift_of, drift_potential, sand_flux
+from barchan.theory.drift import (
+    KNOT,
+    THRESHOLD,
+    Drift,
+    drift_of,
+    drift_potential,
+    sand_flux,
+    undirected_share,
+)
 from barchan.theory.dune_types import dune_type
 from barchan.theory.variability import Variability, variability
 from barchan.wind.clock import DAY, YEAR, spoken
@@ -81,7 +89,8 @@ def assess_record(record: WindRecord, sand: Saltation, supply: float | None = No
     high = at_ten_metres(record, sand)
     threshold = _threshold_of(sand)
     found = assess(sand_flux(record, sand), drift_potential(high, threshold), supply)
-    return replace(found, threshold=threshold, remarks=tuple(_remarks(record)))
+    remarks = (*_remarks(record), *_undirected_remarks(high, threshold))
+    return replace(found, threshold=threshold, remarks=remarks)
 
 
 def _threshold_of(sand: Saltation) -> float:
@@ -120,6 +129,23 @@ def _remarks(record: WindRecord) -> list[str]:
             "comes out too low"
         )
     return said
+
+
+def _undirected_remarks(record: WindRecord, threshold: float) -> list[str]:
+    """How winds without a direction count in the drift potential above a threshold (knots at 10 m)."""
+    which = record.without_direction
+    if not which.any():
+        return []
+    above = record.speed > threshold * KNOT
+    if not above[which].any():
+        return ["rows without a direction stay below the threshold: time without drift"]
+    return [
+        (
+            f"{np.count_nonzero(above & which)} rows without a direction exceed the threshold: their "
+            f"{100 * undirected_share(record, threshold):.2g} % of the drift potential is shared over all "
+            "directions as the rest is"
+        )
+    ]
 
 
 def scenario_supply(scenario: Scenario) -> float:

@@ -31,11 +31,14 @@ class WindRecord:
     speed: NDArray[np.float64]
     """m/s."""
     direction: NDArray[np.float64]
-    """Where it comes from, degrees clockwise from north in [0, 360); 0 in a calm."""
+    """Where it comes from, degrees clockwise from north in [0, 360); 0 in a calm.
+
+    A wind without a known direction (``undirected``) has that of the wind before it.
+    """
     start: np.datetime64 | None = None
     """Time of the first row (UTC or local, as the file has it), where the file has dates."""
     missing: int = 0
-    """Rows without a speed, or without a direction while the air moved."""
+    """Rows without a speed."""
     gaps: int = 0
     """Times at which rows are absent from the file."""
     source: str = ""
@@ -64,23 +67,40 @@ class WindRecord:
     """Rows that hold weather and no wind, where the record has any."""
     supposed: NDArray[np.bool_] | None = None
     """Rows in gaps, whose wind is supposed and not measured; None where there are none."""
+    undirected: NDArray[np.bool_] | None = None
+    """Rows that state a speed and no direction while the air moved (VRB); None where there are none."""
 
     @property
     def measured(self) -> "WindRecord":
         """The record without the rows whose wind is supposed."""
         if self.supposed is None:
             return self
-        kept = ~self.supposed
-        return replace(
-            self,
-            time=self.time[kept],
-            duration=self.duration[kept],
-            speed=self.speed[kept],
-            direction=self.direction[kept],
-            temperature=None if self.temperature is None else self.temperature[kept],
-            snowfall=None if self.snowfall is None else self.snowfall[kept],
-            supposed=None,
+        return replace(self.picked(~self.supposed), supposed=None)
+
+    def picked(self, which: NDArray) -> "WindRecord":
+        """The record with some of its rows, by a mask or by numbers, each with its own duration."""
+        names = (
+            "time",
+            "duration",
+            "speed",
+            "direction",
+            "temperature",
+            "snowfall",
+            "supposed",
+            "undirected",
         )
+        rows = {name: getattr(self, name) for name in names}
+        return replace(self, **{name: v if v is None else v[which] for name, v in rows.items()})
+
+    @property
+    def without_direction(self) -> NDArray[np.bool_]:
+        """For each row whether its direction is not known while the air moves."""
+        return np.zeros(len(self), bool) if self.undirected is None else self.undirected
+
+    @property
+    def calm_share(self) -> float:
+        """Share of calms in the time whose speed is known."""
+        return float(self.duration[self.speed == 0.0].sum()) / self.seconds
 
     @property
     def calms(self) -> int:
