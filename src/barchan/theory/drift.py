@@ -126,6 +126,11 @@ def _directed(record: WindRecord, amounts: NDArray[np.float64]) -> NDArray[np.fl
     return known * (float(amounts.sum()) / total) if total > 0.0 else amounts
 
 
+HIGHEST = 5000.0
+"""Drift potential (VU) of a year above which a wind is doubted, a limit of ours: 12 times that from which on
+Fryberger & Dean (1979) call the energy high. A steady wind of 11 m/s has it."""
+
+
 def energy(potential: float) -> str:
     """Energy of a wind by its drift potential (VU in knots): low, intermediate or high."""
     return next(name for limit, name in ENERGY if potential < limit)

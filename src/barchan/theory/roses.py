@@ -9,7 +9,7 @@ from barchan.theory.drift import Drift
 from barchan.wind.records import WindRecord
 
 SECTORS = 16
-"""Directions of a rose; fewer hide the variation of the wind."""
+"""Directions of a rose."""
 
 CLASSES = 5
 """Classes of speed in a wind rose."""

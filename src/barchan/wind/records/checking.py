@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from barchan.errors import Problem, RecordError
 from barchan.wind.records.directionless import direction_before, undirected_remarks
 from barchan.wind.records.durations import durations
-from barchan.wind.records.plausibility import direction_width, warnings_of
+from barchan.wind.records.plausibility import direction_width, lasting_doubts, warnings_of
 from barchan.wind.records.record import Rows, WindlessRows, WindRecord
 
 FASTEST = 150.0
@@ -59,9 +59,12 @@ def checked(rows: Rows) -> WindRecord:
         temperature=_some(rows.temperature, usable),
         snowfall=_some(rows.snowfall, usable),
         windless=_windless(rows, duration, ~usable),
+        unit_stated=rows.unit_stated,
+        utc=rows.utc,
         undirected=undirected if (undirected := np.isnan(direction[usable])).any() else None,
     )
-    record = replace(record, remarks=(*record.remarks, *undirected_remarks(record)))
+    doubts = lasting_doubts(record) if record.unit_stated else []
+    record = replace(record, remarks=(*record.remarks, *undirected_remarks(record), *doubts))
     return replace(record, warnings=warnings_of(record), direction_width=direction_width(record))
 
 

@@ -36,7 +36,7 @@ class WindRecord:
     A wind without a known direction (``undirected``) has that of the wind before it.
     """
     start: np.datetime64 | None = None
-    """Time of the first row (UTC or local, as the file has it), where the file has dates."""
+    """Time of the first row where the file has dates."""
     missing: int = 0
     """Rows without a speed."""
     gaps: int = 0
@@ -69,6 +69,10 @@ class WindRecord:
     """Rows in gaps, whose wind is supposed and not measured; None where there are none."""
     undirected: NDArray[np.bool_] | None = None
     """Rows that state a speed and no direction while the air moved (VRB); None where there are none."""
+    unit_stated: bool = True
+    """Whether file or user state the unit of the speeds."""
+    utc: bool = False
+    """Whether times are in UTC, as the file or the user states a zone; else they are as the file has them."""
 
     @property
     def measured(self) -> "WindRecord":
@@ -79,18 +83,17 @@ class WindRecord:
 
     def picked(self, which: NDArray) -> "WindRecord":
         """The record with some of its rows, by a mask or by numbers, each with its own duration."""
-        names = (
-            "time",
-            "duration",
-            "speed",
-            "direction",
-            "temperature",
-            "snowfall",
-            "supposed",
-            "undirected",
+        return replace(
+            self,
+            time=self.time[which],
+            duration=self.duration[which],
+            speed=self.speed[which],
+            direction=self.direction[which],
+            temperature=None if self.temperature is None else self.temperature[which],
+            snowfall=None if self.snowfall is None else self.snowfall[which],
+            supposed=None if self.supposed is None else self.supposed[which],
+            undirected=None if self.undirected is None else self.undirected[which],
         )
-        rows = {name: getattr(self, name) for name in names}
-        return replace(self, **{name: v if v is None else v[which] for name, v in rows.items()})
 
     @property
     def without_direction(self) -> NDArray[np.bool_]:
@@ -145,3 +148,7 @@ class Rows:
     several_reports: bool = False
     """Whether rows of one time and different winds are usual."""
     place: str = ""
+    unit_stated: bool = True
+    """Whether file or user state the unit of the speeds."""
+    utc: bool = False
+    """Whether times are known to be in UTC."""

@@ -79,7 +79,7 @@ def _span(record: WindRecord) -> str:
     if record.start is None:
         return ""
     last = record.start + np.timedelta64(int(record.time[-1]), "s")
-    return f", {str(record.start)[:10]} to {str(last)[:10]}"
+    return f", {str(record.start)[:10]} to {str(last)[:10]}{', times in UTC' if record.utc else ''}"
 
 
 def _share(part: int, whole: int) -> str:

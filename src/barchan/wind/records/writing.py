@@ -32,7 +32,8 @@ def _times(record: WindRecord) -> list[str]:
     if record.start is None:
         return _numbers(record.time)
     whole = np.rint(record.time).astype("timedelta64[s]")
-    return np.datetime_as_string(record.start.astype("datetime64[s]") + whole, unit="s").tolist()
+    stamps = record.start.astype("datetime64[s]") + whole
+    return np.datetime_as_string(stamps, unit="s", timezone="UTC" if record.utc else "naive").tolist()
 
 
 def _numbers(values: np.ndarray) -> list[str]:
