@@ -9,7 +9,7 @@ import pytest
 from barchan.analysis.time_series import last_measures
 from barchan.archive import open_run, run
 from barchan.comparison.of_runs import compare_runs, members_home
-from barchan.comparison.report import number
+from barchan.comparison.words import number
 from barchan.simulation import Simulation
 from tests.tiny import tiny
 

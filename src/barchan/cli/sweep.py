@@ -2,7 +2,7 @@
 
 import shlex
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Literal
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from cyclopts import Parameter
 
@@ -12,6 +12,7 @@ from barchan.errors import BarchanError
 
 if TYPE_CHECKING:
     from barchan.ensembles.plan import Plan
+    from barchan.scenario.overrides import Override
 
 Only = Literal["failed", "waiting", "stopped"]
 
@@ -67,49 +68,51 @@ def sweep(
     quiet
         Print nothing but errors.
     """
-    from barchan.archive import source_at
     from barchan.cli.ensembles import MemberReporter, exit_code, workers_of
     from barchan.cli.terminal import Interrupts, console
-    from barchan.ensembles.axes import parse_axes
-    from barchan.ensembles.plan import PLAN, load_plan, make_plan
+    from barchan.ensembles.plan import PLAN
     from barchan.ensembles.reports import State
     from barchan.ensembles.running import run_ensemble
 
     if (Path(scenario) / PLAN).is_file():
-        if vary or values or out:
-            raise BarchanError(
-                f"{scenario} holds a sweep, which goes on as it is; leave out --vary, --out and values"
-            )
-        folder, plan = Path(scenario), load_plan(scenario)
+        folder, plan = Path(scenario), _plan_in(scenario, stated=bool(vary or values or out))
     else:
         folder = out or Path(f"{Path(scenario).stem}-sweep")
-        plan = make_plan(
-            source_at(scenario),
-            parse_axes(vary or []),
-            design=design,
-            count=points,
-            seeds=seeds,
-            first_seed=first_seed,
-            pairing=pairing,
-            overrides=pairs(values, sweep),
+        numbers = {"count": points, "seeds": seeds, "first_seed": first_seed}
+        plan = _new_plan(
+            scenario, vary or [], pairs(values, sweep), design=design, pairing=pairing, **numbers
         )
     _check_measures(plan, measure or [])
     hands = workers_of(workers, scheduler)
     if not quiet:
         console.print(f"{len(plan.points)} points, {len(plan.members)} runs, {hands.name}: {folder}")
+    states = tuple(State) if only is None else (State(only),)
     with Interrupts().watched() as stop:
-        outcome = run_ensemble(
-            plan,
-            folder,
-            hands,
-            only=tuple(State) if only is None else (State(only),),
-            told=MemberReporter(quiet),
-            stop=stop,
-        )
+        outcome = run_ensemble(plan, folder, hands, only=states, told=MemberReporter(quiet), stop=stop)
     for path in _results(folder, plan, measure or []):
         if not quiet:
             console.print(str(path))
     return exit_code(outcome, f"barchan sweep {shlex.quote(str(folder))}", folder)
+
+
+def _plan_in(folder: str, stated: bool) -> "Plan":
+    """The plan of a sweep to go on with; raises BarchanError where another one is ``stated``."""
+    from barchan.ensembles.plan import load_plan
+
+    if stated:
+        raise BarchanError(
+            f"{folder} holds a sweep, which goes on as it is; leave out --vary, --out and values"
+        )
+    return load_plan(folder)
+
+
+def _new_plan(scenario: str, vary: list[str], overrides: "list[Override]", **design: Any) -> "Plan":
+    """The plan of a new sweep of a scenario; ``design`` as in ``make_plan``."""
+    from barchan.archive import source_at
+    from barchan.ensembles.axes import parse_axes
+    from barchan.ensembles.plan import make_plan
+
+    return make_plan(source_at(scenario), parse_axes(vary), overrides=overrides, **design)
 
 
 def _check_measures(plan: "Plan", measures: list[str]) -> None:

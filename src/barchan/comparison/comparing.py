@@ -8,9 +8,11 @@ from pathlib import Path
 import numpy as np
 
 from barchan.comparison.drawing import SLOPES, chosen_steps, draw_together, draw_variants, slopes_of
-from barchan.comparison.report import REPORT, SCENARIOS, Contents, listed, report_of
+from barchan.comparison.report import REPORT, Contents, report_of
+from barchan.comparison.runs_section import SCENARIOS
 from barchan.comparison.statistics import Difference, differences
 from barchan.comparison.variants import Variant, variants_of
+from barchan.comparison.words import listed
 from barchan.ensembles.axes import Axis
 from barchan.ensembles.plan import Plan
 from barchan.ensembles.running import EnsembleOutcome, Told, run_ensemble

@@ -9,9 +9,10 @@ from typing import Any
 
 from barchan.archive import RunInfo, run_info
 from barchan.comparison.drawing import chosen_steps, draw_together, draw_variants
-from barchan.comparison.report import Contents, listed, report_of
+from barchan.comparison.report import Contents, report_of
 from barchan.comparison.statistics import differences
 from barchan.comparison.variants import Variant, differing_keys
+from barchan.comparison.words import listed
 from barchan.ensembles.axes import value_label
 from barchan.ensembles.plan import Member
 from barchan.ensembles.reports import MEMBERS, report_on

@@ -60,6 +60,11 @@ def section(name: str, heading: str, *parts: str) -> str:
     return f'<section id="{name}"><h2>{escape(heading)}</h2>{"".join(parts)}</section>'
 
 
+def points(paragraphs: str) -> str:
+    """Paragraphs with empty lines between, as a list."""
+    return "<ul>" + "".join(f"<li>{text(one)}</li>" for one in paragraphs.strip().split("\n\n")) + "</ul>"
+
+
 def page(title: str, *parts: str) -> str:
     """The whole page, with its style for screen and print."""
     style = files("barchan.comparison").joinpath("report.css").read_text("utf-8")

@@ -1,21 +1,18 @@
 """The report of a comparison: one page in HTML, pictures within, that prints as it is."""
 
-import base64
-import json
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from datetime import UTC, datetime
 
-from barchan.analysis import suited_units
 from barchan.comparison.drawing import Picture
-from barchan.comparison.page import Markup, Strong, figure, page, paragraph, section, table, text
-from barchan.comparison.statistics import TURNS, Difference, Spread, spread
-from barchan.comparison.variants import Variant, differing_keys, shared_measures, unlike_defaults
+from barchan.comparison.page import Strong, figure, page, paragraph, points, section, table, text
+from barchan.comparison.runs_section import made_by, runs_table, scenarios_table
+from barchan.comparison.statistics import TURNS, Difference, spread
+from barchan.comparison.variants import Variant, shared_measures
+from barchan.comparison.words import listed, named, number, probability, spread_text
 from barchan.scenario.summary import field_size
-from barchan.version import __version__
 
-REPORT, SCENARIOS = "report.html", "scenarios"
+REPORT = "report.html"
 
 METHOD = """
 Every variant starts from the same bed for the same seed, under the same wind, and its polls draw from the
@@ -86,7 +83,7 @@ def report_of(contents: Contents) -> str:
         section(
             "runs",
             "Runs",
-            _scenarios(contents),
+            scenarios_table(contents.variants, contents.alone),
             runs_table(contents.variants, contents.unfinished),
             made_by(contents.command, contents.seconds),
         ),
@@ -115,33 +112,15 @@ def _finding(contents: Contents) -> str:
     return f"After correction for many tests, {'; '.join(told)}."
 
 
-def listed(names: Sequence[str]) -> str:
-    """Names with commas and a last *and*."""
-    return names[0] if len(names) == 1 else f"{', '.join(names[:-1])} and {names[-1]}"
-
-
 def _shown(contents: Contents, view: str) -> list[str]:
     return [figure(p.path, p.caption) for p in contents.together if p.view == view]
-
-
-def number(value: float) -> str:
-    """A value with four digits and a true minus; a dash where there is none."""
-    return suited_units.number(value).replace("-", "−")
-
-
-def spread_text(found: Spread, of: int) -> str:
-    """Mean ± deviation, and of how many seeds where some have no value; a dash where none has."""
-    if not found.count:
-        return "–"
-    more = f" ± {found.deviation:.2g}" if math.isfinite(found.deviation) else ""
-    return f"{number(found.mean)}{more}" + (f" ({found.count}/{of})" if found.count < of else "")
 
 
 def _measures(contents: Contents) -> str:
     significant = {(d.measure, d.variant) for d in contents.differences if d.significant}
     rows = []
     for name, (title, unit) in shared_measures(contents.variants).items():
-        row: list[object] = [_named(title, unit)]
+        row: list[object] = [named(title, unit)]
         for variant in contents.variants:
             found = spread(list(variant.finals(name).values()), TURNS.get(name))
             cell = spread_text(found, len(variant.reports))
@@ -154,10 +133,6 @@ def _measures(contents: Contents) -> str:
     return table(["measure", *(v.label for v in contents.variants)], rows) + paragraph(note, "quiet")
 
 
-def _named(title: str, unit: str) -> Markup:
-    return Markup(text(title) + ("" if unit == "-" else f' <span class="unit">{text(unit)}</span>'))
-
-
 def _differences(contents: Contents) -> str:
     shared = shared_measures(contents.variants)
     rows = []
@@ -168,23 +143,19 @@ def _differences(contents: Contents) -> str:
         interval = f"{number(one.low)} to {number(one.high)}"
         rows.append(
             [
-                _named(*shared[one.measure]),
+                named(*shared[one.measure]),
                 one.variant,
                 Strong(difference) if one.significant else difference,
                 interval,
                 one.count,
-                _probability(one.p),
-                Strong(_probability(one.adjusted)) if one.significant else _probability(one.adjusted),
+                probability(one.p),
+                Strong(probability(one.adjusted)) if one.significant else probability(one.adjusted),
             ]
         )
     if not rows:
         return paragraph("No measure has values of two seeds that may be quoted in both variants.")
     heads = ("measure", "variant", "difference", "95 % interval", "pairs", "p", "p (Holm)")
     return table(heads, rows)
-
-
-def _probability(p: float) -> str:
-    return "–" if math.isnan(p) else "< 0.0001" if p < 1e-4 else f"{p:.2g}"
 
 
 def _time_note(seeds: Sequence[int]) -> str:
@@ -217,98 +188,3 @@ def _variant(contents: Contents, variant: Variant) -> str:
         parts += [figure(p.path, p.caption) for p in shown if p.view == "section"]
     parts += [figure(p.path, p.caption) for p in pictures if p.step is None]
     return f'<div class="variant">{"".join(parts)}</div>'
-
-
-def _scenarios(contents: Contents) -> str:
-    differing = differing_keys(contents.variants)
-    rows = [[key, *("–" if v is None else _value(v) for v in row)] for key, row in differing.items()]
-    links = [_scenario_link(variant, contents.alone) for variant in contents.variants]
-    heads = ["key", *(variant.label for variant in contents.variants)]
-    told = "Everything else in the scenarios is the same." + _strange_values(contents.variants)
-    return table(heads, [*rows, ["complete scenario", *links]], wordy=True) + paragraph(told, "quiet")
-
-
-def _scenario_link(variant: Variant, within: bool) -> Markup:
-    """A link to the complete scenario of a variant: to the file beside the page, or with the text within."""
-    name = f"{variant.name}.json"
-    if not within:
-        return Markup(f'<a href="{text(f"{SCENARIOS}/{name}")}">{text(name)}</a>')
-    content = base64.b64encode(variant.scenario.text().encode()).decode("ascii")
-    return Markup(
-        f'<a download="{text(name)}" href="data:application/json;base64,{content}">{text(name)}</a>'
-    )
-
-
-def _strange_values(variants: Sequence[Variant]) -> str:
-    """In words, which parameters the scenario gives a model that has other ones by itself."""
-    parts = []
-    for variant in variants:
-        found = unlike_defaults(variant)
-        if found:
-            told = ", ".join(f"{key} {_value(v)} (default {_value(own)})" for key, (v, own) in found.items())
-            parts.append(f"{variant.label}: {told}")
-    return f" Values that are not the model's own defaults: {'; '.join(parts)}." if parts else ""
-
-
-def _value(value: object) -> str:
-    return value if isinstance(value, str) else json.dumps(value)
-
-
-def runs_table(variants: Sequence[Variant], unfinished: Mapping[str, str]) -> str:
-    """A row for each finished run, and why others did not come to their end."""
-    rows = [
-        [
-            v.label,
-            seed,
-            r.steps,
-            r.reason,
-            _seconds(r.seconds),
-            _seconds(r.processor_seconds),
-            r.version,
-            r.host,
-            Markup(f"<code>{r.bed[:12]}</code>"),
-        ]
-        for v in variants
-        for seed, r in v.reports.items()
-    ]
-    heads = (
-        "variant",
-        "seed",
-        "steps",
-        "ended",
-        "time (s)",
-        "processor (s)",
-        "Barchan",
-        "machine",
-        "last bed",
-    )
-    parts = [table(heads, rows)]
-    changed = [f"{v.label}, seed {s}" for v in variants for s, r in v.reports.items() if r.differs_from]
-    if changed:
-        parts.append(
-            paragraph(f"An earlier run of the same scenario had another result: {', '.join(changed)}.")
-        )
-    if unfinished:
-        parts.append(paragraph("Runs that did not come to their end:"))
-        parts.append(table(("run", "reason"), list(unfinished.items()), wordy=True))
-    return "".join(parts)
-
-
-def _seconds(duration: float) -> str:
-    return "–" if math.isnan(duration) else f"{duration:.1f}"
-
-
-def made_by(command: str, seconds: float) -> str:
-    """Version, date, how long it took (s), and the command that makes a report again."""
-    when = datetime.now(UTC).strftime("%Y-%m-%d %H:%M UTC")
-    told = f"Made with Barchan {__version__} on {when} in {seconds:.0f} s, pictures included"
-    return (
-        paragraph(f"{told}, by:") + f"<pre><code>{text(command)}</code></pre>"
-        if command
-        else paragraph(f"{told}.")
-    )
-
-
-def points(paragraphs: str) -> str:
-    """Paragraphs with empty lines between, as a list."""
-    return "<ul>" + "".join(f"<li>{text(one)}</li>" for one in paragraphs.strip().split("\n\n")) + "</ul>"

@@ -65,7 +65,7 @@ class Gltf:
         if block.dtype.itemsize == 1:
             made["normalized"] = True
         if extent:
-            made |= {edge: np.atleast_1d(found(block, axis=0)).tolist() for edge, found in _EXTENT.items()}
+            made |= _extent(block.reshape(len(block), -1))
         self._blocks.append(block)
         self._offset += block.nbytes + -block.nbytes % 4
         self._lists["bufferViews"].append(view)
@@ -142,4 +142,7 @@ class Gltf:
         return len(self._lists[kind]) - 1
 
 
-_EXTENT = {"min": np.min, "max": np.max}
+def _extent(rows: NDArray) -> dict[str, list[float]]:
+    """Lowest and highest values of each column, one after the other: many times as fast as all at once."""
+    columns = rows.T
+    return {"min": [float(c.min()) for c in columns], "max": [float(c.max()) for c in columns]}

@@ -42,12 +42,12 @@ class Surface:
         east, north = gradient(z[inside], 1.0, self.periodic)
         repeated = [(0, int(closing and joined)) for joined in self.periodic]
         spacing = self.x[1] - self.x[0], self.y[1] - self.y[0]
-        slopes = [
+        rise_east, rise_north = (
             np.pad(slope, repeated, mode="wrap") / side
             for slope, side in zip((east, north), spacing, strict=True)
-        ]
-        up = np.stack([-slopes[0], -slopes[1], np.ones_like(z)], axis=-1).reshape(-1, 3)
-        return (up / np.linalg.norm(up, axis=1, keepdims=True)).astype("<f4")
+        )
+        up = 1.0 / np.sqrt(1.0 + rise_east**2 + rise_north**2)
+        return np.stack([-rise_east * up, -rise_north * up, up], axis=-1).reshape(-1, 3).astype("<f4")
 
     @property
     def quads(self) -> NDArray[np.uint32]:

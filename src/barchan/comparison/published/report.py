@@ -4,12 +4,13 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from barchan.comparison.drawing import Picture
-from barchan.comparison.page import Markup, Strong, figure, page, paragraph, section, table, text
+from barchan.comparison.page import Markup, Strong, figure, page, paragraph, points, section, table, text
 from barchan.comparison.published.judging import Result, Verdict
 from barchan.comparison.published.results import Experiment, PublishedSet
-from barchan.comparison.report import SCENARIOS, made_by, points, runs_table, spread_text
+from barchan.comparison.runs_section import SCENARIOS, made_by, runs_table
 from barchan.comparison.statistics import spread
 from barchan.comparison.variants import Variant
+from barchan.comparison.words import spread_text
 from barchan.scenario.summary import field_size
 
 METHOD = """

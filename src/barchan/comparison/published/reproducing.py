@@ -10,7 +10,8 @@ from barchan.comparison.drawing import FIGURES, Picture, chosen_steps, draw_over
 from barchan.comparison.published.judging import judge
 from barchan.comparison.published.report import Contents, Section, claims_rows, report_of
 from barchan.comparison.published.results import Experiment, PublishedSet, plan_of
-from barchan.comparison.report import REPORT, SCENARIOS
+from barchan.comparison.report import REPORT
+from barchan.comparison.runs_section import SCENARIOS
 from barchan.comparison.variants import Variant, variants_of
 from barchan.ensembles.running import Told, run_ensemble
 from barchan.ensembles.table import failures, series_table, write_tables
