@@ -169,6 +169,8 @@ class Model(ABC):
 
     strata: ClassVar[tuple[Strata, ...]] = ()
     """What sections show of the layers, of a model that keeps any; the first unless another is asked for."""
+    winds_off_axes: bool = False
+    """Whether any wind of the run blows off the lattice's axes; the scenario and the run say so."""
     fresh_densities: ClassVar[tuple[float, float] | None] = None
     """The densities (kg/m³) at which a brush may lay fresh snow, of a model that keeps densities."""
 
@@ -301,6 +303,10 @@ class Model(ABC):
     def wind_facts(self, speeds: Sequence[float]) -> dict[str, str]:
         """What the winds that blow come to, for people to read; ``speeds`` (m/s) are those they state."""
         return {}
+
+    def wind_remarks(self) -> list[str]:
+        """Warnings about the winds of the run as a whole, under this choice of parameters."""
+        return []
 
     def facts(self) -> dict[str, str]:
         """Quantities that follow from the parameters on this lattice, by name, as text."""

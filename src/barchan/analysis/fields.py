@@ -113,7 +113,7 @@ def _carried(frame: "xr.Dataset") -> dict[str, NDArray]:
 def as_modelled(frame: "xr.Dataset", scenario: Scenario) -> tuple[Model, Bed, Segment]:
     """The model, the bed and the wind of a frame, as they were when it was taken."""
     scenario = scenario_at(frame, scenario)
-    model = models()[scenario.model.name](scenario.model, scenario.lattice)
+    model = scenario.new_model()
     bed = Bed.from_fields(scenario.lattice, _carried(frame), model.fields, model.layers)
     return model, bed, wind_over(frame, scenario)
 

@@ -74,7 +74,7 @@ def field_of(bed: Bed, parameters: SnowParameters, lattice: Lattice, frame: Wind
     pack, ground = entered(bed, parameters, frame)
     fine = lattice.model_copy(update={"slab_aspect": None, "slab_height": HEIGHT_UNIT})
     hop = parameters.hop / lattice.cell_size
-    arguments = build(parameters.as_slabs(lattice), Rules(), fine, frame, hop, True)
+    arguments = build(parameters.as_slabs(lattice), Rules(), fine, frame, hop, True, "centre")
     return Field(pack, ground, frame, arguments)
 
 
