@@ -104,19 +104,21 @@ export class Files {
     for (const problem of problems) this.app.notices.note("error", problemText(problem), problem.key, false);
     if (scenario && !problems.length) {
       if (await this.app.create(scenario)) this.app.note("info", `Loaded ${name}.`);
-    } else this.offer(name, problems, scenario);
+    } else this.offer(name, problems, scenario, answer.changes as string[] | undefined);
   }
 
   /** List what is wrong with a scenario, and load the rest of it where that is asked for. */
-  offer(name: string, problems: Problem[], scenario: JsonObject | null): void {
+  offer(name: string, problems: Problem[], scenario: JsonObject | null, changes: string[] = []): void {
     const rest = async () => {
       sheet.close();
-      if (await this.app.create(scenario!)) this.app.note("warning", `Loaded ${name} without what was wrong.`);
+      if (await this.app.create(scenario!)) this.app.note("warning", [`Loaded ${name} without what was wrong`, ...changes].join("; ") + ".");
     };
     const sheet: HTMLDialogElement = dialog(
       `${name}: ${problems.length === 1 ? "1 problem" : `${problems.length} problems`}`,
       "small",
       h("ul", { className: "problems" }, ...problems.map((problem) => h("li", {}, problemText(problem)))),
+      scenario !== null && changes.length > 0 && h("p", {}, "Loaded without what is wrong, the scenario is another one than the file says:"),
+      scenario !== null && changes.length > 0 && h("ul", { className: "problems" }, ...changes.map((one) => h("li", {}, one))),
       h(
         "div",
         { className: "buttons" },

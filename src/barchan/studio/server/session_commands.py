@@ -72,11 +72,8 @@ def revive(session: "Session", request: Request) -> None:
     if request.get("kept") is not None:
         session.resume(int(request["kept"]))
     elif session.scenarios:
-        session.begin(
-            dict(session.scenarios),
-            running=True,
-            answering={name: {"changed": True} for name in session.scenarios},
-        )
+        again: dict[str, Request] = {name: {"changed": True} for name in session.scenarios}
+        session.begin(dict(session.scenarios), True, again)
     else:
         session.start_run(FIRST, session.first)
 

@@ -157,7 +157,7 @@ class StudioRun:
         self.begin(branch.simulation, branch.history, branch.measures)
 
     def adopt(self, other: "StudioRun") -> None:
-        """Keep what another run is on now, with its bookmarks, as a branch of this one, which stays where it is."""
+        """Keep the branch that another run is on, with its bookmarks, as a branch of this one."""
         here = self.branches.current
         self.branches.leave(self.live, self.history, self.measures)
         self.branches.add(other.live, other.history, other.measures, other.branches.began)
