@@ -118,6 +118,12 @@ class Strata:
     """Computes thickness (m) and value of each layer on every cell, the lowest first, from model and bed."""
     states: tuple[str, ...] = ()
     """Words for the values 0, 1 and so on, of layers that are told apart by a state."""
+    drawn: bool = True
+    """Whether sections can be coloured by it; tables hold it in any case."""
+    clock: str = ""
+    """Of an age: the field that holds the present time of the clock of layers, alike on all cells."""
+    tick: float = 1.0
+    """Of an age: how much one unit of that field is, in ``unit``."""
 
 
 @dataclass(frozen=True)

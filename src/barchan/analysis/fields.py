@@ -46,8 +46,9 @@ def scenario_at(frame: "xr.Dataset", scenario: Scenario) -> Scenario:
 
 def field_names(frame: "xr.Dataset", scenario: Scenario) -> list[str]:
     """Names of the fields that ``field_of`` knows."""
-    kept = [str(name) for name, values in frame.data_vars.items() if values.dims == ("y", "x")]
-    return sorted({*kept, *_derived(scenario)})
+    coded = {field.name for field in scenario.new_model().fields if field.coded}
+    kept = {str(name) for name, values in frame.data_vars.items() if values.dims == ("y", "x")}
+    return sorted({*(kept - coded), *_derived(scenario)})
 
 
 def field_of(frame: "xr.Dataset", scenario: Scenario, name: str) -> "xr.DataArray":
