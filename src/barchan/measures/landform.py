@@ -152,7 +152,7 @@ class _Traits:
         """Single dunes above the floor; without those that a void cuts, whose outlines are not theirs."""
         wind = 0.0 if math.isnan(self.wind) else self.wind
         found = dunes_on_floor(self.elevation, self.reach, self.periodic)
-        cut = ndimage.binary_dilation(~np.isfinite(self.elevation), np.ones((3, 3)))
+        cut = ndimage.binary_dilation(~np.isfinite(self.elevation), np.ones((3, 3), bool))
         rows, columns = self.elevation.shape
         whole = [dune for dune in found if not cut[dune.rows % rows, dune.columns % columns].any()]
         return [dune_shape(dune, wind, self.cell_size) for dune in whole]
