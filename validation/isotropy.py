@@ -28,6 +28,9 @@ PLANTED_SEEDS = (1, 2, 3)
 FEW, SEEDS = (1, 2), (1, 2, 3, 4, 5)
 PLANTED_STEPS = 200
 
+CENTRE = {"shadow_from": "centre"}
+"""As models are published."""
+
 PLACE = {"shadow_from": "place"}
 RANDOM = {"neighbour_order": "random"}
 MOORE = {"neighbourhood": "moore"}
@@ -60,7 +63,7 @@ OF_WERNER = (
 
 def variant(model, name):
     """A model with one of the changes; two limits are those nearest to one angle, 2 and 3 slabs for both."""
-    options = dict({**CHANGES, **OF_MOMIJI}[name])
+    options = {**CENTRE, **{**CHANGES, **OF_MOMIJI}[name]}
     if model == "werner" and "corner_limit" in options:
         options["corner_limit"] = "geometric"
     return Variant(f"{model}, {name}", model, options)

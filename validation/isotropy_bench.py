@@ -69,7 +69,7 @@ class Case:
             wind = {"kind": "regimes", "regimes": turns}
         return barchan.load(
             {
-                "barchan": 2,
+                "barchan": 3,
                 "lattice": lattice,
                 "sand": {"kind": "random", "mean": self.mean},
                 "wind": wind,

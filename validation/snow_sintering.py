@@ -44,7 +44,7 @@ def scenario(rows, columns, parcels, speed, sintering, seed, **more):
     """A field of snow under a steady wind from the west."""
     return barchan.load(
         {
-            "barchan": 2,
+            "barchan": 3,
             "lattice": {"rows": rows, "columns": columns, "cell_size": CELL, "slab_height": PARCEL},
             "sand": {"kind": "flat", "mean": parcels},
             "model": {

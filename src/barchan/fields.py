@@ -20,6 +20,8 @@ class FieldInfo:
     """Whether frames of a run carry the field."""
     centre: float | None = None
     """The value that pictures show it evenly about, where there is one."""
+    coded: bool = False
+    """Whether its numbers code what only its owner reads: frames carry it, nothing shows or exports it."""
 
 
 @dataclass(frozen=True)

@@ -118,6 +118,12 @@ class Strata:
     """Computes thickness (m) and value of each layer on every cell, the lowest first, from model and bed."""
     states: tuple[str, ...] = ()
     """Words for the values 0, 1 and so on, of layers that are told apart by a state."""
+    drawn: bool = True
+    """Whether sections can be coloured by it; tables hold it in any case."""
+    clock: str = ""
+    """Of an age: the field that holds the present time of the clock of layers, alike on all cells."""
+    tick: float = 1.0
+    """Of an age: how much one unit of that field is, in ``unit``."""
 
 
 @dataclass(frozen=True)
@@ -169,6 +175,8 @@ class Model(ABC):
 
     strata: ClassVar[tuple[Strata, ...]] = ()
     """What sections show of the layers, of a model that keeps any; the first unless another is asked for."""
+    winds_off_axes: bool = False
+    """Whether any wind of the run blows off the lattice's axes; the scenario and the run say so."""
     fresh_densities: ClassVar[tuple[float, float] | None] = None
     """The densities (kg/m³) at which a brush may lay fresh snow, of a model that keeps densities."""
 
@@ -301,6 +309,10 @@ class Model(ABC):
     def wind_facts(self, speeds: Sequence[float]) -> dict[str, str]:
         """What the winds that blow come to, for people to read; ``speeds`` (m/s) are those they state."""
         return {}
+
+    def wind_remarks(self) -> list[str]:
+        """Warnings about the winds of the run as a whole, under this choice of parameters."""
+        return []
 
     def facts(self) -> dict[str, str]:
         """Quantities that follow from the parameters on this lattice, by name, as text."""

@@ -30,7 +30,7 @@ READERS = {
 }
 """Who reads each format."""
 
-UNREAD = {"measures", "section", "mp4", "film", "picture", "animation"}
+UNREAD = {"measures", "section", "layers", "mp4", "film", "picture", "animation"}
 """Formats that hold no field of heights, or several (see ``test_gltf``)."""
 
 CASES = [(name, reader) for name, found in READERS.items() for reader in found]

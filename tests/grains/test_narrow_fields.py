@@ -11,7 +11,7 @@ from barchan.scenario import validate
 from barchan.simulation import Simulation
 
 STEEP = {
-    "barchan": 2,
+    "barchan": 3,
     "lattice": {"rows": 1, "columns": 9, "cell_size": 0.002, "slab_height": 0.00015},
     "ground": {"kind": "cliff"},
     "sand": {"kind": "cone", "mean": 0.0, "gradient_y": 0.15, "radius": 60.0},

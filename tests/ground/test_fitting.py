@@ -10,6 +10,8 @@ from PIL import Image
 
 import barchan
 from barchan.errors import ScenarioError
+from barchan.ground import reading
+from barchan.ground.raster import UnreadableError
 from barchan.ground.reading import read
 from barchan.ground.resampling import resampled
 from barchan.ground.sand import FileSand
@@ -113,7 +115,7 @@ def test_frames_tell_where_on_earth_they_lie(model):
     ground = {"kind": "file", "path": str(model())}
     lattice = {"rows": ROWS, "columns": COLUMNS, "cell_size": 2.0}
     frames = barchan.simulate(
-        barchan.load({"barchan": 2, "lattice": lattice, "ground": ground}, run__steps=1)
+        barchan.load({"barchan": 3, "lattice": lattice, "ground": ground}, run__steps=1)
     )
     assert frames.attrs["crs"] == "EPSG:32633"
     assert (frames.attrs["west"], frames.attrs["south"]) == (500_000.0, 4_000_000.0)
@@ -258,7 +260,7 @@ def test_depths_below_zero_are_refused(array):
 def test_a_path_in_a_scenario_file_starts_where_the_file_lies(array, tmp_path, monkeypatch):
     array()
     scenario = {
-        "barchan": 2,
+        "barchan": 3,
         "lattice": {"rows": ROWS, "columns": COLUMNS},
         "ground": {"kind": "file", "path": "heights.npy"},
     }
@@ -280,3 +282,11 @@ def test_a_photograph_gives_its_luminance_with_its_upper_edge_in_the_north(tmp_p
     assert raster.full_scale == 255.0
     np.testing.assert_allclose(raster.values[-8:], 150, atol=2)
     np.testing.assert_allclose(raster.values[:8], 0, atol=2)
+
+
+@pytest.mark.parametrize("name", ["map.png", "photo.jpg"])
+def test_an_image_of_too_many_pixels_is_refused_before_it_is_unpacked(tmp_path, monkeypatch, name):
+    monkeypatch.setattr(reading, "MOST_PIXELS", 32 * 16 - 1)
+    Image.fromarray(np.zeros((16, 32), np.uint8)).save(tmp_path / name)
+    with pytest.raises(UnreadableError, match="has 32 × 16 cells; allowed"):
+        read(tmp_path / name)

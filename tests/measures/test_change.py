@@ -59,6 +59,31 @@ def test_a_block_that_was_moved_is_eroded_here_and_deposited_there():
     assert found.area == 4.0 * cells
 
 
+@pytest.mark.parametrize("seed", range(3))
+def test_volumes_of_wide_dunes_that_moved_are_right_within_their_errors(seed):
+    """Much of the change of gentle dunes is within a cell's noise; the truth is the change without noise."""
+    north, east = 5.0 * np.mgrid[:128, :128]
+
+    def dunes(moved):
+        places = ((120, 150, 6), (300, 260, 8), (180, 420, 7), (430, 470, 5), (470, 150, 6), (330, 560, 6))
+        return sum(
+            h * np.exp(-((east - x - moved) ** 2 + (north - y) ** 2) / (2.0 * 28.0**2)) for x, y, h in places
+        )
+
+    truth = (dunes(15.0) - dunes(0.0)).clip(0.0).sum() * 25.0
+    before, after = np.random.default_rng(seed).normal(0.0, 0.05, (2, *east.shape))
+    found = budget(dunes(0.0) + before, dunes(15.0) + after, 25.0)
+    for volume in (found.deposited, found.eroded):
+        assert abs(volume.value - truth) < 3.0 * volume.error
+        assert volume.error < 0.01 * truth
+
+
+def test_noise_alone_deposits_nothing():
+    before, after = np.random.default_rng(5).normal(0.0, 0.05, (2, *SHAPE))
+    found = budget(before, after, 1.0)
+    assert abs(found.deposited.value) < 3.0 * found.deposited.error
+
+
 def test_a_common_offset_counts_for_every_cell():
     found = budget(np.zeros((10, 10)), np.full((10, 10), 0.1), 1.0, noise=0.0, offset=0.02)
     assert (found.net.value, found.net.error) == pytest.approx((10.0, 100 * 0.02))

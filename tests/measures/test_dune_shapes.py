@@ -41,6 +41,24 @@ def test_horns_point_downwind_of_a_crescent_whatever_wind_is_stated(wind):
     assert abs(away) < 2.0
 
 
+@pytest.mark.parametrize("radius", [6.0, 9.0, 14.0])
+def test_a_round_mound_with_a_ragged_outline_has_no_horns(radius):
+    """Its outline is displaced by up to half a cell everywhere; no side has more of that than another."""
+    rng = np.random.default_rng(7)
+    for _ in range(20):
+        north, east = np.mgrid[-20:21, -20:21] + rng.random((2, 1, 1))
+        inside = np.hypot(north, east) + rng.uniform(-0.5, 0.5, north.shape) < radius
+        assert np.isnan(bay_of(*np.nonzero(inside))[1])
+
+
+@pytest.mark.parametrize("azimuth", [0.0, 30.0, 200.0])
+def test_a_crescent_points_to_where_a_disc_is_taken_out(azimuth):
+    north, east = np.mgrid[-20:21, -20:21].astype(float)
+    away = 14.0 * np.cos(np.radians(azimuth)), 14.0 * np.sin(np.radians(azimuth))
+    inside = (np.hypot(north, east) < 12) & (np.hypot(north - away[0], east - away[1]) > 12)
+    assert bay_of(*np.nonzero(inside))[1] == pytest.approx(azimuth, abs=4.0)
+
+
 def test_the_bay_of_a_right_angle_is_a_quarter_of_its_hull():
     rows, columns = np.nonzero(np.pad(np.ones((20, 20)), 0))
     angle = (rows < 10) | (columns < 10)

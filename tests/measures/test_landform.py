@@ -55,6 +55,26 @@ def test_short_but_parallel_waves_are_not_young():
     assert landform(0.5 * sine(16, 0, (128, 128)), 1.0, 270.0).name == "transverse"
 
 
+@pytest.mark.parametrize("wind", [0.0, 90.0, 180.0, 270.0])
+def test_round_mounds_are_neither_barchans_nor_parabolic_dunes_whatever_wind_is_stated(wind):
+    """Mounds of one slope all round, with noise, and one of them cut by a void."""
+    rng = np.random.default_rng(7)
+    north, east = 5.0 * np.mgrid[:128, :128]
+    surface = 300.0 + 0.004 * east + rng.normal(0.0, 0.05, east.shape)
+    for x, y, height in (
+        (120, 150, 6),
+        (300, 260, 8),
+        (180, 420, 7),
+        (430, 470, 5),
+        (470, 150, 6),
+        (330, 560, 6),
+    ):
+        surface += height * np.exp(-((east - x) ** 2 + (north - y) ** 2) / (2.0 * 28.0**2))
+    assert landform(surface, 5.0, wind, (False, False)).name == "undetermined"
+    surface[40:46, 60:70] = np.nan
+    assert landform(surface, 5.0, wind, (False, False)).name == "undetermined"
+
+
 @pytest.mark.parametrize("preset", ["barchans", "transverse", "star"])
 def test_a_simulated_bed_is_young_at_first_and_later_not(preset):
     simulation = Simulation(load(preset, rows=96, columns=96, seed=2))

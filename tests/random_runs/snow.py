@@ -40,7 +40,7 @@ def scenario(number: int) -> dict[str, Any]:
         ],
     }
     return {
-        "barchan": 2,
+        "barchan": 3,
         "lattice": {
             "rows": rng.randint(8, 24),
             "columns": rng.randint(8, 32),

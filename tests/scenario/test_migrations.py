@@ -2,13 +2,13 @@
 
 import pytest
 
-from barchan.scenario import migrations
+from barchan.scenario import load_scenario, migrations
 from barchan.scenario.migrations import migrate
 
 
 @pytest.fixture
 def third_format(monkeypatch):
-    """A program of format 3 that knows what changed from 1 to 2 and from 2 to 3."""
+    """A program of format 3 that knows of some change from 1 to 2 and from 2 to 3."""
     monkeypatch.setattr(migrations, "FORMAT", 3)
     steps = {
         1: lambda data: {**data, "seen": [*data.get("seen", []), 1]},
@@ -53,3 +53,35 @@ def test_mixed_axes_of_format_1_keep_the_number_of_their_alternations():
 def test_a_wind_of_an_unknown_form_is_left_to_the_validation():
     for wind in (None, "west", {"kind": "regimes", "regimes": "none"}, {"kind": "regimes", "regimes": [1]}):
         assert migrate({"barchan": 1, "wind": wind})[0]["wind"] == wind
+
+
+def shadow_from(data, version=2):
+    model = migrate({"barchan": version, **data})[0]["model"]
+    return model.get("shadow_from") if isinstance(model, dict) else None
+
+
+@pytest.mark.parametrize("version", [1, 2])
+@pytest.mark.parametrize("name", ["werner", "momiji", "bishop", "nield_baas", "pelletier", "snow_werner"])
+def test_shadow_lines_of_a_slab_model_start_at_the_centre_where_an_earlier_file_says_nothing(name, version):
+    assert shadow_from({"model": {"name": name}}, version) == "centre"
+
+
+def test_shadow_lines_start_where_an_earlier_file_says():
+    assert shadow_from({"model": {"name": "werner", "shadow_from": "edge"}}) == "edge"
+
+
+@pytest.mark.parametrize("data", [{}, {"model": {}}, {"model": {"p_s": 0.5}}])
+def test_the_default_model_of_an_earlier_file_keeps_its_shadow_lines(data):
+    assert shadow_from(data) == "centre"
+    assert load_scenario({"barchan": 2, **data}).model.shadow_from == "centre"
+
+
+def test_a_file_of_today_says_nothing_of_shadow_lines_and_gets_todays_default():
+    assert load_scenario({"barchan": 3}).model.shadow_from == "auto"
+
+
+@pytest.mark.parametrize(
+    "model", [{"name": "ripples"}, {"name": "unknown"}, {"name": 3}, "werner", None, [1]]
+)
+def test_models_without_shadow_lines_and_no_models_at_all_are_left_as_they_are(model):
+    assert migrate({"barchan": 2, "model": model}) == ({"barchan": 3, "model": model}, "")

@@ -25,6 +25,8 @@ def test_a_scenario_of_format_1_is_the_preset_of_today(path):
         old["model"]["relief_flow"] |= {"stress_in_phase": None, "stress_in_quadrature": None}
     if today["wind"]["kind"] == "record":  # the file states the codes for missing values of its time
         assert set(old["wind"]["columns"].pop("missing")) < set(today["wind"]["columns"].pop("missing"))
+    if today["model"].get("shadow_from") == "auto":  # the file states where lines started in its time
+        assert (old["model"].pop("shadow_from"), today["model"].pop("shadow_from")) == ("centre", "auto")
     assert old == today
 
 

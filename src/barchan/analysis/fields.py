@@ -46,8 +46,9 @@ def scenario_at(frame: "xr.Dataset", scenario: Scenario) -> Scenario:
 
 def field_names(frame: "xr.Dataset", scenario: Scenario) -> list[str]:
     """Names of the fields that ``field_of`` knows."""
-    kept = [str(name) for name, values in frame.data_vars.items() if values.dims == ("y", "x")]
-    return sorted({*kept, *_derived(scenario)})
+    coded = {field.name for field in scenario.new_model().fields if field.coded}
+    kept = {str(name) for name, values in frame.data_vars.items() if values.dims == ("y", "x")}
+    return sorted({*(kept - coded), *_derived(scenario)})
 
 
 def field_of(frame: "xr.Dataset", scenario: Scenario, name: str) -> "xr.DataArray":
@@ -113,7 +114,7 @@ def _carried(frame: "xr.Dataset") -> dict[str, NDArray]:
 def as_modelled(frame: "xr.Dataset", scenario: Scenario) -> tuple[Model, Bed, Segment]:
     """The model, the bed and the wind of a frame, as they were when it was taken."""
     scenario = scenario_at(frame, scenario)
-    model = models()[scenario.model.name](scenario.model, scenario.lattice)
+    model = scenario.new_model()
     bed = Bed.from_fields(scenario.lattice, _carried(frame), model.fields, model.layers)
     return model, bed, wind_over(frame, scenario)
 

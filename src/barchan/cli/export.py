@@ -52,8 +52,9 @@ def export(
     """Write frames of a run for another program: GIS, ParaView, Blender, engines, printers, tables.
 
     The suffix of the file tells the format: .vtkhdf, .pvd, .vti (ParaView), .nc, .tif, .asc (GIS), .png,
-    .r16, .r32, .exr (height maps), .glb, .obj, .ply, .stl (meshes), .csv (measures, sections), .mp4, .webp,
-    .gif (films), .pdf, .svg (pictures). A file beside it, named .json after it, tells what the numbers mean.
+    .r16, .r32, .exr (height maps), .glb, .obj, .ply, .stl (meshes), .csv (measures, sections, layers), .mp4,
+    .webp, .gif (films), .pdf, .svg (pictures). A file beside it, named .json after it, tells what the numbers
+    mean.
 
     Parameters
     ----------
@@ -63,14 +64,14 @@ def export(
         The file to write. Where there are several frames or fields to a file each, their names tell which.
     step
         A saved step, several as 100,200, all or last. Without it formats of a series (.vtkhdf, .pvd, .nc,
-        measures, films) have all frames, the others the last.
+        measures, layers, films) have all frames, the others the last.
     fields
         Names of fields with commas between, or all: layers, fields of the model, or derived ones such as
         slope, depth, shadow. Without it the elevation, and in formats of several fields ground, depth and
         what the frames keep.
     format
         Name of the format where a suffix has several: geotiff or tiff32 (.tif), png16 or picture (.png),
-        measures or section (.csv).
+        measures, section or layers (.csv).
     """
     from barchan.cli.terminal import console
     from barchan.export import export as write

@@ -153,6 +153,7 @@ FORMATS = (
     Format("stl", (".stl",), "closed solid to print", "stl", False, "none", (*MESHES, "base")),
     Format("measures", (".csv",), "table of measures, a row a frame", "measures", True, "none"),
     Format("section", (".csv",), "table of a section along the wind", "section", False, "many", ("at",)),
+    Format("layers", (".csv",), "table of the layers along that section", "layers", True, "none", ("at",)),
     Format("mp4", (".mp4",), "film", "film", True, "none", FILMS, ("av", "av")),
     Format("film", (".webp", ".gif"), "film", "film", True, "none", FILMS),
     Format("picture", (".pdf", ".svg", ".png"), "map with title and scale", "picture", False, "one", DRAWN),

@@ -1,6 +1,7 @@
 """The cells of exported fields: where they lie, how large they are, which edges are joined."""
 
 from dataclasses import dataclass, replace
+from fractions import Fraction
 from typing import Self
 
 import numpy as np
@@ -13,6 +14,9 @@ from barchan.squares import Squares
 
 SQUARE = 1e-9
 """Relative difference of a cell's sides that rounding explains."""
+
+MOST_SQUARES = 4096
+"""Squares along a side of the field, up to which a number of them is looked for that covers it."""
 
 
 @dataclass(frozen=True)
@@ -73,10 +77,22 @@ class Grid:
         """Side of a cell (m); raises ExportError where cells are not square."""
         if abs(self.width / self.height - 1.0) > SQUARE:
             raise ExportError(
-                f"the cells are {self.width:.6g} × {self.height:.6g} m; allowed here: square ones, so "
-                "--cells in proportion to the field"
+                f"the cells are {self.width:.6g} × {self.height:.6g} m; allowed here: square ones; "
+                f"{self._squares_in_words()}"
             )
         return self.width
+
+    def _squares_in_words(self) -> str:
+        """How to get square cells, or what to write in their place where none fit into the field."""
+        ratio = (self.columns * self.width) / (self.rows * self.height)
+        whole = Fraction(ratio).limit_denominator(MOST_SQUARES)
+        if abs(whole / ratio - 1.0) > SQUARE or whole.numerator > MOST_SQUARES:
+            return (
+                "no whole number of squares covers the field (a field of hexagons has no such side); "
+                "export .tif or .nc, which keep both sides"
+            )
+        times = max(1, round(self.columns / whole.numerator))
+        return f"for instance --cells {times * whole.numerator} {times * whole.denominator}"
 
     def with_cells(self, columns: int, rows: int) -> Self:
         """The same area in another number of cells."""

@@ -16,11 +16,12 @@ def write(path: Path, source: Source) -> dict[str, Any]:
     at = source.options.at
     place = through_highest(frame, scenario) if at is None else at
     line = section_along_wind(scenario, float(frame["wind_direction"]), place)
-    sheets = source.sheets(source.steps[0]).values()
+    sheets = list(source.sheets(source.steps[0]).values())
     headings = ["distance (m)", "x (m)", "y (m)", *(heading(sheet.name, sheet.unit) for sheet in sheets)]
     columns = [line.distance, grid.x[line.cols], grid.y[line.rows]]
     columns += [sheet.values[line.rows, line.cols] for sheet in sheets]
     write_table(path, headings, zip(*(column.tolist() for column in columns), strict=True))
     return {
-        "section": {"place": line.place, "wind_from_degrees": float(frame["wind_direction"]), "at": place}
+        "section": {"place": line.place, "wind_from_degrees": float(frame["wind_direction"]), "at": place},
+        "columns": {sheet.name: {"unit": sheet.unit, "meaning": sheet.meaning} for sheet in sheets},
     }

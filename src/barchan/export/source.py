@@ -112,17 +112,16 @@ class Source:
 def changed(values: NDArray, periodic: tuple[bool, bool], options: Options) -> NDArray:
     """A field smoothed, brought onto other cells and closed, as far as the options ask for it.
 
-    Yes and no, and whole numbers of 64 bits that code several values, are never mixed: on other cells they
-    have the value at the nearest centre.
+    Yes and no are never mixed: on other cells they have the value at the nearest centre.
     """
-    coded = values.dtype.kind == "b" or values.dtype == np.int64
-    if options.smooth and not coded:
+    choice = values.dtype.kind == "b"
+    if options.smooth and not choice:
         values = _smoothed(values.astype(np.float64), options.smooth, periodic)
     if options.cells is not None:
         columns, rows = options.cells
         values = (
             _nearest(values, (rows, columns))
-            if coded
+            if choice
             else with_volume_kept(values.astype(np.float64), (rows, columns), periodic)
         )
     if options.close:

@@ -9,8 +9,8 @@ import numpy as np
 
 
 def heading(name: str, unit: str) -> str:
-    """The heading of a column."""
-    return name if unit in ("1", "-", "") else f"{name} ({unit})"
+    """The heading of a column, with its unit: (1) for ratios, nothing for counts and words."""
+    return name if unit in ("-", "") else f"{name} ({unit})"
 
 
 def write_table(path: Path, headings: Sequence[str], rows: Iterable[Sequence[Any]]) -> None:

@@ -126,7 +126,7 @@ def chosen_fields(source: Source, chosen: Format, wanted: Sequence[str] | str | 
     if isinstance(wanted, str):
         wanted = known if wanted == "all" else [name.strip() for name in wanted.split(",")]
     if wanted is None:
-        return ("elevation",) if chosen.fields == "one" else _usual_fields(source)
+        return ("elevation",) if chosen.fields == "one" else _usual_fields(source, known)
     for name in wanted:
         if name not in known:
             raise ExportError(f"no field '{name}'; this run has {', '.join(known)}{nearest(name, known)}")
@@ -135,13 +135,9 @@ def chosen_fields(source: Source, chosen: Format, wanted: Sequence[str] | str | 
     return tuple(dict.fromkeys(wanted))
 
 
-def _usual_fields(source: Source) -> tuple[str, ...]:
-    """Elevation, ground, depth, and what frames keep, without whole numbers that code several values."""
-    kept = [
-        str(name)
-        for name, values in source.dataset.data_vars.items()
-        if set(values.dims) == {"step", "y", "x"} and values.dtype != np.int64
-    ]
+def _usual_fields(source: Source, known: Sequence[str]) -> tuple[str, ...]:
+    """Elevation, ground, depth, and what frames keep, of the fields that the run has."""
+    kept = [str(name) for name in source.dataset.data_vars if name in known]
     return tuple(dict.fromkeys([*FIRST_FIELDS, *kept]))
 
 

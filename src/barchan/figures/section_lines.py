@@ -100,7 +100,7 @@ def model_shadow(section: Section, surface: NDArray, scenario: Scenario) -> NDAr
     angle = getattr(scenario.model, "shadow_angle", None)
     if angle is None:
         return np.full(len(surface), -np.inf)
-    start = 0.0 if getattr(scenario.model, "shadow_from", "centre") == "centre" else 0.5
+    start = 0.0 if getattr(scenario.new_model(), "shadow_rule", "centre") == "centre" else 0.5
     return shadow_line(section, surface, angle, scenario.lattice.cell_size, start)
 
 

@@ -76,7 +76,7 @@ def strata_map() -> "Colormap":
 
 def _chosen(model: Model, name: str | None) -> Strata | None:
     """What is shown of the layers; None where the model keeps none and none is asked for."""
-    known = {one.name: one for one in model.strata}
+    known = {one.name: one for one in model.strata if one.drawn}
     if name is None:
         return next(iter(known.values()), None)
     if name not in known:

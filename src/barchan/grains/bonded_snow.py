@@ -121,6 +121,22 @@ def strata(bed: Bed) -> list[tuple[NDArray[np.float64], NDArray[np.float64]]]:
     return [_layer(bed, bed.sand - loose_parcels(bed), 1.0), *loose]
 
 
+def _bonded(bed: Bed) -> list[tuple[NDArray[np.float64], NDArray[np.float64]]]:
+    """Thickness (m) of bonded and loose snow, and 1 where it has bonded, else 0."""
+    return [(thickness, (age >= 1.0).astype(np.float64)) for thickness, age in strata(bed)]
+
+
+def _dense(model: Any, bed: Bed) -> list[tuple[NDArray[np.float64], NDArray[np.float64]]]:
+    """Thickness (m) and density (kg/m³) of bonded and loose snow: that of the bed."""
+    density = model.parameters.grain_density * (1.0 - model.parameters.porosity)
+    return [(thickness, np.full(thickness.shape, density)) for thickness, _ in strata(bed)]
+
+
+def _massive(model: Any, bed: Bed) -> list[tuple[NDArray[np.float64], NDArray[np.float64]]]:
+    """Thickness (m) and mass (kg/m²) of bonded and loose snow."""
+    return [(thickness, thickness * density) for thickness, density in _dense(model, bed)]
+
+
 def _layer(bed: Bed, parcels: NDArray, age: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     return parcels * bed.lattice.thickness, np.full(parcels.shape, age)
 
@@ -143,5 +159,10 @@ DERIVED = (
 )
 """Fields of snow that bonds, computed when someone looks."""
 
-STRATA = (Strata("age", "age of the bonds", "bonding times", lambda _model, bed: strata(bed)),)
-"""The layers of snow that sections show, bonded at 1."""
+STRATA = (
+    Strata("age", "age of the bonds", "bonding times", lambda _model, bed: strata(bed)),
+    Strata("state", "state", "-", lambda _model, bed: _bonded(bed), ("loose", "bonded")),
+    Strata("density", "density", "kg/m³", _dense, drawn=False),
+    Strata("mass", "mass", "kg/m²", _massive, drawn=False),
+)
+"""The layers of snow that sections and tables show; bonds are of age 1."""

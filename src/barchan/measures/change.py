@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy import ndimage, stats
+from scipy import ndimage
 
 from barchan.measures.displacement import displacement
 from barchan.measures.filters import Field, Periodic, smoothed
@@ -23,8 +23,11 @@ FEWEST = 3
 CERTAIN = 1.96
 """Standard errors beyond which a change is told from noise at 95 %."""
 
-UNCERTAIN = 0.05
-"""Share of noise that lies beyond them."""
+TOGETHER = 2.0
+"""Width (cells) over which changes are smoothed to be told from noise together."""
+
+FIELDS_OF_NOISE = 4
+"""Fields of noise, each counted upwards and downwards, from which follows what noise adds to a volume."""
 
 
 @dataclass(frozen=True)
@@ -60,7 +63,7 @@ class Budget:
     area: float
     """Area (m²) that both surveys know."""
     certain_share: float
-    """Share of it that changed by more than 1.96 of that."""
+    """Share of it whose change is told from noise."""
 
 
 def displacement_between(
@@ -117,29 +120,31 @@ def budget(
     """Volumes deposited, eroded and both together between two surfaces (m), on cells of an area (m²).
 
     ``noise`` (m) is the standard deviation of the random error of a cell's change, estimated by
-    ``difference_noise`` where it is not given; only changes of more than 1.96 of it count as deposited or
-    eroded, less what noise alone leads one to expect beyond that limit on the cells that did not change.
+    ``difference_noise`` where it is not given. A cell counts as deposited or eroded where its change exceeds
+    1.96 of it or, as dunes are wider than cells, where the change smoothed over 2 cells exceeds 1.96 of the
+    noise that smoothing leaves; what noise alone leads one to expect so on the cells that did not change is
+    taken off.
     ``offset`` (m) is the standard error of the level of one survey against the other, common to all
-    cells; the surveys themselves cannot tell it. Errors are both together: sqrt(n) · noise and n · offset, on
-    n cells. Cells of NaN in either are left out. Raises ValueError where the shapes differ.
+    cells; the surveys themselves cannot tell it. Errors are all together: sqrt(n) · noise, the scatter of
+    what noise adds, and n · offset, on n cells. Cells of NaN in either are left out. Raises ValueError where
+    the shapes differ.
     """
     _require_alike(before, after)
     change = np.asarray(after, float) - np.asarray(before, float)
     sigma = difference_noise(change) if noise is None else noise
     known = change[np.isfinite(change)]
-    up, down = known[known > CERTAIN * sigma], known[known < -CERTAIN * sigma]
+    up, down = (change[_told(sign * change, sigma)] for sign in (1.0, -1.0))
+    by_chance = _by_chance(change, sigma, known.size - up.size - down.size)
 
-    still = (known.size - up.size - down.size) / (1.0 - UNCERTAIN)
-    by_chance = min(still, known.size) * sigma * float(stats.norm.pdf(CERTAIN))
-
-    def volume(part: Field, chance: float) -> Estimate:
-        error = float(np.hypot(np.sqrt(part.size) * sigma, part.size * offset))
-        return Estimate((float(part.sum()) - chance) * cell_area, error * cell_area)
+    def volume(part: Field, chance: Estimate) -> Estimate:
+        random = np.hypot(np.sqrt(part.size) * sigma, chance.error)
+        error = float(np.hypot(random, part.size * offset))
+        return Estimate((float(part.sum()) - chance.value) * cell_area, error * cell_area)
 
     return Budget(
         deposited=volume(up, by_chance),
         eroded=volume(-down, by_chance),
-        net=volume(known, 0.0),
+        net=volume(known, Estimate(0.0, 0.0)),
         noise=sigma,
         area=known.size * cell_area,
         certain_share=(up.size + down.size) / known.size if known.size else float("nan"),
@@ -147,6 +152,32 @@ def budget(
 
 
 _MASK = np.array([[1.0, -2.0, 1.0], [-2.0, 4.0, -2.0], [1.0, -2.0, 1.0]])
+
+
+def _told(change: Field, sigma: float) -> NDArray[np.bool_]:
+    """Cells whose change (m) is told from noise to be a rise, by itself or with those about it."""
+    if sigma == 0.0:
+        return change > 0.0
+    wide = smoothed(change, TOGETHER, (False, False))
+    # a Gaussian of width w leaves 1 / (2 √π w) of the deviation of white noise
+    least = CERTAIN * sigma / (2.0 * np.sqrt(np.pi) * TOGETHER)
+    return np.isfinite(change) & (change >= -CERTAIN * sigma) & ((change > CERTAIN * sigma) | (wide > least))
+
+
+def _by_chance(change: Field, sigma: float, still: int) -> Estimate:
+    """Sum (m) of what noise alone lets count as a rise on a field where so many cells seem not to change.
+
+    Mean and standard deviation of some fields of noise, always the same.
+    """
+    if not sigma > 0.0 or not still:
+        return Estimate(0.0, 0.0)
+    rng, known, sums = np.random.default_rng(1), np.isfinite(change), []
+    for _ in range(FIELDS_OF_NOISE):
+        noise = np.where(known, rng.normal(0.0, sigma, change.shape), np.nan)
+        rises, falls = (_told(sign * noise, sigma) for sign in (1.0, -1.0))
+        share = min(still / max(int(known.sum() - rises.sum() - falls.sum()), 1), 1.0)
+        sums += [share * noise[rises].sum(), -share * noise[falls].sum()]
+    return Estimate(float(np.mean(sums)), float(np.std(sums, ddof=1)))
 
 
 def difference_noise(change: NDArray) -> float:

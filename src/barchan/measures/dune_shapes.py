@@ -92,11 +92,20 @@ def long_axis(rows: NDArray, columns: NDArray) -> tuple[float, float]:
 LEAST_BAY = 0.05
 """Share of the convex hull below which what lies outside of a dune is the raggedness of its outline; ours."""
 
+ONE_SIDED = 0.4
+"""Distance of the centre of what the hull adds from the dune's centre, over the radius of a disc of its area,
+below which that lies all round, as where an outline is ragged. Of 60 discs each with ragged outlines, 6 to 20
+cells in radius, 95 % stay below 0.37; of crescents it is 0.5 to 0.7. The limit is ours."""
+
+PLAIN = 0.2
+"""Share of the hull from which on a bay is no raggedness wherever it lies: joined dunes have several."""
+
 
 def bay_of(rows: NDArray, columns: NDArray) -> tuple[float, float]:
     """The share of their convex hull that cells leave free, and the direction (degrees) towards it.
 
-    The direction is NaN where the share is below 5 %.
+    The direction is NaN where the share is below 5 %, and below 20 % where it does not lie to one side of the
+    cells.
     """
     from scipy.spatial import ConvexHull
 
@@ -110,9 +119,12 @@ def bay_of(rows: NDArray, columns: NDArray) -> tuple[float, float]:
     area, centre = _polygon(hull)
     own = np.array([columns.mean(), rows.mean()])
     share = float(max(1.0 - len(rows) / area, 0.0))
-    x, y = centre - own
-    pointing = float(np.degrees(np.arctan2(x, y)) % 360.0) if share >= LEAST_BAY else float("nan")
-    return share, pointing
+    if share < LEAST_BAY:
+        return share, float("nan")
+    x, y = (centre - own) / share  # from the centre of the cells to that of what the hull adds
+    one_sided = np.hypot(x, y) >= ONE_SIDED * np.sqrt(len(rows) / np.pi)
+    points = one_sided or share >= PLAIN
+    return share, float(np.degrees(np.arctan2(x, y)) % 360.0) if points else float("nan")
 
 
 def _rim(rows: NDArray, columns: NDArray) -> tuple[NDArray, NDArray]:

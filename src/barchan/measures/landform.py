@@ -10,6 +10,7 @@ from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy import ndimage
 
 from barchan.directions import downwind
 from barchan.measures.dune_shapes import DuneShape, dune_shape
@@ -148,10 +149,13 @@ class _Traits:
 
     @cached_property
     def dunes(self) -> list[DuneShape]:
-        """Single dunes above the floor."""
+        """Single dunes above the floor; without those that a void cuts, whose outlines are not theirs."""
         wind = 0.0 if math.isnan(self.wind) else self.wind
         found = dunes_on_floor(self.elevation, self.reach, self.periodic)
-        return [dune_shape(dune, wind, self.cell_size) for dune in found]
+        cut = ndimage.binary_dilation(~np.isfinite(self.elevation), np.ones((3, 3)))
+        rows, columns = self.elevation.shape
+        whole = [dune for dune in found if not cut[dune.rows % rows, dune.columns % columns].any()]
+        return [dune_shape(dune, wind, self.cell_size) for dune in whole]
 
 
 def _flat(field: _Traits) -> Landform | None:

@@ -35,7 +35,7 @@ from barchan.wind import Clock, Forcing, Steady, StepClock, WeatherCourse, Wind
 from barchan.wind.clock import spoken
 from barchan.wind.influx import AnyInflux
 
-FORMAT = 2
+FORMAT = 3
 """Version of the configuration format that this program writes."""
 
 LARGEST_SEED = 2**53 - 1
@@ -111,14 +111,17 @@ class Run(Parameters):
     until: Until = Field(default_factory=Until, description="Conditions that end the run earlier.")
 
 
+DEFAULT_MODEL = "werner"
+
+
 def _default_model() -> Any:
-    return models()["werner"].Parameters()
+    return models()[DEFAULT_MODEL].Parameters()
 
 
 class Scenario(Parameters):
     """Everything that defines a run: same scenario and seed, same bits."""
 
-    barchan: Literal[2] = parameter(FORMAT, unit="-", meaning="Version of the configuration format.")
+    barchan: Literal[3] = parameter(FORMAT, unit="-", meaning="Version of the configuration format.")
     title: str = parameter("", unit="-", max_length=200, meaning="Name of the scenario.")
     citation: str = parameter("", unit="-", max_length=1000, meaning="Where the scenario comes from.")
     look_for: str = parameter("", unit="-", max_length=2000, meaning="Features to watch for in the run.")
@@ -184,8 +187,10 @@ class Scenario(Parameters):
         )
 
     def new_model(self) -> Model:
-        """The model, set up for the lattice."""
-        return models()[self.model.name](self.model, self.lattice)
+        """The model, set up for the lattice and the wind."""
+        model = models()[self.model.name](self.model, self.lattice)
+        model.winds_off_axes = self.wind.off_axes
+        return model
 
     @property
     def step_seconds(self) -> float | None:
@@ -277,6 +282,7 @@ class Scenario(Parameters):
         remarks += [starved_edges(self)]
         remarks += [self.ground.remarks(self.lattice), broken_edges(self, ground)]
         remarks += [model.remarks(part.longest_hop, part.direction) for part in parts]
+        remarks += [model.wind_remarks()]
         return list(dict.fromkeys(remark for found in remarks for remark in found))
 
 

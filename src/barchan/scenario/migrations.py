@@ -6,7 +6,8 @@ from copy import deepcopy
 from itertools import takewhile
 from typing import Any
 
-from barchan.scenario.definition import FORMAT
+from barchan.models import models
+from barchan.scenario.definition import DEFAULT_MODEL, FORMAT
 
 Data = dict[str, Any]
 
@@ -115,7 +116,19 @@ def _to_2(data: Data) -> Data:
     return data
 
 
-STEPS: dict[int, Callable[[Data], Data]] = {1: _to_2}
+def _to_3(data: Data) -> Data:
+    """Shadow lines started at the centre unless a file said otherwise; now that depends on the winds."""
+    model = data.setdefault("model", {})
+    if not isinstance(model, dict):
+        return data
+    name = model.setdefault("name", DEFAULT_MODEL)
+    kind = models().get(name) if isinstance(name, str) else None
+    if kind is not None and "shadow_from" in kind.Parameters.model_fields:
+        model.setdefault("shadow_from", "centre")
+    return data
+
+
+STEPS: dict[int, Callable[[Data], Data]] = {1: _to_2, 2: _to_3}
 """For each earlier format, what turns its data into the next one's."""
 
 

@@ -87,6 +87,7 @@ class Simulation:
     def wind(self, wind: Wind) -> None:
         self._wind = wind
         self.forcing = replace(self.forcing, wind=wind)
+        self.model.winds_off_axes = wind.off_axes
 
     @property
     def wind_direction(self) -> float:

@@ -5,7 +5,6 @@ from typing import Any
 
 from numpy.typing import NDArray
 
-from barchan.scenario import FORMAT
 from barchan.scenario.migrations import current_field
 
 
@@ -20,7 +19,7 @@ class State:
 
     def up_to_date(self) -> "State":
         """The same state as this version of the program writes it, whatever format it was written in."""
-        return self if self.data["scenario"]["barchan"] == FORMAT else _from_format_1(self)
+        return _from_format_1(self) if self.data["scenario"]["barchan"] == 1 else self
 
     def group(self, prefix: str) -> dict[str, NDArray]:
         """The arrays whose names begin with ``prefix``, by the rest of their names."""

@@ -37,7 +37,7 @@ from barchan.kernels.slabs.state import (
 )
 from barchan.lattice import HEX_ROWS, Lattice
 from barchan.slabs.neighbours import neighbour_groups, order_table
-from barchan.slabs.parameters import SlabParameters
+from barchan.slabs.parameters import ShadowRule, SlabParameters
 from barchan.slabs.rays import ray_shadow
 from barchan.slabs.rules import ErosionChance, HopRule, Rules
 from barchan.wind.frame import WindFrame
@@ -57,16 +57,25 @@ class SlabArguments:
 
 @lru_cache(maxsize=64)
 def build(
-    parameters: SlabParameters, rules: Rules, lattice: Lattice, frame: WindFrame, hop: float, flat: bool
+    parameters: SlabParameters,
+    rules: Rules,
+    lattice: Lattice,
+    frame: WindFrame,
+    hop: float,
+    flat: bool,
+    shadow: ShadowRule,
 ) -> SlabArguments:
-    """The structs for a wind in ``frame`` with hops of ``hop`` cells, over flat ground or not."""
+    """The structs for a wind in ``frame`` with hops of ``hop`` cells, over flat ground or not.
+
+    ``shadow`` is where shadow lines start, whatever the parameters say.
+    """
     rows, cols = reversed(lattice.shape) if frame.crossed else lattice.shape
     across, along = reversed(lattice.periodic) if frame.crossed else lattice.periodic
     grid = Grid(rows, cols, along, across, lattice.hexagonal)
     orders = order_table(frame.angle, neighbour_groups(parameters, lattice), parameters.upwind_avalanches)
     passes = parameters.path_test == "off" or (parameters.path_test == "hard" and flat)
     fall = math.tan(math.radians(parameters.shadow_angle)) / lattice.aspect
-    start = 0.5 if parameters.shadow_from == "edge" else 0.0
+    start = 0.5 if shadow == "edge" else 0.0
     repose = _repose(parameters, rules, lattice, 1 if flat else 1 << FRACTION_BITS)
     axis: AxisShadow | None = None
     ray: RayShadow | None = None
@@ -83,7 +92,7 @@ def build(
         repose=repose,
         axis=axis,
         ray=ray,
-        box=_box_shadow(frame.angle, fall, flat) if parameters.shadow_from == "place" else None,
+        box=_box_shadow(frame.angle, fall, flat) if shadow == "place" else None,
         orders=orders,
         relaxation_orders=_relaxation_orders(parameters, lattice, orders),
         interruption=new_interruption(),

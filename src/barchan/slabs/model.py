@@ -19,7 +19,7 @@ from barchan.model import Derived, Model, Tally
 from barchan.slabs.arguments import SlabArguments, build, levels_over
 from barchan.slabs.influx import INFLUX, edge_influx
 from barchan.slabs.obstacles import ClearDistances
-from barchan.slabs.parameters import SlabParameters
+from barchan.slabs.parameters import ShadowRule, SlabParameters
 from barchan.slabs.rules import Rules
 from barchan.slabs.stacks import is_flat, stacks_of, write_back
 from barchan.slabs.tally import tally_of
@@ -119,7 +119,7 @@ class SlabModel(Model):
             self.parameters.band_rows,
         )
         threads = thread_count()
-        transport = Transport(stacks, rules, schedule, stream.key)
+        transport = Transport(stacks=stacks, rules=rules, schedule=schedule, key=stream.key)
         influx = None
         if segment.influx is not None:
             influx = edge_influx(segment, partial(self.saturated_influx, segment), self.lattice, frame)
@@ -225,6 +225,11 @@ class SlabModel(Model):
         shadow_zone(stacks.surface, rules.grid, rules.axis, rules.ray, rules.box, zone)
         return frame.leave(zone.reshape(rules.grid.rows, rules.grid.cols)).copy()
 
+    @property
+    def shadow_rule(self) -> ShadowRule:
+        """Where shadow lines start under the winds that blow now."""
+        return self.parameters.shadow_rule(self.lattice, self.winds_off_axes)
+
     def unsheltered(self, field: NDArray[np.float64], bed: Bed, direction: float) -> NDArray[np.float64]:
         """A field of the wind, 0 on cells that give nothing because they lie in shadow."""
         if self.parameters.lee_erosion:
@@ -232,13 +237,23 @@ class SlabModel(Model):
         return np.where(self.shadow_zone(bed, direction), 0.0, field)
 
     def facts(self) -> dict[str, str]:
-        """The angles of repose that whole slabs really hold."""
+        """The shadow rule that acts, and the angles of repose that whole slabs really hold."""
         named = {
             "effective repose angle": self.parameters.repose_angle,
             "effective static repose angle": self.parameters.static_repose_angle,
             "effective repose angle of stabilised cells": self.rules().stabilised_angle,
         }
-        return {name: self._angles(angle) for name, angle in named.items() if angle is not None}
+        angles = {name: self._angles(angle) for name, angle in named.items() if angle is not None}
+        return {"shadow from": self._shadow_in_words(), **angles}
+
+    def _shadow_in_words(self) -> str:
+        rule = self.shadow_rule
+        if self.parameters.shadow_from != "auto":
+            return rule
+        if self.lattice.hexagonal:
+            return f"{rule} (auto, on hexagons)"
+        winds = "a wind blows off the lattice's axes" if self.winds_off_axes else "all winds blow along axes"
+        return f"{rule} (auto: {winds})"
 
     def _angles(self, angle: float) -> str:
         face, corner = self.parameters.effective_angles(self.lattice, angle)
@@ -260,6 +275,13 @@ class SlabModel(Model):
             return [f"{text}: the field's edges will dominate"]
         return []
 
+    def wind_remarks(self) -> list[str]:
+        """Warn of winds under which the lattice steers crests, where a rule avoids that."""
+        if not self.winds_off_axes or self.lattice.hexagonal or self.shadow_rule == "place":
+            return []
+        text = f"with shadow_from {self.shadow_rule} the lattice turns crests under winds off its axes"
+        return [f"{text}, in some models by up to 40°; model.shadow_from place avoids it"]
+
     def _frame(self, direction: float) -> WindFrame:
         return WindFrame.of(direction, self.lattice.hexagonal)
 
@@ -269,5 +291,6 @@ class SlabModel(Model):
         """Arguments and stacks in the wind's frame."""
         if mobility is not None:
             mobility = checked(mobility, self.lattice.shape, np.float64, f"mobility of {self.title}")
-        arguments = build(self.parameters, self.rules(), self.lattice, frame, hop, is_flat(bed.ground))
+        flat = is_flat(bed.ground)
+        arguments = build(self.parameters, self.rules(), self.lattice, frame, hop, flat, self.shadow_rule)
         return arguments, stacks_of(bed, frame, mobility)

@@ -13,6 +13,10 @@ _ROUNDING = 1e-9
 """Slack for limits that are whole slabs but for rounding, as atan(2/3) at an aspect of 1/3."""
 
 
+ShadowRule = Literal["centre", "edge", "place"]
+"""Where shadow lines start."""
+
+
 class SlabParameters(Parameters):
     """How slabs are polled, carried and deposited, and how they slide."""
 
@@ -67,15 +71,17 @@ class SlabParameters(Parameters):
         meaning="Angle at which the shadow line falls behind whatever stands upwind.",
         source="Werner 1995",
     )
-    shadow_from: Literal["centre", "edge", "place"] = parameter(
-        "centre",
+    shadow_from: Literal["auto", "centre", "edge", "place"] = parameter(
+        "auto",
         unit="-",
         live=True,
         group="shadow",
         meaning="Where the line starts: at the upwind cell's centre; at its downwind edge so that a cell is "
         "sheltered when more than half of its top lies under the line; or at that edge, with each slab "
-        "sheltered or not at its own place in its cell, which treats every wind direction alike.",
-        source="centre: Prague thesis, Alg. 6; edge: Elder 2009, Fig. 2; place: ours",
+        "sheltered or not at its own place in its cell, which treats every wind direction alike. auto is "
+        "place where any wind of the run blows off the axes of square cells, because the lattice steers "
+        "crests under the other two rules then, and centre elsewhere.",
+        source="centre: Prague thesis, Alg. 6; edge: Elder 2009, Fig. 2; place, auto: ours",
     )
     lee_erosion: bool = parameter(
         False,
@@ -195,6 +201,12 @@ class SlabParameters(Parameters):
                 "sand cannot start to slide on a slope where it comes to rest"
             )
         return self
+
+    def shadow_rule(self, lattice: Lattice, winds_off_axes: bool) -> ShadowRule:
+        """The rule of ``shadow_from`` that acts on a lattice, under winds of which any blows off its axes."""
+        if self.shadow_from != "auto":
+            return self.shadow_from
+        return "place" if winds_off_axes and not lattice.hexagonal else "centre"
 
     def face_limit(self, lattice: Lattice, angle: float | None = None) -> int:
         """Largest step (slabs) to a face neighbour that stands, at the repose angle or another one."""

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from barchan.bed import Bed
 from barchan.fields import HEIGHT_UNIT
-from barchan.kernels.snow.state import ONE_QUANTUM, density_of, epoch_of
+from barchan.kernels.snow.state import ONE_QUANTUM, density_of, epoch_of, quanta_of
 from barchan.model import Derived, Strata
 from barchan.snow.conditions import EPOCH_SECONDS, Conditions, thickness_of
 from barchan.snow.pack import EPOCH, HEIGHT, SNOW, TOP, buried_name
@@ -97,6 +97,8 @@ STRATA = (
         "age of the bonds",
         "h at -10 °C",
         lambda model, bed: strata(model.parameters, bed, partial(age_of, bed)),
+        clock=EPOCH,
+        tick=EPOCH_SECONDS / 3600.0,
     ),
     Strata("density", "density", "kg/m³", lambda model, bed: strata(model.parameters, bed, density_of)),
     Strata(
@@ -108,8 +110,17 @@ STRATA = (
         ),
         ("loose", "bonded"),
     ),
+    Strata(
+        "mass",
+        "mass",
+        "kg/m²",
+        lambda model, bed: strata(
+            model.parameters, bed, lambda words: quanta_of(words) * model.parameters.quantum
+        ),
+        drawn=False,
+    ),
 )
-"""What sections show of the layers of snow."""
+"""What sections and tables show of the layers of snow."""
 
 
 DERIVED = (

@@ -34,11 +34,19 @@ def fields_of(parameters: SnowParameters) -> tuple[FieldInfo, ...]:
     """The declarations of the fields of snow."""
     packed = "quanta, epoch and density, in 20, 24 and 16 bits"
     return (
-        FieldInfo(TOP, "int64", "-", f"uppermost layer of snow: {packed}"),
-        FieldInfo(EPOCH, "int32", "600 s at -10 °C", "present epoch of bonding, the same everywhere"),
+        FieldInfo(TOP, "int64", "-", f"uppermost layer of snow: {packed}", coded=True),
+        FieldInfo(
+            EPOCH, "int32", "600 s at -10 °C", "present epoch of bonding, the same everywhere", coded=True
+        ),
         FieldInfo(STRESS, "float32", "1", "shear stress over that on flat snow", centre=1.0),
         *(
-            FieldInfo(buried_name(k + 1), "int64", "-", f"buried layer {k + 1} from the ground: {packed}")
+            FieldInfo(
+                buried_name(k + 1),
+                "int64",
+                "-",
+                f"buried layer {k + 1} from the ground: {packed}",
+                coded=True,
+            )
             for k in range(parameters.layers)
         ),
     )
@@ -74,7 +82,7 @@ def field_of(bed: Bed, parameters: SnowParameters, lattice: Lattice, frame: Wind
     pack, ground = entered(bed, parameters, frame)
     fine = lattice.model_copy(update={"slab_aspect": None, "slab_height": HEIGHT_UNIT})
     hop = parameters.hop / lattice.cell_size
-    arguments = build(parameters.as_slabs(lattice), Rules(), fine, frame, hop, True)
+    arguments = build(parameters.as_slabs(lattice), Rules(), fine, frame, hop, True, "centre")
     return Field(pack, ground, frame, arguments)
 
 

@@ -6,6 +6,7 @@ import numpy as np
 from pydantic import Field, ValidationError, model_validator
 
 from barchan.parameters import mistake, parameter
+from barchan.wind.frame import WindFrame
 from barchan.wind.gusts import Gusts, normal
 from barchan.wind.interval import StepClock, WindInterval
 from barchan.wind.weather import Weather, WithWeather
@@ -108,6 +109,16 @@ class Blowing(WithWeather):
     def lasting_seconds(self) -> float | None:
         """Duration of the wind (s), if stated in seconds."""
         return None
+
+    @property
+    def calm(self) -> bool:
+        """Whether it is no wind at all."""
+        return self.speed == 0.0
+
+    @property
+    def off_axes(self) -> bool:
+        """Whether it ever blows off the axes of a lattice of squares, at random or on the whole."""
+        return not self.calm and (self.spread > 0.0 or WindFrame.of(self.direction).angle != 0.0)
 
     @property
     def varies(self) -> bool:

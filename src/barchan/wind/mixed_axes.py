@@ -83,6 +83,11 @@ class MixedAxes(Parameters):
         """Steps after which the wind comes again: 0, as every step is the same."""
         return 0.0
 
+    @property
+    def off_axes(self) -> bool:
+        """Whether it ever blows off the axes of a lattice of squares: never."""
+        return False
+
     def placed_parts(self) -> list[tuple[tuple[str | int, ...], Blowing]]:
         """The winds of both axes, with their keys."""
         axes = self.first, self.second

@@ -5,6 +5,7 @@ from pathlib import Path
 from typing import ClassVar, Literal
 
 import numpy as np
+from numpy.typing import NDArray
 from pydantic import Field
 
 from barchan.errors import Problem, RecordError, ScenarioError
@@ -61,6 +62,18 @@ class Recorded(SeriesWind):
                 key, file = "wind.weather.path", self.weather.path
             found = [Problem(key, f"{p.key}: {p.message}" if p.key else p.message) for p in error.problems]
             raise ScenarioError(found, file) from None
+
+    def dates(self, seconds: NDArray[np.float64]) -> NDArray[np.datetime64] | None:
+        """Dates of times (s) since the start of a run, NaT beyond the record; None where it has no dates."""
+        record, ends = self.series()
+        if record.start is None:
+            return None
+        found = np.full(seconds.shape, np.datetime64("NaT"), "datetime64[s]")
+        known = (seconds >= 0.0) & (seconds < ends[-1])
+        rows = np.searchsorted(ends, seconds[known], "right")
+        since = record.time[rows] + seconds[known] - (ends[rows] - record.duration[rows])
+        found[known] = record.start.astype("datetime64[s]") + np.rint(since).astype("timedelta64[s]")
+        return found
 
     def summary(self) -> str:
         """The wind in a few words."""

@@ -126,6 +126,11 @@ class Regime(Blowing):
         return max(filter(None, (self.speed, self.final_speed)), default=None)
 
     @property
+    def calm(self) -> bool:
+        """Whether it is no wind at all, from first to last."""
+        return super().calm and not self.changes
+
+    @property
     def lasting_seconds(self) -> float | None:
         """Duration of the regime (s), if stated in seconds."""
         return self.seconds
@@ -266,6 +271,11 @@ class Regimes(Parameters):
                 return regime, max(time, 0.0)
             time -= regime.duration(clock)
         return self.regimes[0], 0.0
+
+    @property
+    def off_axes(self) -> bool:
+        """Whether any of them ever blows off the axes of a lattice of squares."""
+        return any(regime.off_axes for regime in self.regimes)
 
     def placed_parts(self) -> list[tuple[tuple[str | int, ...], Blowing]]:
         """The winds that it is made of, and under which keys they stand."""

@@ -127,6 +127,11 @@ class SeriesWind(Parameters):
         kept = shares > _ROUNDING
         return Rows(shares[kept], numbers[kept])
 
+    @property
+    def off_axes(self) -> bool:
+        """Whether it ever blows off the axes of a lattice of squares: taken as true of any series."""
+        return True
+
     def placed_parts(self) -> list[tuple[tuple[str | int, ...], Blowing]]:
         """The winds that it is made of, and under which keys they stand: none is stated."""
         return []

@@ -11,7 +11,7 @@ from barchan.kernels.grains.exchange import lay_down, take_up
 from barchan.simulation import Simulation
 
 SCENARIO = {
-    "barchan": 2,
+    "barchan": 3,
     "lattice": {"rows": 8, "columns": 9, "cell_size": 0.005, "slab_height": 0.2e-3 / 16},
     "sand": {"kind": "flat", "mean": 8},
     "model": {"name": "snow_grains"},

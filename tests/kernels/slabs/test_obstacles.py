@@ -56,7 +56,7 @@ def test_nearest_wall_is_the_one_that_a_walk_along_every_way_finds(
     ground = np.where(random.random((rows, cols)) < share, random.integers(0, 6, (rows, cols)), 0)
     lattice = Lattice(rows=8, columns=8)
     parameters = SlabParameters(corner_limit=3, path_test="hard")
-    arguments = build(parameters, Rules(), lattice, WindFrame(0, turn * 0.3), 5.0, False)
+    arguments = build(parameters, Rules(), lattice, WindFrame(0, turn * 0.3), 5.0, False, "centre")
     grid = Grid(rows, cols, along, across)
     slabs = random.integers(0, 9, (rows, cols)).astype(np.int32)
     surface = ((ground + slabs).astype(np.int64) << 20).ravel()
@@ -72,7 +72,8 @@ def test_nearest_wall_is_the_one_that_a_walk_along_every_way_finds(
 def test_ground_that_rises_gently_is_no_wall_anywhere(turn):
     ramp = np.tile(np.arange(12), (5, 1))
     arguments = build(
-        SlabParameters(path_test="hard"), Rules(), Lattice(rows=5, columns=12), WindFrame(0, 0.0), 5.0, False
+        *(SlabParameters(path_test="hard"), Rules(), Lattice(rows=5, columns=12), WindFrame(0, 0.0)),
+        *(5.0, False, "centre"),
     )
     surface = (ramp.astype(np.int64) << 20).ravel()
     clear = np.zeros(60, np.uint8)

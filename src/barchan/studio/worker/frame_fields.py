@@ -60,7 +60,7 @@ def exported_fields(simulation: Simulation) -> list[dict[str, str]]:
 def _kept(simulation: Simulation) -> Iterator[AvailableField]:
     hidden = {GROUND.name, *(layer.name for layer in simulation.bed.layers)}
     for field in simulation.bed.declared.values():
-        if field.in_frames and field.name not in hidden:
+        if field.in_frames and not field.coded and field.name not in hidden:
             yield AvailableField(field.name, field.unit, field.meaning, field.centre)
 
 

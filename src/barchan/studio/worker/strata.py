@@ -41,11 +41,12 @@ def declared_strata(simulation: Simulation) -> list[dict[str, Any]]:
     return [
         {"name": one.name, "title": one.title, "unit": one.unit, "states": list(one.states)}
         for one in simulation.model.strata
+        if one.drawn
     ]
 
 
 def _chosen(simulation: Simulation, name: str) -> Strata:
-    known = {one.name: one for one in simulation.model.strata}
+    known = {one.name: one for one in simulation.model.strata if one.drawn}
     if name not in known:
         allowed = ", ".join(known) or f"none with {simulation.model.name}"
         raise BarchanError(f"no layers by '{name}'; allowed: {allowed}")

@@ -1,0 +1,107 @@
+"""Which shadow rule acts where ``shadow_from`` is ``auto``: that depends on lattice and winds."""
+
+import pytest
+
+from barchan import Simulation, load
+from barchan.simulation.events import event_from, in_force
+
+SMALL = {"barchan": 3, "lattice": {"rows": 8, "columns": 8}, "run": {"seed": 1, "steps": 4}}
+
+
+def scenario(wind, lattice=None, clock=None, **model):
+    lattice = {**SMALL["lattice"], **(lattice or {})}
+    model = {"name": "werner", **model}
+    return load({**SMALL, "lattice": lattice, "wind": wind, "clock": clock, "model": model})
+
+
+def steady(direction, **more):
+    return {"kind": "steady", "direction": direction, **more}
+
+
+def regimes(*winds):
+    return {"kind": "regimes", "regimes": [{"steps": 2, **wind} for wind in winds]}
+
+
+ALONG_AXES = {
+    "from the south": steady(180),
+    "from north and east in turn": regimes({"direction": 0}, {"direction": 90}),
+    "a calm from between the axes": regimes({"direction": 0}, {"direction": 45, "speed": 0}),
+    "mixed along two axes": {"kind": "mixed_axes", "first": 270, "second": 0},
+}
+OFF_AXES = {
+    "from between two axes": steady(285),
+    "a hair off an axis": steady(270.001),
+    "from an axis, with spread": steady(270, spread=5),
+    "from an axis and from between two in turn": regimes({"direction": 0}, {"direction": 45}),
+    "a calm from between the axes that wakes up": regimes({"direction": 45, "speed": 0, "final_speed": 5}),
+}
+
+
+@pytest.mark.parametrize("wind", ALONG_AXES.values(), ids=ALONG_AXES)
+def test_under_winds_along_axes_lines_start_at_the_centre(wind):
+    assert scenario(wind).new_model().shadow_rule == "centre"
+
+
+@pytest.mark.parametrize("wind", OFF_AXES.values(), ids=OFF_AXES)
+def test_under_winds_off_the_axes_they_start_from_each_slabs_place(wind):
+    assert scenario(wind).new_model().shadow_rule == "place"
+
+
+def test_records_and_storms_count_as_winds_off_the_axes():
+    for kind in ("record", "storms"):
+        assert scenario({"kind": kind}, clock={}).new_model().shadow_rule == "place"
+
+
+def test_hexagons_have_no_rule_of_the_place_and_keep_the_centre():
+    hexagons = scenario(steady(285), {"kind": "hex"})
+    assert hexagons.new_model().shadow_rule == "centre"
+    assert hexagons.facts()["shadow from"] == "centre (auto, on hexagons)"
+    assert not any("shadow_from" in remark for remark in hexagons.remarks())
+
+
+@pytest.mark.parametrize("rule", ["centre", "edge", "place"])
+def test_a_rule_that_is_chosen_acts_under_any_wind(rule):
+    for wind in (steady(270), steady(285)):
+        assert scenario(wind, shadow_from=rule).new_model().shadow_rule == rule
+
+
+def test_the_rule_is_told_with_its_reason():
+    assert scenario(steady(270)).facts()["shadow from"] == "centre (auto: all winds blow along axes)"
+    oblique = scenario(steady(285)).facts()["shadow from"]
+    assert oblique == "place (auto: a wind blows off the lattice's axes)"
+    assert scenario(steady(285), shadow_from="edge").facts()["shadow from"] == "edge"
+
+
+def test_a_rule_by_which_the_lattice_steers_crests_is_remarked():
+    def remarked(wind, rule):
+        return [text for text in scenario(wind, shadow_from=rule).remarks() if "shadow_from" in text]
+
+    (text,) = remarked(steady(285), "centre")
+    assert "shadow_from centre" in text
+    assert "model.shadow_from place avoids it" in text
+    assert not remarked(steady(285), "auto")
+    assert not remarked(steady(270), "centre")
+
+
+def test_shadow_lines_of_the_kernel_follow_the_rule():
+    for wind, boxes in ((steady(270), False), (steady(285), True)):
+        chosen = scenario(wind)
+        model = chosen.new_model()
+        arguments, _ = model._enter(chosen.first_bed(), model._frame(wind["direction"]), 5.0, None)
+        assert (arguments.rules.box is not None) == boxes
+
+
+def test_another_wind_during_a_run_decides_anew_and_is_remembered():
+    simulation = Simulation(scenario(steady(270)))
+    assert simulation.model.shadow_rule == "centre"
+    simulation.apply(event_from({"kind": "wind", "wind": steady(285)}))
+    assert simulation.model.shadow_rule == "place"
+    assert simulation.scenario_in_force.model.shadow_from == "auto"
+    again = Simulation.from_state(simulation.state())
+    assert again.model.shadow_rule == "place"
+    assert in_force(again.scenario, again.events, 1).new_model().shadow_rule == "place"
+    again.apply(event_from({"kind": "set", "key": "model.shadow_from", "value": "edge"}))
+    assert again.model.shadow_rule == "edge"
+    again.apply(event_from({"kind": "set", "key": "model.shadow_from", "value": "auto"}))
+    again.apply(event_from({"kind": "wind", "wind": steady(180)}))
+    assert again.model.shadow_rule == "centre"
