@@ -51,7 +51,7 @@ def test_runs_whose_winds_differ_in_speed_alone_look_unlike(here, barchan, wind,
 def test_a_run_without_frames_tells_how_to_go_on(here, barchan):
     Archive.create(here / "begun", Simulation(tiny())).close()
     rows = rows_of(barchan("info", "begun").out)
-    assert rows["frames"] == "0, the last at step 0 of 20"
+    assert rows["frames"] == "none"
     assert rows["state"] == "not finished; go on with: barchan resume begun"
 
 

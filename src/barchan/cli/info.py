@@ -10,6 +10,7 @@ from cyclopts import Parameter
 from barchan.errors import BarchanError
 
 if TYPE_CHECKING:
+    from barchan.archive import RunInfo
     from barchan.scenario import Scenario
     from barchan.simulation import Record
 
@@ -95,7 +96,7 @@ def _contents(run: Path) -> tuple[int, "Scenario", list[tuple[str, str]]]:
         ("seed", str(scenario.run.seed)),
         *([("branch of", f"{known.parent.run}, from step {known.parent.step} on")] if known.parent else []),
         *_changes(known.events),
-        ("frames", f"{known.frames}, the last at step {known.last_step} of {scenario.run.steps}"),
+        ("frames", _frames(known)),
         ("checkpoint", "none" if known.checkpoint is None else f"step {known.checkpoint}"),
         ("state", state),
         ("size", f"{known.bytes / 1e6:.1f} MB"),
@@ -114,3 +115,8 @@ def _changes(events: Sequence["Record"]) -> list[tuple[str, str]]:
     earlier = len(events) - MOST_EVENTS
     rows = [("changed", str(event)) for event in events[-MOST_EVENTS:]]
     return [("changed", f"{earlier} times before"), *rows] if earlier > 0 else rows
+
+
+def _frames(known: "RunInfo") -> str:
+    steps = known.scenario.run.steps
+    return f"{known.frames}, the last at step {known.last_step} of {steps}" if known.frames else "none"
