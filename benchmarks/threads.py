@@ -4,6 +4,7 @@ For more cores than the machine has, the waiting is played through: bands of equ
 by the rule of the kernel, which takes the first band, of the earliest step, that need not wait.
 """
 
+import copy
 import hashlib
 import heapq
 import statistics
@@ -22,13 +23,16 @@ from barchan.wind.segment import Segment
 
 @dataclass(frozen=True)
 class Case:
-    """A field of Werner's model with three slabs a cell, 30 steps from flat to let bedforms begin."""
+    """A field of a model, 30 steps from flat to let bedforms begin, and the slabs or quanta on each cell."""
 
     size: int
     steps: int
     direction: float = 270.0
     model: str = "werner"
     repetitions: int = 5
+    depth: int = 3
+    cell_size: float = 1.0
+    speed: float | None = None
 
     @property
     def name(self) -> str:
@@ -46,6 +50,8 @@ CASES = (
     Case(1024, 12, 225.0),
     Case(256, 200, model="momiji"),
     Case(256, 200, model="bishop"),
+    Case(256, 100, model="snow", depth=60, cell_size=0.1, speed=10.0),
+    Case(1024, 10, model="snow", depth=60, cell_size=0.1, speed=10.0),
 )
 
 
@@ -60,32 +66,41 @@ class Speeds:
 
 def measure(case: Case) -> Speeds:
     """Time a case on one thread and on two, in turns, each from the same bed."""
-    lattice = Lattice(rows=case.size, columns=case.size)
+    lattice = Lattice(rows=case.size, columns=case.size, cell_size=case.cell_size)
     model = models()[case.model](models()[case.model].Parameters(), lattice)
-    start = np.full(lattice.shape, 3, np.int32)
-    start = _after(model, start, case, 30 if case.size < 4096 else 1, 2)[0]
+    start = Bed(lattice, np.zeros(lattice.shape), np.full(lattice.shape, case.depth), layers=model.layers)
+    model.initialise(start, 1)
+    _advance(model, start, case, 30 if case.size < 4096 else 1, 2)
     times: dict[int, list[float]] = {1: [], 2: []}
     hashes = set()
     for _ in range(case.repetitions):
         for count in (1, 2):
-            sand, seconds = _after(model, start, case, case.steps, count)
+            bed = copy.deepcopy(start)
+            seconds = _advance(model, bed, case, case.steps, count)
             times[count].append(seconds * 1e9 / (case.steps * lattice.cells))
-            hashes.add(hashlib.sha256(sand.tobytes()).digest())
+            digest = hashlib.sha256()
+            for name in sorted(bed.arrays):
+                digest.update(np.ascontiguousarray(bed.arrays[name]).tobytes())
+            hashes.add(digest.digest())
     return Speeds(statistics.median(times[1]), statistics.median(times[2]), len(hashes) == 1)
 
 
-def _after(model, sand, case, steps, count):
-    """The sand after some steps on so many threads, and the seconds that they took."""
-    bed = Bed(model.lattice, np.zeros(model.lattice.shape), sand)
-    segment = Segment(7, steps, 0, model.lattice.cells, case.direction)
+def _advance(model, bed, case, steps, count):
+    """Advance a bed by some steps on so many threads; the seconds that they took."""
+    state = model.state()
+    seconds = model.step_seconds
+    segment = Segment(
+        7, steps, 0, model.lattice.cells, case.direction, speed=case.speed, step_seconds=seconds
+    )
     whole = threads.thread_count
     threads.thread_count = lambda: count
     try:
         began = time.perf_counter()
         model.advance(bed, segment, Stream(1, "transport"))
-        return bed.sand, time.perf_counter() - began
+        return time.perf_counter() - began
     finally:
         threads.thread_count = whole
+        model.restore(state)
 
 
 def busy(bands: int, count: int, distance: int = 1, steps: int = 60, serial: float = 0.0) -> float:

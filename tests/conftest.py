@@ -4,6 +4,8 @@ import os
 
 from hypothesis import settings
 
+import barchan.kernels  # noqa: F401  # states where compiled kernels are kept, before a test imports numba
+
 os.environ.setdefault("NUMBA_NUM_THREADS", "2")
 settings.register_profile("default", deadline=None, derandomize=True)
 settings.load_profile("default")

@@ -89,7 +89,10 @@ THEMES = (
         "lattice",
         "Artefacts of the lattice",
         "Effects of the lattice: its axes, its neighbourhoods, and the order in which cells are polled.",
-        ("isotropy", "direction_quality", "horn_symmetry", "bands"),
+        (
+            *("isotropy", "isotropy_pairs", "direction_quality"),
+            *("horn_symmetry", "heap_horns", "bands"),
+        ),
     ),
 )
 

@@ -10,6 +10,8 @@ from PIL import Image
 
 import barchan
 from barchan.errors import ScenarioError
+from barchan.ground import reading
+from barchan.ground.raster import UnreadableError
 from barchan.ground.reading import read
 from barchan.ground.resampling import resampled
 from barchan.ground.sand import FileSand
@@ -280,3 +282,11 @@ def test_a_photograph_gives_its_luminance_with_its_upper_edge_in_the_north(tmp_p
     assert raster.full_scale == 255.0
     np.testing.assert_allclose(raster.values[-8:], 150, atol=2)
     np.testing.assert_allclose(raster.values[:8], 0, atol=2)
+
+
+@pytest.mark.parametrize("name", ["map.png", "photo.jpg"])
+def test_an_image_of_too_many_pixels_is_refused_before_it_is_unpacked(tmp_path, monkeypatch, name):
+    monkeypatch.setattr(reading, "MOST_PIXELS", 32 * 16 - 1)
+    Image.fromarray(np.zeros((16, 32), np.uint8)).save(tmp_path / name)
+    with pytest.raises(UnreadableError, match="has 32 × 16 cells; allowed"):
+        read(tmp_path / name)

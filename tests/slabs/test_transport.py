@@ -14,7 +14,7 @@ from barchan.lattice import Lattice
 from barchan.models.bishop import Bishop
 from barchan.models.momiji import Momiji
 from barchan.models.werner import Werner
-from barchan.slabs import transport
+from barchan.slabs import rounds, transport
 from barchan.slabs.transport import Transport
 from barchan.streams import Stream
 from barchan.wind.segment import Segment
@@ -25,7 +25,7 @@ WINDS = [270.0, 90.0, 0.0, 247.5, 225.0, 300.0, 137.0]
 
 @pytest.fixture(autouse=True)
 def threads_for_small_fields(monkeypatch):
-    monkeypatch.setattr(transport, "_LEAST_POLLS", 0)
+    monkeypatch.setattr(rounds, "_LEAST_POLLS", 0)
 
 
 def field_of(lattice, seed, tower=0):
@@ -122,6 +122,26 @@ def test_a_tower_that_slides_over_many_rows_makes_bands_wait_for_more(monkeypatc
     assert distances[0][1] != 0
     assert distances[-1][1] == 0
     assert distances[-1][0] > distances[0][0]
+
+
+@pytest.mark.parametrize("threads", [1, 2])
+def test_no_cell_exceeds_the_heights_that_bands_go_by(threads, monkeypatch):
+    seen = []
+    whole = Transport._plan
+
+    def watched(self, *arguments):
+        plan = whole(self, *arguments)
+        seen.append((plan, self.stacks.surface, plan.peaks.copy()))
+        return plan
+
+    monkeypatch.setattr(Transport, "_plan", watched)
+    lattice = Lattice(rows=64, columns=32)
+    model = Werner(Werner.Parameters(band_rows=8), lattice)
+    moved_by(threads, model, np.full(lattice.shape, 5, np.int32), 270.0, steps=8)
+    (plan, surface, before), *_ = seen
+    heights = surface.reshape(8, -1).max(axis=1)
+    assert heights.max() > before.max()
+    assert (plan.peaks >= heights).all()
 
 
 def test_slabs_that_hop_far_find_room_however_many_they_are(monkeypatch):

@@ -79,6 +79,7 @@ def _photograph(path: Path, _hints: Hints) -> Raster:
 
     try:
         with Image.open(path) as image:
+            refuse_many_cells(image.height, image.width, MOST_PIXELS)
             values = np.asarray(image.convert("L"))
     except (OSError, ValueError, Image.DecompressionBombError) as error:
         raise UnreadableError(f"cannot be read as an image: {error}") from None

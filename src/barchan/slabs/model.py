@@ -119,7 +119,7 @@ class SlabModel(Model):
             self.parameters.band_rows,
         )
         threads = thread_count()
-        transport = Transport(stacks, rules, schedule, stream.key)
+        transport = Transport(stacks=stacks, rules=rules, schedule=schedule, key=stream.key)
         influx = None
         if segment.influx is not None:
             influx = edge_influx(segment, partial(self.saturated_influx, segment), self.lattice, frame)

@@ -1,14 +1,23 @@
 """The page for eyes, keys, fingers and screen readers: contrast, names, order, sizes of windows."""
 
+import os
 from importlib.resources import files
+from pathlib import Path
 
 import pytest
 
 AXE = files("axe_playwright_python").joinpath("axe.min.js")
+LOOK = os.environ.get("BARCHAN_LOOK")
 STATES = ("no token", "wrong token", "replaced", "too much", "other version", "no answer", "connecting")
 RULES = "{ runOnly: ['wcag2a', 'wcag2aa', 'wcag21aa', 'best-practice'], resultTypes: ['violations'] }"
 
 pytestmark = pytest.mark.extended
+
+
+def look(page, name: str) -> None:
+    """Keep a picture of the page to look at, where a folder for that is stated."""
+    if LOOK:
+        page.screenshot(path=Path(LOOK) / f"{name}.png")
 
 
 @pytest.fixture
@@ -64,6 +73,52 @@ def test_notices_and_refusals_can_be_read_in_every_state(studio, faults, theme):
     studio.page.keyboard.press("g")
     studio.page.locator(".card").first.wait_for()
     assert faults(".gallery") == []
+
+
+SHEETS = (
+    "Export for other programs",
+    "Film of what was just seen",
+    "Record the scene",
+    "Picture with title and scale",
+    "Compare with a terrain or photograph",
+    "Let others watch",
+    "Copy a link of this scenario",
+    "Open a link of a scenario",
+    "Save the run",
+    "Open a saved run",
+)
+
+
+@pytest.mark.parametrize("theme", ["light", "dark"])
+def test_every_sheet_can_be_read_and_is_named(studio, faults, theme):
+    page = studio.page
+    studio.ask(f"window.barchan.app.view.set({{ theme: '{theme}' }})")
+    studio.step_beyond(25)
+    studio.pause()
+    found = {}
+    for name in SHEETS:
+        page.locator("summary", has_text="File").click()
+        page.get_by_role("menuitem", name=name).click()
+        page.locator("dialog").wait_for()
+        studio.ask("document.querySelectorAll('dialog details').forEach((one) => (one.open = true))")
+        found[name] = faults("dialog")
+        look(page, f"sheet-{theme}-{name}")
+        page.keyboard.press("Escape")
+        page.locator("dialog").wait_for(state="detached")
+    page.keyboard.press("m")
+    found["ruler"] = faults(".ruler")
+    page.locator(".ruler input").first.press("Escape")
+    page.keyboard.press("k")
+    page.get_by_role("tab", name="Moments").click()
+    page.locator(".moment").first.wait_for()
+    found["moments"] = faults(".panel")
+    page.keyboard.press("v")
+    page.get_by_role("button", name="begin", exact=True).click()
+    page.get_by_text("recording 0:0").wait_for()
+    found["recording"] = faults(".recording")
+    look(page, f"recording-{theme}")
+    page.get_by_role("button", name="discard").click()
+    assert {name: list_ for name, list_ in found.items() if list_} == {}
 
 
 def focused(studio) -> str:

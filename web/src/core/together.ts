@@ -3,7 +3,7 @@
 import type { Frame, RunName } from "./protocol";
 
 /** Milliseconds that a frame waits for one of the other run, which may have ended or been lost. */
-const PATIENCE = 250;
+const PATIENCE = 2000;
 
 export class Together {
   private held: Frame[] = [];

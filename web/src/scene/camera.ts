@@ -75,6 +75,11 @@ export class Camera {
     this.fit();
   }
 
+  /** Whether the whole field is kept in view, as nobody has moved the camera. */
+  get fits(): boolean {
+    return !this.touched;
+  }
+
   standpoint(): Standpoint {
     return { viewpoint: this.viewpoint, position: this.active.position.toArray(), target: this.controls.target.toArray(), zoom: this.parallel.zoom };
   }

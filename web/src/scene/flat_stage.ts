@@ -33,6 +33,7 @@ export class FlatStage {
   readonly controls = { enabled: true };
   readonly painted = new Signal<void>();
   steady = false;
+  readonly fits = false;
   drawn = 0;
   private maps: Map[] = [];
   private dirty = true;

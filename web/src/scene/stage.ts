@@ -83,6 +83,11 @@ export class Stage {
     this.redraw();
   }
 
+  /** Whether the camera follows the size of the field, as nobody has moved it. */
+  get fits(): boolean {
+    return this.view.fits;
+  }
+
   standpoint(): Standpoint {
     return this.view.standpoint();
   }

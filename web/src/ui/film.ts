@@ -25,7 +25,7 @@ export async function filmSheet(app: App, stage: Stage): Promise<void> {
   if (steps.length < 2) throw new Error("A film needs two kept states at least; run some steps first.");
   const formats = await app.connection.fetch<Format[]>("formats");
   const format = formats.find((one) => one.name === "mp4") ?? formats.find((one) => one.name === "film")!;
-  const view = h("select", { "aria-label": "Drawn", onchange: () => show() }, h("option", { value: "scene" }, "as the scene shows it, from where you look"), h("option", { value: "map" }, "as a shaded map, from above"));
+  const view = h("select", { "aria-label": "Drawn", onchange: () => show() }, h("option", { value: "scene" }, "as the scene shows it"), h("option", { value: "map" }, "as a shaded map"));
   const states = h("input", { type: "range", min: "2", max: String(steps.length), value: String(steps.length), "aria-label": "States of the film, the last ones" });
   const rate = h("input", { type: "number", min: "1", max: "60", step: "1", value: String(RATE), required: true, "aria-label": "Frames a second" });
   const size = h("select", { "aria-label": "Size" }, ...SIZES.map(([width, height], at) => h("option", { value: String(at) }, `${width} × ${height}`)));

@@ -11,12 +11,11 @@ import { wordsRows } from "./words_rows";
 /** Pictures a second at most, and bits a second. */
 const RATE = 30;
 const BITS = 16_000_000;
-/** Formats by their suffix, the first that a browser can write is taken. */
+/** Formats by their suffix, the first that a browser can write is taken: those that cost the processor least first. */
 const KINDS: [string, string][] = [
-  ["mp4", "video/mp4;codecs=avc1.640033"],
-  ["webm", "video/webm;codecs=vp9"],
   ["webm", "video/webm;codecs=vp8"],
   ["webm", "video/webm"],
+  ["mp4", "video/mp4"],
 ];
 
 /** Suffix and type of the films that this browser records; null where it records none. */
@@ -60,6 +59,7 @@ export class Recorder {
     const { width, height } = this.stage.canvas;
     [this.canvas.width, this.canvas.height] = [width - (width % 2), height - (height % 2)];
     this.words = words;
+    this.canvas.getContext("2d"); // without a context nothing of a canvas is recorded
     const parts: Blob[] = [];
     const recorder = (this.recorder = new MediaRecorder(this.canvas.captureStream(RATE), { mimeType: type, videoBitsPerSecond: BITS }));
     recorder.ondataavailable = ({ data }) => parts.push(data);

@@ -34,6 +34,8 @@ export async function filmOfStates(app: App, stage: Stage, film: SceneFilm, prog
   const shown = app.current!.status!;
   const back = shown.looking ? shown.step : null;
   const steps = shownSteps(app.runs).slice(-film.states);
+  const fits = stage.fits;
+  stage.stand(place); // which a field that grows does not move
   stage.steady = true;
   // from the first picture to the last one, heights and colours mean the same
   app.view.follow({ ...look, exaggeration: look.exaggeration ?? stage.terrain(app.current!)?.exaggeration ?? null, limits: look.limits ?? limitsOf(stage, app) });
@@ -50,7 +52,8 @@ export async function filmOfStates(app: App, stage: Stage, film: SceneFilm, prog
   } finally {
     stage.steady = false;
     app.view.follow(look);
-    stage.stand(place);
+    if (fits) stage.look(place.viewpoint);
+    else stage.stand(place);
     app.send({ command: "look", step: back });
     if (ran) app.send({ command: "run" });
   }

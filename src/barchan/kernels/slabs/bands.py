@@ -1,4 +1,4 @@
-"""Slab transport: the polls of a round, band by band, in any number of threads.
+"""Transport over a bed of any kind (``beds``): the polls of a round, band by band, in any number of threads.
 
 The bands of a round have a random order. Polls of a band touch few rows beyond its own, so bands that lie
 farther apart may be run at the same time, and a band need not wait for all of the round before: ``Plan`` says
@@ -7,17 +7,16 @@ which it waits for. Every order that it allows gives the bed of one thread that 
 
 from numba import njit
 
-from barchan.kernels.bed.levels import measure_levels
 from barchan.kernels.core.atomics import add, give_way, load, store, swap
 from barchan.kernels.core.borrow import borrowed
 from barchan.kernels.core.inlining import never_inline
 from barchan.kernels.core.internal import internal, woven
 from barchan.kernels.core.random import derive
 from barchan.kernels.core.work_queue import wait_a_moment
+from barchan.kernels.slabs.beds import lattice_rules, measure_bed, poll_bed
 from barchan.kernels.slabs.flights import forget_flights
 from barchan.kernels.slabs.late_landing import land_flights
 from barchan.kernels.slabs.plan import BROKEN_OFF, RUNNING
-from barchan.kernels.slabs.poll import run_polls
 from barchan.kernels.slabs.polling import (
     band_of,
     count_polls_by_row,
@@ -37,19 +36,20 @@ _AHEAD = 3
 
 
 @woven()
-def run_band(stacks, rules, work, schedule, part, band, first, count, peak, tally):
+def run_band(bed, rules, work, schedule, part, band, first, count, peak, tally):
     """Run a band's polls of a round, from poll ``first`` on; returns a height that no cell exceeds now.
 
     Drawn with replacement it is ``count`` of the polls ``start`` to ``stop`` of a step. Otherwise the cells
     ``start`` to ``stop`` of a shuffled round through the lattice are polled, to which every band gives the
     same share of its own cells, so that a part of a round is spread over the field.
     """
-    cols, polls = rules.grid.cols, work.polls
+    shared, polls = lattice_rules(rules), work.polls
+    cols = shared.grid.cols
     exhausted = tally[EXHAUSTED]
     redraw = schedule.forced and not schedule.each_once
     at, end = 0, count
     if schedule.each_once:
-        cells, size = rules.grid.rows * cols, band.rows * cols
+        cells, size = shared.grid.rows * cols, band.rows * cols
         shuffle_cells(polls, size, derive(part.key, 1 + band.number))
         at = part.start * size // cells
         end = part.stop * size // cells
@@ -60,10 +60,10 @@ def run_band(stacks, rules, work, schedule, part, band, first, count, peak, tall
             take_cells(polls, first, at, n, band.first_row, cols, part.poll_key)
         else:
             draw_cells(polls, first, n, band, cols, part.poll_key)
-        peak = run_polls(stacks, rules, work, band, n, redraw, part.target, peak, tally)
+        peak = poll_bed(bed, rules, work, band, n, redraw, part.target, peak, tally)
         if peak < 0 or tally[MOVED] == part.target or tally[EXHAUSTED] > exhausted:
             return peak
-        if rules.interruption[0] != 0:
+        if shared.interruption[0] != 0:
             return peak
         first += n
         at += n
@@ -79,7 +79,7 @@ def _remember(before, surface):
 
 
 @internal()
-def _end_round(flights, stacks, rules, work, plan, number, tally):
+def _end_round(flights, bed, rules, work, plan, number, tally):
     """Land the slabs that hopped far in a round (None: none does)."""
     never_inline()
     if flights is None:
@@ -87,19 +87,19 @@ def _end_round(flights, stacks, rules, work, plan, number, tally):
     order = work.polls.band_order
     for band in range(order.size):
         order[plan.places[number, band]] = band
-    peak = land_flights(flights, stacks, rules, work, order, plan.peaks.max(), tally)
+    peak = land_flights(flights, bed, rules, work, order, plan.peaks.max(), tally)
     plan.peaks[:] = peak
 
 
 @internal()
-def _begin_round(stacks, work, schedule, plan, number):
+def _begin_round(bed, work, schedule, plan, number):
     """Draw the order of the bands in a round, and how many polls each of them gets."""
     never_inline()
     polls = work.polls
     forget_flights(work.flights)
-    _remember(work.before, stacks.surface)
+    _remember(work.before, bed.surface)
     if plan.measures or number == 0:
-        measure_levels(stacks.surface, stacks.levels)
+        measure_bed(bed)
     key = plan.keys[number, 0]
     start, stop = plan.rounds[number, 1], plan.rounds[number, 2]
     if not schedule.each_once:
@@ -185,13 +185,13 @@ def _peak_about(plan, band, wrap):
 
 
 @woven()
-def _run(stacks, rules, work, schedule, plan, band, number, tally):
+def _run(bed, rules, work, schedule, plan, band, number, tally):
     """Run a band's polls of a round; or end the round before, and count the polls of the next one."""
     if band == plan.peaks.size:
         if number > 0:
-            _end_round(work.flights, stacks, rules, work, plan, number - 1, tally)
+            _end_round(work.flights, bed, rules, work, plan, number - 1, tally)
         if number < plan.rounds.shape[0]:
-            _begin_round(stacks, work, schedule, plan, number)
+            _begin_round(bed, work, schedule, plan, number)
         return
     part = Round(
         plan.rounds[number, 0],
@@ -201,32 +201,33 @@ def _run(stacks, rules, work, schedule, plan, band, number, tally):
         plan.keys[number, 1],
         -1,
     )
-    rows = band_of(band, rules.grid.rows, schedule, plan.near, plan.reach)
+    grid = lattice_rules(rules).grid
+    rows = band_of(band, grid.rows, schedule, plan.near, plan.reach)
     first, count = plan.first[number, band], plan.polls[number, band]
-    peak = _peak_about(plan, band, rules.grid.wrap_across)
-    peak = run_band(stacks, rules, work, schedule, part, rows, first, count, peak, tally)
+    peak = _peak_about(plan, band, grid.wrap_across)
+    peak = run_band(bed, rules, work, schedule, part, rows, first, count, peak, tally)
     if peak in (STRAYED, FULL):
         store(plan.signals, BROKEN_OFF, peak)
     plan.peaks[band] = peak
 
 
 @njit(cache=True, nogil=True)
-def run_rounds(stacks, rules, work, schedule, plan, tally):
+def run_rounds(bed, rules, work, schedule, plan, tally):
     """Run bands of a plan's rounds until none is left to begin, beside other threads that do the same.
 
-    The stacks are changed in place; their surface has room for ``SIMD_WIDTH`` numbers before it. Moved slabs,
+    The bed is changed in place; its surface has room for ``SIMD_WIDTH`` numbers before it. Moved slabs,
     travel and the rest are added to ``tally``, which is this thread's own, as the work space and the rules'
-    orders are. Work that is broken off leaves stacks and tally as they happen to be.
+    orders are. Work that is broken off leaves bed and tally as they happen to be.
     """
-    stacks, rules, work, plan, tally = borrowed((stacks, rules, work, plan, tally))
-    wrap = rules.grid.wrap_across
+    bed, rules, work, plan, tally = borrowed((bed, rules, work, plan, tally))
+    wrap, interruption = lattice_rules(rules).grid.wrap_across, lattice_rules(rules).interruption
     add(plan.signals, RUNNING, 1)
     spins = 0
     band, number = _next_band(plan, wrap)
-    while band != _NOTHING and load(plan.signals, BROKEN_OFF) == 0 and rules.interruption[0] == 0:
+    while band != _NOTHING and load(plan.signals, BROKEN_OFF) == 0 and interruption[0] == 0:
         if band != _LATER and swap(plan.taken, band, number, number + 1):
-            _run(stacks, rules, work, schedule, plan, band, number, tally)
-            if load(plan.signals, BROKEN_OFF) == 0 and rules.interruption[0] == 0:
+            _run(bed, rules, work, schedule, plan, band, number, tally)
+            if load(plan.signals, BROKEN_OFF) == 0 and interruption[0] == 0:
                 add(plan.done, band, 1)
             spins = 0
         elif band == _LATER:

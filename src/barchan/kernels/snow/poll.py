@@ -26,8 +26,8 @@ from barchan.kernels.core.random import GOLDEN, below, high, low, mix
 from barchan.kernels.slabs.carry import take_off
 from barchan.kernels.slabs.erosion import place_in_cell
 from barchan.kernels.slabs.hop import wrapped
-from barchan.kernels.slabs.shadow import in_shadow, whole_view
-from barchan.kernels.slabs.state import CAPPED, LEFT, MOVED, TRAVEL_ACROSS, TRAVEL_ALONG
+from barchan.kernels.slabs.shadow import in_shadow, is_near, whole_view
+from barchan.kernels.slabs.state import CAPPED, LEFT, MOVED, STRAYED, TRAVEL_ACROSS, TRAVEL_ALONG
 from barchan.kernels.snow.layers import pop, state_class
 from barchan.kernels.snow.slopes import feed, lay_down
 from barchan.kernels.snow.state import UPWIND
@@ -155,8 +155,10 @@ def carry(pack, rules, view, along, across, travelled, state, peak):
 
 
 @internal()
-def _pushed(creep, pack, grid, row, col, state):
+def _pushed(creep, pack, grid, touched, row, col, state):
     """The cell where a quantum lies after it was pushed down the slope, cell by cell.
+
+    It ends at the first row that is not among those that may be ``touched``.
 
     It is pushed along one of the axes, chosen at random each time, towards the lower neighbour; the mean
     number of pushes down an even slope is the drop to a neighbour times ``per_height``.
@@ -176,11 +178,13 @@ def _pushed(creep, pack, grid, row, col, state):
         if drop <= 0 or high(draw) * 2.0**-32 >= drop * creep.per_height + left:
             return row, col, state
         row, col = r, c
+        if not is_near(row, touched, grid):
+            return row, col, state
         left -= 1.0
 
 
 @internal(forceinline=True)
-def _roll(creep, pack, grid, row, col, sheltered, state):
+def _roll(creep, pack, grid, touched, row, col, sheltered, state):
     """The cell where a quantum lies after it has rolled, by chance, to a lower face neighbour."""
     if creep is None:
         return row, col, state
@@ -188,7 +192,7 @@ def _roll(creep, pack, grid, row, col, sheltered, state):
         # no grains strike the bed in shadow, where the flow has come off
         if sheltered:
             return row, col, state
-        return _pushed(creep, pack, grid, row, col, state)
+        return _pushed(creep, pack, grid, touched, row, col, state)
     state += GOLDEN
     if np.int64(high(mix(state))) >= creep.chance:
         return row, col, state
@@ -203,19 +207,31 @@ def _roll(creep, pack, grid, row, col, sheltered, state):
 
 
 @internal(forceinline=True)
-def settle(pack, rules, row, col, sheltered, state):
-    """Let a quantum that has landed roll, slide and lie; the random state and the height it reaches."""
-    row, col, state = _roll(rules.creep, pack, rules.slabs.grid, row, col, sheltered, state)
-    return state, lay_down(pack, rules, row, col, rules.density)
+def settle(pack, rules, touched, row, col, sheltered, state):
+    """Let a quantum that has landed roll, slide and lie; returns the height that it reaches.
+
+    Returns ``STRAYED`` instead, with nothing changed, where it comes to a row that is not among those that
+    may be ``touched``.
+    """
+    grid = rules.slabs.grid
+    row, col, state = _roll(rules.creep, pack, grid, touched, row, col, sheltered, state)
+    if not is_near(row, touched, grid):
+        return np.int64(STRAYED)
+    return lay_down(pack, rules, touched, row, col, rules.density)
 
 
 @internal()
-def run_polls(pack, rules, work, count, peak, tally):
-    """Run ``count`` prepared polls, one after the other; returns a height that no cell exceeds now."""
+def run_polls(pack, rules, work, band, count, peak, tally):
+    """Run ``count`` prepared polls of a band, one after the other; returns a height that no cell exceeds now.
+
+    Or, with polls left undone, ``STRAYED`` before one changes a row that it may not touch.
+    """
     never_inline()
     pack, rules, work = borrowed((pack, rules, work))
     view = whole_view(pack.surface.ctypes.data, rules.slabs.grid)
-    grid, wind, polls = rules.slabs.grid, rules.slabs.wind, work.polls
+    grid, wind, polls, touched = rules.slabs.grid, rules.slabs.wind, work.polls, band.touched
+    moved = left = capped = 0
+    travel_along, travel_across = np.int64(0), np.int64(0)
     for k in range(count):
         # 1 choose a cell
         row, col, state = polls.rows[np.uint64(k)], polls.cols[np.uint64(k)], polls.states[np.uint64(k)]
@@ -223,10 +239,13 @@ def run_polls(pack, rules, work, count, peak, tally):
         gives, along, across, state = may_give(pack, rules, view, row, col, state, peak)
         if not gives:
             continue
-        tally[MOVED] += 1
+        moved += 1
         # 3 take it, and let the slope above feed its cell
         pop(pack, rules.tables.thickness, np.uint64(row * grid.cols + col))
-        feed(pack, rules, row, col)
+        height = feed(pack, rules, touched, row, col)
+        if height < 0:
+            return height
+        peak = max(peak, height)
         # 4 hop, 5 rest?
         along, across, state = take_off(
             rules.slabs.box, None, along, across, wind.hop_along, wind.hop_across, state, grid
@@ -234,13 +253,20 @@ def run_polls(pack, rules, work, count, peak, tally):
         row, col, state, inside, stays, sheltered, way_along, way_across = carry(
             pack, rules, view, along, across, False, state, peak
         )
-        tally[TRAVEL_ALONG] += way_along
-        tally[TRAVEL_ACROSS] += way_across
+        travel_along += way_along
+        travel_across += way_across
         if not inside:
-            tally[LEFT] += 1
+            left += 1
             continue
         # 6 roll, slide, and lie there as drift
-        tally[CAPPED] += not stays
-        state, height = settle(pack, rules, row, col, sheltered, state)
+        capped += not stays
+        height = settle(pack, rules, touched, row, col, sheltered, state)
+        if height < 0:
+            return height
         peak = max(peak, height)
+    tally[MOVED] += moved
+    tally[LEFT] += left
+    tally[CAPPED] += capped
+    tally[TRAVEL_ALONG] += travel_along
+    tally[TRAVEL_ACROSS] += travel_across
     return peak

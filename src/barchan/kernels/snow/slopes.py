@@ -22,6 +22,8 @@ from barchan.kernels.core.inlining import never_inline
 from barchan.kernels.core.internal import internal
 from barchan.kernels.core.progress import report
 from barchan.kernels.core.random import mix
+from barchan.kernels.slabs.shadow import is_near
+from barchan.kernels.slabs.state import STRAYED
 from barchan.kernels.snow.layers import pop, push, state_class
 from barchan.kernels.snow.state import Pack, SnowRules
 
@@ -142,30 +144,47 @@ def steepest_below(pack, rules, row, col, here, limit, turn):
 
 
 @internal()
-def _slide_in(pack, rules, row, col, direction):
-    """Let quanta slide in from above, the first one from ``direction``, until the slope stands."""
+def _slide_in(pack, rules, touched, row, col, direction):
+    """Let quanta slide in from above, the first one from ``direction``, until the slope stands.
+
+    Returns the greatest height that it leaves where it has laid any; or ``STRAYED``, before it changes a row
+    that is not among those that may be ``touched``.
+    """
     never_inline()
     pack, rules = borrowed((pack, rules))
     grid, thickness = rules.slabs.grid, rules.tables.thickness
+    highest = np.int64(0)
     while direction != STABLE:
         r, c = neighbour(row, col, direction, grid)
+        if not is_near(r, touched, grid):
+            return np.int64(STRAYED)
         density = pop(pack, thickness, np.uint64(r * grid.cols + c))
-        push(pack, thickness, np.uint64(row * grid.cols + col), rules.epoch, density)
+        cell = np.uint64(row * grid.cols + col)
+        push(pack, thickness, cell, rules.epoch, density)
+        highest = max(highest, np.int64(pack.surface[cell]))
         row, col = r, c
         direction = steepest_above(pack, rules, row, col)
+    return highest
 
 
 @internal(forceinline=True)
-def feed(pack, rules, row, col):
-    """Let the slope above a cell that was lowered slide in, quantum by quantum; what slides loses its age."""
+def feed(pack, rules, touched, row, col):
+    """Let the slope above a cell that was lowered slide in, quantum by quantum; what slides loses its age.
+
+    Returns the greatest height where any came to lie (0: none did); or ``STRAYED``, as ``_slide_in``.
+    """
     direction = steepest_above(pack, rules, row, col)
     if direction != STABLE:
-        _slide_in(pack, rules, row, col, direction)
+        return _slide_in(pack, rules, touched, row, col, direction)
+    return np.int64(0)
 
 
 @internal(forceinline=True)
-def lay_down(pack, rules, row, col, density):
-    """Lay a quantum on a cell, from where it slides down the slope until it stands; the height reached."""
+def lay_down(pack, rules, touched, row, col, density):
+    """Lay a quantum on a cell, from where it slides down the slope until it stands; the height reached.
+
+    Returns ``STRAYED`` instead, before it reads about a row that is not among those that may be ``touched``.
+    """
     grid, tables = rules.slabs.grid, rules.tables
     added = np.int64(tables.thickness[np.uint64(density >> 6)])
     loose = np.uint64((density >> 10) * (tables.face_limit.size // 64))
@@ -177,6 +196,8 @@ def lay_down(pack, rules, row, col, density):
         going = direction != STABLE
         if going:
             row, col = neighbour(row, col, direction, grid)
+            if not is_near(row, touched, grid):
+                return np.int64(STRAYED)
     cell = np.uint64(row * grid.cols + col)
     push(pack, tables.thickness, cell, rules.epoch, density)
     return np.int64(pack.surface[cell])
