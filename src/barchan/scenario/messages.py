@@ -3,6 +3,7 @@
 import difflib
 import json
 from collections.abc import Callable, Iterable
+from functools import lru_cache
 from typing import Any
 
 from pydantic import BaseModel, ValidationError
@@ -147,12 +148,19 @@ def _elsewhere(root: type[BaseModel], path: Path, owner: type[BaseModel] | None)
 
 def _groups_with(root: type[BaseModel], name: str) -> list[str]:
     """The groups of a scenario that have a key of that name, as dotted paths; variants count once."""
-    found: dict[str, None] = {}
+    return list(_groups_by_key(root).get(name, ()))
+
+
+@lru_cache(maxsize=8)
+def _groups_by_key(root: type[BaseModel]) -> dict[str, dict[str, None]]:
+    """For each last part of a key the groups that have it; made once: files may hold thousands of errors."""
+    found: dict[str, dict[str, None]] = {}
     for top, field in root.model_fields.items():
         for group in variants(field.annotation):
-            keys = [declared.key for declared in declarations(group, f"{top}.")]
-            found |= {key.rpartition(".")[0]: None for key in keys if key.rpartition(".")[2] == name}
-    return list(found)
+            for declared in declarations(group, f"{top}."):
+                owner, _, name = declared.key.rpartition(".")
+                found.setdefault(name, {})[owner] = None
+    return found
 
 
 def value_text(value: Any) -> str:
