@@ -131,7 +131,7 @@ def test_a_record_is_known_by_its_content(here, barchan):
 
 
 def test_too_few_sectors_are_refused(here, barchan):
-    assert barchan("wind", "--sectors", "8").code != 0
+    assert barchan("wind", "--sectors", "7").code != 0
 
 
 def test_the_key_that_states_the_height_of_a_record_is_named(here, barchan):

@@ -3,7 +3,7 @@ import json
 import pytest
 
 from barchan.errors import ScenarioError
-from barchan.scenario.partial import read_text, salvage
+from barchan.scenario.partial import changes, read_text, salvage
 
 GOOD = {"barchan": 3, "model": {"name": "momiji", "p_s": 0.7}, "wind": {"kind": "steady", "direction": 200}}
 
@@ -29,6 +29,23 @@ def test_a_group_that_lacks_something_is_left_out():
     scenario, problems = salvage(json.dumps({**GOOD, "wind": regimes}), "mine.json")
     assert [p.key for p in problems] == ["wind.regimes[1].direction"]
     assert [regime.direction for regime in scenario.wind.regimes] == [10]
+
+
+def test_every_regime_that_is_right_stays_and_the_loss_of_the_others_is_named():
+    broken = [{"direction": -900, "steps": 80}, {"steps": 0}, {"direction": 90, "steps": 40}]
+    broken += [{"direction": 180, "steps": 80, "directon": 90}]
+    text = json.dumps({**GOOD, "wind": {"kind": "regimes", "regimes": broken}})
+    scenario, _ = salvage(text, "mine.json")
+    assert [(one.direction, one.steps) for one in scenario.wind.regimes] == [(90, 40), (180, 80)]
+    assert changes(text, "mine.json", scenario) == ["wind.regimes: 2 of 4 are used, the others are left out"]
+
+
+def test_a_wind_that_cannot_be_used_at_all_and_its_replacement_are_named():
+    text = json.dumps({**GOOD, "wind": {"kind": "regimes", "regimes": [{"direction": "NNW", "steps": 80}]}})
+    scenario, _ = salvage(text, "mine.json")
+    assert scenario.wind.kind == "steady"
+    said = ["wind: steady, with its defaults, takes the place of regimes, which is left out"]
+    assert changes(text, "mine.json", scenario) == said
 
 
 def test_a_missing_or_unknown_version_is_taken_as_todays():

@@ -118,10 +118,11 @@ MISSING = (
 
 def test_missing_values_are_left_out_and_calms_need_no_direction(tmp_path):
     record = read_record(table(tmp_path, MISSING))
-    assert record.speed.tolist() == [0, 4, 0]
-    assert record.direction.tolist() == [0, 180, 0]
-    assert (record.missing, record.calms) == (5, 2)
-    assert record.seconds == 3 * 3600
+    assert record.speed.tolist() == [4, 0, 4, 4, 4, 0]
+    assert record.without_direction.tolist() == [True, False, True, True, False, False]
+    assert record.direction[~record.without_direction].tolist() == [0, 180, 0]
+    assert (record.missing, record.calms) == (2, 2)
+    assert record.seconds == 6 * 3600
 
 
 def test_what_stands_for_missing_may_be_stated(tmp_path):

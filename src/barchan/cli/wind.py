@@ -35,9 +35,10 @@ def wind(
     view: View = "roses",
     out: Path | None = None,
     supply: Annotated[float | None, Parameter(validator=Number(gte=0))] = None,
-    sectors: Annotated[int, Parameter(validator=Number(gte=16, lte=360))] = 16,
+    sectors: Annotated[int, Parameter(validator=Number(gte=8, lte=360))] = 16,
     by: Literal["month", "season"] | None = None,
     weather: Path | None = None,
+    weather_time_zone: str | None = None,
     save_record: Path | None = None,
     sand: Annotated[SandOptions | None, Parameter(name="*")] = None,
     form: Annotated[FormatOptions | None, Parameter(name="*")] = None,
@@ -58,11 +59,13 @@ def wind(
         Sand spread evenly over the ground (m), for the dunes to expect; by default that of the scenario,
         and for a record both kinds are given.
     sectors
-        Directions of the roses.
+        Directions of the roses, 8 or more.
     by
         Print the drift potential of each month, or of each season, too.
     weather
         A second record, whose temperature and snowfall are joined to a wind record in time.
+    weather_time_zone
+        Zone of the second record's times where they state none, as +01:00 or UTC.
     save_record
         Write the record, or the storms that a scenario makes up, as CSV with temperature and snowfall.
     """
@@ -77,7 +80,7 @@ def wind(
         return
     if _is_record(source):
         height = None if sand is None or sand.height is None else grains.height
-        record = _joined(_read(source, form, height), weather)
+        record = _joined(_read(source, form, height), weather, weather_time_zone)
         subject = _of_record(record, grains, supply, "--height")
     elif weather is not None:
         raise BarchanError(f"--weather: {source} is no wind record; a scenario names one as wind.weather")
@@ -104,12 +107,13 @@ def _read(source: str, form: FormatOptions | None, height: float | None) -> "Win
     return read_record(source, columns)
 
 
-def _joined(record: "WindRecord", weather: Path | None) -> "WindRecord":
+def _joined(record: "WindRecord", weather: Path | None, zone: str | None) -> "WindRecord":
     """A record with the weather of another file, where one is named."""
     from barchan.wind.records.joining import with_weather
     from barchan.wind.records.weather_record import read_weather
 
-    return record if weather is None else with_weather(record, read_weather(weather, RecordFormat()))
+    columns = group_from(RecordFormat, FormatOptions(time_zone=zone))
+    return record if weather is None else with_weather(record, read_weather(weather, columns))
 
 
 def _print(subject: "_Subject", by: Literal["month", "season"] | None, source: str) -> None:
@@ -119,7 +123,7 @@ def _print(subject: "_Subject", by: Literal["month", "season"] | None, source: s
     from barchan.cli.wind_table import drift_rows, part_rows
 
     found, record = subject.found, None if subject.record is None else subject.record.measured
-    for warning in record.warnings if record else ():
+    for warning in (*(record.warnings if record else ()), *found.warnings):
         print_warning(warning)
     if by and record is None:
         raise BarchanError(f"--by {by}: the winds of {source} have no dates")
@@ -159,7 +163,8 @@ class _Subject:
 def _of_record(record: "WindRecord", sand: Saltation, supply: float | None, key: str) -> _Subject:
     """A record over some sand; ``key`` is where the height of its speeds can be stated."""
     from barchan.cli.wind_table import potential_rows, record_rows, weather_rows
-    from barchan.theory.assessment import assess_record, is_annual
+    from barchan.theory.assessment import assess_record
+    from barchan.theory.record_remarks import is_annual
     from barchan.wind.records.summary import height_remarks
 
     measured = record.measured

@@ -1,5 +1,6 @@
 """The measures of a run over its frames, as a table."""
 
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -13,15 +14,27 @@ def write(path: Path, source: Source) -> dict[str, Any]:
 
     series = measure_series(source.dataset, source.scenario)
     clocked = source.seconds(0) is not None
-    headings = ["step", *(["time (s)"] if clocked else [])]
-    headings += [heading(str(name), values.attrs["unit"]) for name, values in series.data_vars.items()]
+    headings = headings_of({str(name): v.attrs["unit"] for name, v in series.data_vars.items()}, clocked)
     rows = []
     for step in source.steps:
         row = series.sel(step=step)
         doubtful = [
             str(name) for name, values in series.data_vars.items() if step in values.attrs["doubtful"]
         ]
-        time = [source.seconds(step)] if clocked else []
-        rows.append([step, *time, *(float(value) for value in row.data_vars.values()), " ".join(doubtful)])
-    write_table(path, [*headings, "doubtful"], rows)
+        values = [float(value) for value in row.data_vars.values()]
+        rows.append(row_of(step, source.seconds(step), values, doubtful))
+    write_table(path, headings, rows)
     return {"measures": {str(name): values.attrs["long_name"] for name, values in series.data_vars.items()}}
+
+
+def headings_of(units: Mapping[str, str], clocked: bool) -> list[str]:
+    """The headings of measures by their units; ``clocked`` where the run knows its time."""
+    measures = [heading(name, unit) for name, unit in units.items()]
+    return ["step", *(["time (s)"] if clocked else []), *measures, "doubtful"]
+
+
+def row_of(
+    step: int, seconds: float | None, values: Iterable[float | None], doubtful: Iterable[str]
+) -> list[Any]:
+    """The row of a step, with its time (s) where that is known, in the order of ``headings_of``."""
+    return [step, *([] if seconds is None else [seconds]), *values, " ".join(doubtful)]

@@ -18,10 +18,13 @@ def write_table(path: Path, headings: Sequence[str], rows: Iterable[Sequence[Any
     with path.open("w", encoding="utf-8", newline="") as file:
         table = csv.writer(file, lineterminator="\n")
         table.writerow(headings)
-        table.writerows([_cell(value) for value in row] for row in rows)
+        table.writerows([cell(value) for value in row] for row in rows)
 
 
-def _cell(value: Any) -> Any:
+def cell(value: Any) -> Any:
+    """A value as a cell of a table: numbers in full, empty where there is none."""
+    if value is None:
+        return ""
     if isinstance(value, float | np.floating):
         return repr(float(value)) if np.isfinite(value) else ""
     return value

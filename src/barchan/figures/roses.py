@@ -55,7 +55,7 @@ def _draw_wind(axes: "PolarAxes", record: WindRecord, threshold: float, count: i
     from cmcrameri import cm
 
     limits = speed_limits(record, threshold)
-    table, calms = wind_rose(record, limits, count)
+    table, calms, unknown = wind_rose(record, limits, count)
     shades = mpl.colormaps.get_cmap(cm.lapaz_r)(np.linspace(0.15, 0.95, table.shape[1]))
     edges = [0.0, *limits]
     names = [f"{low:.3g}–{high:.3g}" for low, high in zip(edges, limits, strict=False)] + [
@@ -65,7 +65,8 @@ def _draw_wind(axes: "PolarAxes", record: WindRecord, threshold: float, count: i
     for column, (colour, name) in enumerate(zip(shades, names, strict=True)):
         bottom = _petals(axes, 100.0 * table[:, column], colour, bottom, f"{name} m/s")
     _scale(axes, table.sum(axis=1))
-    axes.set_title(f"Share of the time (%), calm {100 * calms:.1f} %", fontsize=10, pad=18)
+    variable = f", no direction {100 * unknown:.1f} %" if unknown else ""
+    axes.set_title(f"Share of the time (%), calm {100 * calms:.1f} %{variable}", fontsize=10, pad=18)
     _legend(axes)
 
 

@@ -28,9 +28,11 @@ def salvage(text: str, name: str) -> tuple[Scenario, list[Problem]]:
     data, _, _ = parse(text, name)
     left = first
     while isinstance(data, dict):
-        dropped = [_drop(data, path_of(problem.key)) for problem in left.problems]
-        if not any(dropped):
+        found = {_innermost(data, path_of(problem.key)) for problem in left.problems} - {()}
+        if not found:
             break
+        for path in sorted(found, key=_in_order, reverse=True):  # from the end: an item moves those behind it
+            _drop(data, path)
         try:
             return validate(data, name), first.problems
         except ScenarioError as error:
@@ -38,23 +40,50 @@ def salvage(text: str, name: str) -> tuple[Scenario, list[Problem]]:
     raise first
 
 
-def _drop(data: dict[str, Any], path: Path) -> bool:
-    """Remove a key, or where it is not there the innermost group that should hold it."""
+def changes(text: str, name: str, usable: Scenario) -> list[str]:
+    """What of a text's groups is not in its usable part, and what takes its place, a line each.
+
+    Single values are left to the problems.
+    """
+    data, _, _ = parse(text, name)
+    taken, said = usable.data(), []
+    for group, given in data.items() if isinstance(data, dict) else ():
+        if not isinstance(given, dict) or not isinstance(now := taken.get(group), dict):
+            continue
+        kind, before = now.get("kind", now.get("name")), given.get("kind", given.get("name"))
+        if before is not None and before != kind:
+            said.append(f"{group}: {kind}, with its defaults, takes the place of {before}, which is left out")
+            continue
+        for key, items in given.items():
+            left = now.get(key)
+            if isinstance(items, list) and isinstance(left, list) and len(left) < len(items):
+                said.append(f"{group}.{key}: {len(left)} of {len(items)} are used, the others are left out")
+    return said
+
+
+def _innermost(data: dict[str, Any], path: Path) -> Path:
+    """A path, or that of the innermost group that should hold it; empty for the whole text."""
+    group: Any = data
+    for at, step in enumerate(path):
+        if not _has(group, step):
+            return path if path == ("barchan",) else path[:at]
+        group = group[step]
+    return path
+
+
+def _in_order(path: Path) -> list[str]:
+    return [f"{step:09}" if isinstance(step, int) else step for step in path]
+
+
+def _drop(data: dict[str, Any], path: Path) -> None:
+    """Remove what is at a path; another format's number becomes today's."""
     if path == ("barchan",):
         data["barchan"] = Scenario.model_fields["barchan"].default
-        return True
+        return
     group: Any = data
-    trail = []
-    for step in path:
-        if not _has(group, step):
-            break
-        trail.append((group, step))
+    for step in path[:-1]:
         group = group[step]
-    if not trail:
-        return False
-    owner, last = trail[-1]
-    del owner[last]
-    return True
+    del group[path[-1]]
 
 
 def _has(group: Any, step: str | int) -> bool:

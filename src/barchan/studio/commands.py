@@ -44,6 +44,7 @@ COMMANDS = _table(
     Command("start", "worker", "Start a scenario.", needs_run=False, internal=True),
     Command("open_folder", "worker", "Continue the run in a folder.", needs_run=False, internal=True),
     Command("resume", "worker", "Continue from a kept state.", needs_run=False, internal=True),
+    Command("take_back", "worker", "Return to the run that was set aside for a pair.", internal=True),
     Command("keep", "worker", "Let the server keep the newest state.", internal=True),
     Command("save_folder", "worker", "Save the run into a folder.", internal=True),
     Command("export_to", "worker", "Write kept states for another program.", internal=True),
@@ -77,8 +78,8 @@ COMMANDS = _table(
     Command("inspect", "worker", "Ask what a file of the session's folder holds: heights, or a record."),
     Command("strata", "worker", "Ask for the layers of the bed along a line, as it is looked at."),
     Command("create", "session", "Start a scenario, in both runs where two are compared.", needs_run=False),
-    Command("compare", "session", "Start a second run with another model, or another value of one key."),
-    Command("alone", "session", "End the second run.", needs_run=False),
+    Command("compare", "session", "Set the run aside; start it and another model, or value, beside."),
+    Command("alone", "session", "End the second run; return to the run as it was.", needs_run=False),
     Command("share_look", "session", "Show those who watch the surface in the same way.", needs_run=False),
     Command(
         "revive",

@@ -10,21 +10,23 @@ from numpy.typing import NDArray
 from barchan.aeolian.saltation import Saltation
 from barchan.scenario import Scenario
 from barchan.theory.crests import Crest, bed_instability, elongation, gross_transport
-from barchan.theory.drift import KNOT, THRESHOLD, Drift, drift_of, drift_potential, sand_flux
+from barchan.theory.drift import (
+    KNOT,
+    THRESHOLD,
+    Drift,
+    drift_of,
+    drift_potential,
+    sand_flux,
+)
 from barchan.theory.dune_types import dune_type
+from barchan.theory.record_remarks import doubts_of, is_annual, record_remarks, undirected_remarks
 from barchan.theory.variability import Variability, variability
-from barchan.wind.clock import DAY, YEAR, spoken
+from barchan.wind.clock import YEAR
 from barchan.wind.interval import WindInterval
 from barchan.wind.records import WindRecord
 
 FRYBERGER_HEIGHT = 10.0
 """Height (m) at which drift potential takes the wind."""
-
-SHORTEST_YEAR = 350.0
-"""Days from which on a record counts as annual."""
-
-LONGEST_MEAN = 6 * 3600.0
-"""Duration of a row (s) above which a mean hides too much of the wind."""
 
 MOST_STEPS = 10_000
 """Steps of a scenario whose winds are looked at."""
@@ -48,6 +50,8 @@ class Assessment:
     """Threshold of the drift potential (knots at 10 m)."""
     remarks: tuple[str, ...] = ()
     """What the record cannot tell."""
+    warnings: tuple[str, ...] = ()
+    """What makes the wind implausible."""
 
     @property
     def moves(self) -> bool:
@@ -80,8 +84,13 @@ def assess_record(record: WindRecord, sand: Saltation, supply: float | None = No
     """
     high = at_ten_metres(record, sand)
     threshold = _threshold_of(sand)
-    found = assess(sand_flux(record, sand), drift_potential(high, threshold), supply)
-    return replace(found, threshold=threshold, remarks=tuple(_remarks(record)))
+    potential = drift_potential(high, threshold)
+    found = assess(sand_flux(record, sand), potential, supply)
+    doubts = doubts_of(potential.total) if is_annual(record) else ()
+    warnings = () if record.unit_stated else doubts
+    said = doubts if record.unit_stated else ()
+    remarks = (*record_remarks(record), *undirected_remarks(high, threshold), *said)
+    return replace(found, threshold=threshold, remarks=remarks, warnings=warnings)
 
 
 def _threshold_of(sand: Saltation) -> float:
@@ -98,28 +107,6 @@ def at_ten_metres(record: WindRecord, sand: Saltation) -> WindRecord:
 def _up(sand: Saltation) -> float:
     """The speed at 10 m over that at the height of the sand's law."""
     return math.log(FRYBERGER_HEIGHT / sand.roughness_length) / math.log(sand.height / sand.roughness_length)
-
-
-def is_annual(record: WindRecord) -> bool:
-    """Whether a record covers a year, so that its drift potential is annual."""
-    return float(record.time[-1] + record.duration[-1]) >= SHORTEST_YEAR * DAY
-
-
-def _remarks(record: WindRecord) -> list[str]:
-    said = []
-    if not is_annual(record):
-        covered = (record.time[-1] + record.duration[-1]) / DAY
-        said.append(
-            f"the record spans {covered:.3g} days: its drift potential is that of these days, not of a year"
-        )
-    usual = float(np.median(record.duration))
-    if usual > LONGEST_MEAN:
-        said.append(
-            f"rows stand for {spoken(usual)} each; means over so long hide strong winds, and the drift "
-            f"potential "
-            "comes out too low"
-        )
-    return said
 
 
 def scenario_supply(scenario: Scenario) -> float:

@@ -86,10 +86,22 @@ def drift_potential(record: WindRecord, threshold: float = THRESHOLD) -> Drift:
     U² (U - U_t) t above the threshold, U in knots and t the share of the time: Fryberger & Dean (1979), USGS
     Prof. Pap. 1052, 137. Each row has its own weight, so there is no bias from classes of speed.
     """
+    amounts = _directed(record, _potential(record, threshold))
+    return Drift(record.direction, amounts, "VU", record.direction_width)
+
+
+def undirected_share(record: WindRecord, threshold: float = THRESHOLD) -> float:
+    """Share of the drift potential that winds without a known direction have; 0 where there is none."""
+    amounts = _potential(record, threshold)
+    return float(amounts[record.without_direction].sum()) / max(float(amounts.sum()), 1e-300)
+
+
+def _potential(record: WindRecord, threshold: float) -> NDArray[np.float64]:
+    """Drift potential (VU) of each row."""
     speed = record.speed / KNOT
     weight = np.where(speed > threshold, speed**2 * (speed - threshold), 0.0)
-    share = record.duration / record.seconds
-    return Drift(record.direction, weight * share, "VU", record.direction_width)
+    amounts: NDArray[np.float64] = weight * record.duration / record.seconds
+    return amounts
 
 
 def sand_flux(record: WindRecord, sand: Saltation) -> Drift:
@@ -99,7 +111,24 @@ def sand_flux(record: WindRecord, sand: Saltation) -> Drift:
     """
     share = record.duration / record.seconds
     flux = sand.volume_flux(sand.at_own_height(record.speed, record.height))
-    return Drift(record.direction, flux * share * YEAR, "m²/yr", record.direction_width)
+    amounts = _directed(record, flux * share * YEAR)
+    return Drift(record.direction, amounts, "m²/yr", record.direction_width)
+
+
+def _directed(record: WindRecord, amounts: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Amounts by row, those of winds without a direction shared over the others in proportion to theirs.
+
+    So all sand counts in the total, and the unknown directions change no share and no resultant of the
+    known ones. Where no wind with a direction moves sand, those without keep the direction before them.
+    """
+    known = np.where(record.without_direction, 0.0, amounts)
+    total = float(known.sum())
+    return known * (float(amounts.sum()) / total) if total > 0.0 else amounts
+
+
+HIGHEST = 5000.0
+"""Drift potential (VU) of a year above which a wind is doubted, a limit of ours: 12 times that from which on
+Fryberger & Dean (1979) call the energy high. A steady wind of 11 m/s has it."""
 
 
 def energy(potential: float) -> str:

@@ -9,7 +9,7 @@ from barchan.theory.drift import Drift
 from barchan.wind.records import WindRecord
 
 SECTORS = 16
-"""Directions of a rose; fewer hide the variation of the wind."""
+"""Directions of a rose."""
 
 CLASSES = 5
 """Classes of speed in a wind rose."""
@@ -56,18 +56,18 @@ def sand_rose(drift: Drift, count: int = SECTORS) -> NDArray[np.float64]:
 
 def wind_rose(
     record: WindRecord, limits: Sequence[float], count: int = SECTORS
-) -> tuple[NDArray[np.float64], float]:
-    """Shares of the time by sector (row) and class of speed (column), and the share of calms.
+) -> tuple[NDArray[np.float64], float, float]:
+    """Shares of the time by sector (row) and class of speed (column); of calms; of winds without a direction.
 
-    ``limits`` (m/s) part the classes: below the first, between them, and from the last on. Directions
-    are shared
-    over what they stand for, as in ``sector_sums``.
+    ``limits`` (m/s) part the classes: below the first, between them, and from the last on. Directions are
+    shared over what they stand for, as in ``sector_sums``.
     """
-    blows = record.speed > 0.0
+    unknown = record.without_direction
+    blows = (record.speed > 0.0) & ~unknown
     share = record.duration / record.seconds
     group = np.searchsorted(np.asarray(limits), record.speed, side="right")
     columns = []
     for number in range(len(limits) + 1):
         these = blows & (group == number)
         columns.append(sector_sums(record.direction[these], share[these], record.direction_width, count))
-    return np.stack(columns, axis=1), float(share[~blows].sum())
+    return np.stack(columns, axis=1), record.calm_share, float(share[unknown].sum())

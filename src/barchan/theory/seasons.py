@@ -61,13 +61,7 @@ def _part(
         these = month == number
         if not these.any():
             continue
-        some = replace(
-            record,
-            time=record.time[these],
-            duration=record.duration[these],
-            speed=record.speed[these],
-            direction=record.direction[these],
-        )
+        some = record.picked(these)
         drift = drift_potential(some, threshold)
         drifts.append(replace(drift, amount=drift.amount * (_DAYS[number] * DAY / YEAR)))
         seconds += some.seconds

@@ -242,6 +242,27 @@ def test_two_models_run_step_by_step_on_the_same_ground(served):
     assert seeds["a"] == seeds["b"]
 
 
+@pytest.mark.extended
+def test_alone_again_leads_back_to_the_run_that_was_compared_and_both_can_be_saved(served):
+    with served.browser() as browser:
+        browser.until_frame(lambda status: status["step"] >= 20)
+        browser.send("pause")
+        before = browser.until_frame(lambda status: not status["running"])[0]["status"]["step"]
+        browser.send("bookmark", bookmarks=[{"id": "m", "name": "horns"}])
+        browser.send("compare", model="momiji")
+        browser.until(lambda head, _: head.get("run") == "b" and head.get("status", {}).get("step", 0) > 10)
+        browser.send("pause")
+        for number, run in enumerate("ab"):
+            browser.send("save", run=run, name=f"saved-{run}", id=number)
+        saved = [browser.until_message("done")["step"] for _ in "ab"]
+        browser.send("alone")
+        scenario = browser.until_message("scenario", run="a", branch=1)
+        after = browser.until_frame(lambda status: status["step"] == before)[0]["status"]
+    assert saved[0] == saved[1]
+    assert [one["name"] for one in scenario["bookmarks"]] == ["horns"]
+    assert not after["running"]
+
+
 def test_the_line_needs_token_host_and_origin(served):
     for options in (
         {"additional_headers": {"Host": "evil.example"}},

@@ -115,5 +115,5 @@ def test_the_states_of_a_run_that_was_given_up_are_not_measured(scenario):
     first = started(scenario, desk)
     run_to(first, 40)
     second = started(small(), desk)
-    desk.keep_only(second.measures.number)
+    desk.keep_only({second.measures.number})
     assert desk.pending == 1

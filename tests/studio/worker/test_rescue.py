@@ -62,7 +62,7 @@ def test_a_request_for_which_memory_is_lacking_is_refused_and_the_run_goes_on(be
     def lacking(*_):
         raise MemoryError("Unable to allocate 32.0 GiB")
 
-    monkeypatch.setattr("barchan.studio.worker.commands.started", lacking)
+    monkeypatch.setattr("barchan.studio.worker.beginnings.started", lacking)
     bench.send("start", scenario=small().data(), id=5, number=2)
     messages = bench.messages("refused")
     assert messages[0]["id"] == 5

@@ -111,8 +111,8 @@ def test_directions_that_the_wind_goes_to_are_turned(tmp_path):
 def test_codes_for_missing_values_are_those_of_the_file_s_own_unit(tmp_path):
     path = series(tmp_path, ws=([10.0, 999, 20, 30], {"units": "knots"}), wd=([10.0, 20, -9999, 40], WAYS))
     record = read_record(path)
-    np.testing.assert_allclose(record.speed, np.array([10, 30]) * 1852 / 3600)
-    assert record.missing == 2
+    np.testing.assert_allclose(record.speed, np.array([10, 20, 30]) * 1852 / 3600)
+    assert (record.missing, record.without_direction.tolist()) == (1, [False, True, False])
     path = series(tmp_path, u10=([3.0, 77, 0, 4], {"units": "m/s"}), v10=([4.0, 1, 5, 77], {"units": "m/s"}))
     assert read_record(path, RecordFormat(missing=[77.0])).speed.tolist() == [5, 5]
 

@@ -69,7 +69,8 @@ def test_a_weather_record_may_be_a_point_of_a_grid(tmp_path):
         "PRECSNO": ("time", np.full(4, 1 / 3600), {"units": "kg m-2 s-1"}),
     }
     xr.Dataset(fields, coords={"time": time}).to_netcdf(tmp_path / "point.nc", engine="h5netcdf")
-    found = joined(winds(tmp_path / "wind.csv", range(4)), tmp_path / "point.nc")
+    wind = read_record(winds(tmp_path / "wind.csv", range(4)), RecordFormat(time_zone="UTC"))
+    found = with_weather(wind, read_weather(tmp_path / "point.nc", RecordFormat()))
     np.testing.assert_allclose(found.temperature, -10.0)
     np.testing.assert_allclose(found.snowfall * 3600, 1.0)
 

@@ -101,7 +101,7 @@ def test_rows_that_are_there_twice_are_dropped_and_counted(tmp_path):
     record = read_record(table(tmp_path, "\n".join([head, rows[0], rows[0], rows[1], rows[2], rows[2]])))
     assert is_plain(record)
     assert record.duplicates == 2
-    assert "rows of a time that was already there: 2 dropped" in record.remarks
+    assert "of several rows of one time the first with a wind is kept: 2 dropped" in record.remarks
 
 
 def test_other_winds_for_many_times_are_refused(tmp_path):
@@ -151,12 +151,13 @@ def test_a_word_that_is_no_point_of_the_compass_is_refused(tmp_path):
         read_record(table(tmp_path, PLAIN.replace(",90", ",ONO")))
 
 
-def test_calm_in_words_is_a_calm_and_variable_winds_are_missing(tmp_path):
+def test_calm_in_words_is_a_calm_and_variable_winds_have_no_direction(tmp_path):
     rows = ["00:00,Calm,N", "01:00,,Calm", "02:00,0,C", "03:00,4,VRB", "04:00,4,90"]
     text = "time,speed (m/s),direction\n" + "\n".join(f"2024-01-01T{row}" for row in rows)
     record = read_record(table(tmp_path, text))
-    assert record.speed.tolist() == [0, 0, 0, 4]
-    assert (record.calms, record.missing) == (3, 1)
+    assert record.speed.tolist() == [0, 0, 0, 4, 4]
+    assert (record.calms, record.missing) == (3, 0)
+    assert record.without_direction.tolist() == [False, False, False, True, False]
 
 
 @pytest.mark.parametrize(

@@ -5,6 +5,9 @@ import re
 import numpy as np
 import pytest
 
+from barchan.aeolian import Saltation
+from barchan.theory.assessment import assess_record
+from barchan.wind.records import read_record
 from tests.wind.records.known import read_potential, winds
 
 SPEEDS, DIRECTIONS = winds()
@@ -41,3 +44,25 @@ def test_the_step_in_which_directions_are_reported_is_noticed(tmp_path, step, wi
     ways = (np.arange(360) * step) % 360.0
     ways = ways[: int(360 / step)].repeat(9)
     assert read(tmp_path, [5.0] * len(ways), ways.tolist()).direction_width == width
+
+
+@pytest.mark.parametrize("unit", ["", " (m/s)"])
+def test_hourly_means_of_hurricanes_are_doubted_aloud_unless_the_unit_is_stated(tmp_path, unit):
+    speeds = [*SPEEDS[1:].tolist(), 50.0]
+    record = read(tmp_path, speeds, DIRECTIONS.tolist(), f"time (h),speed{unit},direction")
+    loud, noted = (record.remarks, record.warnings)[:: 1 if unit else -1]
+    assert any("a mean over 60 min, is 50.0 m/s; more than 45 m/s" in said for said in loud)
+    assert not any("50.0" in said for said in noted)
+
+
+@pytest.mark.parametrize("unit", ["", " (m/s)"])
+def test_a_drift_potential_beyond_all_dunes_is_doubted(tmp_path, unit):
+    """A steady 12 m/s is 23.3 kn: 23.3² (23.3 - 12) = 6164 VU."""
+    hours = range(0, 366 * 24, 3)
+    (tmp_path / "wind.csv").write_text(
+        "\n".join([f"time (h),speed{unit},direction", *(f"{k},{12 + k % 2 / 10},270" for k in hours)])
+    )
+    found = assess_record(read_record(tmp_path / "wind.csv"), Saltation())
+    loud, quiet = (found.remarks, found.warnings)[:: 1 if unit else -1]
+    assert any("more than 5000 VU are hardly possible" in said for said in loud)
+    assert not any("5000 VU" in said for said in quiet)

@@ -140,7 +140,9 @@ export class App {
   /** Start a scenario; ``changed`` where it came of the one that runs. Throws where it is refused. */
   async begin(scenario: JsonObject, running = true, changed = false): Promise<void> {
     await this.connection.ask({ command: "create", scenario, running, changed, run: this.selected });
-    if (!changed) this.restarts.length = 0;
+    if (changed) return;
+    this.restarts.length = 0;
+    this.notices.dismissAll(); // they are of the scenario before
   }
 
   /** Say why something was refused, at the places that it concerns. */

@@ -53,9 +53,9 @@ export type CommandName =
   | "strata"
   /** Start a scenario, in both runs where two are compared. */
   | "create"
-  /** Start a second run with another model, or another value of one key. */
+  /** Set the run aside; start it and another model, or value, beside. */
   | "compare"
-  /** End the second run. */
+  /** End the second run; return to the run as it was. */
   | "alone"
   /** Show those who watch the surface in the same way. */
   | "share_look"

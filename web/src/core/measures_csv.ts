@@ -1,16 +1,22 @@
 /** Measures as a table of text. */
 
-import type { Row } from "./protocol";
 import type { Run } from "./run";
 
-/** One row for each fixed step; of two runs one below the other, each named by its letter and its model. */
-export function measuresCsv(tables: { run: Run; rows: Row[] }[]): string {
-  const names = [...new Set(tables.flatMap(({ run }) => run.description!.measures.map((measure) => measure.name)))];
+/** The table of a run, as `barchan export` writes it. */
+export interface MeasuresTable {
+  run: Run;
+  headings: string[];
+  rows: string[][];
+}
+
+/** The rows of one run, or those of two below each other, each named by its letter and its model. */
+export function measuresCsv(tables: MeasuresTable[]): string {
+  const headings = [...new Set(tables.flatMap((table) => table.headings))];
   const several = tables.length > 1;
-  const head = [...(several ? ["run", "model"] : []), "step", ...names];
-  const lines = tables.flatMap(({ run, rows }) => {
+  const lines = tables.flatMap(({ run, headings: own, rows }) => {
     const said = several ? [run.name.toUpperCase(), run.description!.model.name] : [];
-    return rows.map((row) => [...said, row.step, ...names.map((name) => row.values[name] ?? "")].join());
+    const places = headings.map((heading) => own.indexOf(heading));
+    return rows.map((row) => [...said, ...places.map((place) => row[place] ?? "")].join());
   });
-  return `${[head.join(), ...lines].join("\n")}\n`;
+  return `${[[...(several ? ["run", "model"] : []), ...headings].join(), ...lines].join("\n")}\n`;
 }

@@ -5,6 +5,7 @@ import type { Progress } from "../core/connection";
 import { type KeptFile, keepFile } from "../core/kept_file";
 import { problemText } from "../core/notices";
 import type { JsonObject, Problem } from "../core/protocol";
+import { savedNames } from "../core/run";
 import type { Stage } from "../scene/stage";
 import { type Submit, dialog, formDialog, working } from "./dialog";
 import { download, h } from "./dom";
@@ -103,19 +104,21 @@ export class Files {
     for (const problem of problems) this.app.notices.note("error", problemText(problem), problem.key, false);
     if (scenario && !problems.length) {
       if (await this.app.create(scenario)) this.app.note("info", `Loaded ${name}.`);
-    } else this.offer(name, problems, scenario);
+    } else this.offer(name, problems, scenario, answer.changes as string[] | undefined);
   }
 
   /** List what is wrong with a scenario, and load the rest of it where that is asked for. */
-  offer(name: string, problems: Problem[], scenario: JsonObject | null): void {
+  offer(name: string, problems: Problem[], scenario: JsonObject | null, changes: string[] = []): void {
     const rest = async () => {
       sheet.close();
-      if (await this.app.create(scenario!)) this.app.note("warning", `Loaded ${name} without what was wrong.`);
+      if (await this.app.create(scenario!)) this.app.note("warning", [`Loaded ${name} without what was wrong`, ...changes].join("; ") + ".");
     };
     const sheet: HTMLDialogElement = dialog(
       `${name}: ${problems.length === 1 ? "1 problem" : `${problems.length} problems`}`,
       "small",
       h("ul", { className: "problems" }, ...problems.map((problem) => h("li", {}, problemText(problem)))),
+      scenario !== null && changes.length > 0 && h("p", {}, "Loaded without what is wrong, the scenario is another one than the file says:"),
+      scenario !== null && changes.length > 0 && h("ul", { className: "problems" }, ...changes.map((one) => h("li", {}, one))),
       h(
         "div",
         { className: "buttons" },
@@ -192,15 +195,24 @@ export class Files {
 
   private saveRun(): void {
     const name = h("input", { type: "text", value: `run-${new Date().toISOString().slice(0, 16).replaceAll(/[T:]/g, "-")}`, "aria-label": "Name of the run" });
+    const pair = this.app.runs.length > 1;
     const save: Submit = async (progress, signal) => {
-      const answer = await this.app.connection.ask({ command: "save", name: name.value, run: this.app.selected }, progress, signal);
-      this.app.note("info", `Saved ${answer.frames} frames up to step ${answer.step} as ${name.value}.`);
+      const goesOn = pair && this.app.running;
+      if (pair) this.app.send({ command: "pause" }); // both meet there, so both are saved at the same step
+      const saved = savedNames(name.value, this.app.runs).map(async ([run, as]) => {
+        const answer = await this.app.connection.ask({ command: "save", name: as, run: run.name }, progress, signal);
+        this.app.note("info", `Saved ${answer.frames} frames up to step ${answer.step} as ${as}.`);
+      });
+      if (goesOn) this.app.send({ command: "run" });
+      const refused = (await Promise.allSettled(saved)).find((one) => one.status === "rejected");
+      if (refused) throw refused.reason;
     };
     formDialog(
       "Save the run",
       "save",
       save,
       h("p", {}, "A folder with the scenario, the states that are kept, and all it takes to go on; the command line reads it too."),
+      pair && h("p", { className: "hint" }, "Both runs are saved, each as a run of its own whose name ends in its model."),
       h("div", { className: "row" }, h("label", {}, "name ", name)),
     );
     name.select();

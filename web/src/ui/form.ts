@@ -178,7 +178,7 @@ function besideButton(context: FormContext, entry: Entry, name: string, value: J
   const { beside } = context;
   const other = otherValue(entry, value);
   if (!beside || other === null || path[0] !== "model" || path.length !== 2) return false;
-  const label = `Show ${labelOf(name)} ${shown(value)} and ${shown(other)} side by side`;
+  const label = `Show ${labelOf(name)} ${shown(value)} and ${shown(other)} side by side; both start at step 0, and ‘alone again’ leads back to the run as it is now`;
   return h("button", { type: "button", className: "beside", title: label, "aria-label": label, onclick: () => beside(context.keyOf(path), other) }, icon("beside"));
 }
 

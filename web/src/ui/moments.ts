@@ -64,9 +64,14 @@ export class Moments {
     this.list.replaceChildren(...list.map((bookmark) => this.row(bookmark)));
   }
 
+  /** What coloured the surface, in words: fields have short names of their own. */
+  private colours(name: string): string {
+    return this.app.current?.description?.fields.find((field) => field.name === name)?.meaning ?? labelOf(name);
+  }
+
   private row(bookmark: Bookmark): HTMLElement {
     const branches = this.app.current!.description!.branches.length > 1 && `branch ${bookmark.branch}`;
-    const facts = [`step ${short(bookmark.step, 9)}`, branches, labelOf(bookmark.colour_by)].filter(Boolean).join(" · ");
+    const facts = [`step ${short(bookmark.step, 9)}`, branches, this.colours(bookmark.colour_by)].filter(Boolean).join(" · ");
     return h(
       "li",
       {},

@@ -2,6 +2,7 @@
 
 import type { App } from "../core/app";
 import type { Json, JsonObject } from "../core/protocol";
+import { compare } from "./compare";
 import { type Schema, at, entryOf, replaced } from "../core/schema";
 import { nameBeside } from "../core/run";
 import { h, id, later } from "./dom";
@@ -99,7 +100,7 @@ export class Panel {
 
   /** Run another value beside; the panel then shows the parameters of the right one. */
   private async beside(key: string, value: Json): Promise<void> {
-    if (!(await this.app.ask({ command: "compare", key, value }))) return;
+    if (!(await compare(this.app, { key, value }))) return;
     this.app.selected = "b";
     this.app.changed.send();
   }

@@ -38,7 +38,7 @@ async function offer(app: App, files: Files, link: string): Promise<void> {
   const answer = await app.connection.ask({ command: "check", name: NAME, text });
   const problems = answer.problems as unknown as Problem[];
   if (!problems.length && answer.scenario) show(app, answer.scenario as JsonObject);
-  else files.offer(NAME, problems, answer.scenario as JsonObject | null);
+  else files.offer(NAME, problems, answer.scenario as JsonObject | null, answer.changes as string[] | undefined);
 }
 
 function show(app: App, scenario: JsonObject): void {

@@ -50,7 +50,7 @@ export class Tour {
         done: () => (status()?.step ?? 0) >= GROWN,
       },
       {
-        text: "Turn the wind: drag the head of the dial in the panel, or let it be turned by a right angle.",
+        text: `Turn the wind: ${this.steady ? "drag the head of the dial in the panel, or let it be turned by a right angle." : "the winds in the panel blow one after the other; let a steady one take their place, turned by a right angle."}`,
         label: `turn it by ${TURN}°`,
         act: () => this.turn(),
         done: () => Math.abs(((((status()?.wind ?? 0) - this.windAtStart) % 360) + 540) % 360 - 180) > 30,
@@ -85,11 +85,16 @@ export class Tour {
   }
 
   /** The wind turned by a right angle; a wind of several regimes becomes one of a single direction. */
+  private get steady(): boolean {
+    return (this.app.current?.description?.scenario.wind as { kind?: string } | undefined)?.kind === "steady";
+  }
+
   private turn(): void {
     const direction = ((this.app.current?.status?.wind ?? 0) + TURN) % 360;
     const wind = this.app.current?.description?.scenario.wind as { kind?: string } | undefined;
     const steady = wind?.kind === "steady" ? wind : { kind: "steady" };
     void this.app.ask({ command: "wind", wind: { ...steady, direction } });
+    this.app.note("info", `A steady wind blows from ${Math.round(direction)}° now.`);
   }
 
   private follow(): void {

@@ -4,8 +4,8 @@ import uPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
 import type { App } from "../core/app";
 import { centreOf, named, nearest } from "../core/crests";
-import { measuresCsv } from "../core/measures_csv";
-import type { Measure, Row } from "../core/protocol";
+import { type MeasuresTable, measuresCsv } from "../core/measures_csv";
+import type { Measure } from "../core/protocol";
 import { BalanceTable } from "./balance";
 import { download, button, h, short, themeColour } from "../ui/dom";
 
@@ -56,7 +56,7 @@ export class SeriesView {
     const { runs } = this.app;
     const answers = await Promise.all(runs.map((run) => this.app.ask({ command: "measured", run: run.name })));
     if (answers.includes(null)) return;
-    const tables = answers.map((answer, at) => ({ run: runs[at]!, rows: answer!.rows as unknown as Row[] }));
+    const tables = answers.map((answer, at) => ({ ...(answer as unknown as Omit<MeasuresTable, "run">), run: runs[at]! }));
     download("measures.csv", measuresCsv(tables));
   }
 

@@ -35,6 +35,11 @@ class KeptStates:
         if not resumed:
             self._by_run.pop(run, None)
 
+    def newest(self, run: str) -> bytes | None:
+        """The state of a run that was kept last; None where there is none."""
+        kept = list(self._by_run.get(run, {}).values())
+        return kept[-1] if kept else None
+
     def forget(self, run: str) -> None:
         """A run was ended."""
         self._by_run.pop(run, None)

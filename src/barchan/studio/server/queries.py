@@ -5,7 +5,7 @@ from typing import Any
 
 from barchan.errors import BarchanError, ScenarioError
 from barchan.scenario import FORMAT, load_scenario, preset_names, validate
-from barchan.scenario.partial import salvage
+from barchan.scenario.partial import changes, salvage
 from barchan.scenario.source_map import parse
 from barchan.studio.commands import Handlers
 from barchan.studio.protocol import Request
@@ -23,7 +23,11 @@ def check(workspace: Workspace, request: Request) -> dict[str, Any]:
         scenario, problems = salvage(text, name)
     except ScenarioError as error:
         return {"scenario": None, "problems": [vars(problem) for problem in error.problems]}
-    return {"scenario": scenario.data(), "problems": [vars(problem) for problem in problems]}
+    return {
+        "scenario": scenario.data(),
+        "problems": [vars(problem) for problem in problems],
+        "changes": changes(text, name, scenario) if problems else [],
+    }
 
 
 @QUERIES.handles("preset")

@@ -18,6 +18,7 @@ from barchan.studio.protocol import (
     numbered,
     read_request,
 )
+from barchan.studio.server.aside import Aside
 from barchan.studio.server.audience import Audience, Viewer
 from barchan.studio.server.films import Films
 from barchan.studio.server.kept_states import KeptStates
@@ -44,6 +45,7 @@ class Session:
         """The scenario of each worker, as changes during the run have left it."""
         self.starts = Starts()
         self.kept = KeptStates()
+        self.aside = Aside(self)
         self.lockstep: Lockstep | None = None
         self._keeping: asyncio.TimerHandle | None = None
         self.audience = Audience()
@@ -233,9 +235,12 @@ class Session:
         """A worker has begun a run, or refused to."""
         start = self.starts.answered(name, content["number"])
         if content["ok"]:
+            if name == FIRST and start is not None and start.request is not None:
+                self.aside.begun(name, start.request)
             self.kept.begun(name, content["number"], resumed=start is not None and start.request is None)
         elif name == SECOND and SECOND not in self.scenarios:
             self.end_second()
+            self.aside.take_back(FIRST)
 
     def begin(
         self, scenarios: dict[str, dict[str, Any]], running: bool, answering: dict[str, Request] | None = None

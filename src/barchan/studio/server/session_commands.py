@@ -37,22 +37,27 @@ def create(session: "Session", request: Request) -> None:
 def compare(session: "Session", request: Request) -> None:
     """Run another model, or another value of a parameter, beside: the same ground, wind and seed.
 
-    The model that runs already begins with the values that it has; any other with its defaults.
+    Both begin at step 0. The run that was alone is set aside, to be taken back by ``alone``. The model that
+    runs already begins with the values that it has; any other with its defaults.
     """
     first = session.scenarios[FIRST]
     if "key" in request:
         second = validate(with_value(first, str(request["key"]), request["value"])).data()
     else:
         second = validate({**first, "model": _model_beside(first, request["model"])}).data()
-    beside = {SECOND: {"origin": first, **_id_of(request)}, FIRST: {"changed": True}}
+    from_one = session.lockstep is None
+    if from_one:
+        session.workers[FIRST].send("keep")
+    beside = {SECOND: {"origin": first, **_id_of(request)}, FIRST: {"changed": True, "aside": from_one}}
     session.begin({FIRST: first, SECOND: second}, True, beside)
     session.report_runs()
 
 
 @SESSION.handles("alone")
 def alone(session: "Session", _: Request) -> None:
-    """End the second simulation."""
+    """End the second simulation, and return to the run that was set aside for the comparison."""
     session.end_second()
+    session.aside.take_back(FIRST)
 
 
 @SESSION.handles("share_look")
@@ -67,17 +72,25 @@ def revive(session: "Session", request: Request) -> None:
     if request.get("kept") is not None:
         session.resume(int(request["kept"]))
     elif session.scenarios:
-        session.begin(dict(session.scenarios), running=True)
+        again: dict[str, Request] = {name: {"changed": True} for name in session.scenarios}
+        session.begin(dict(session.scenarios), True, again)
     else:
         session.start_run(FIRST, session.first)
 
 
 @SESSION.handles("save")
 def save(session: "Session", request: Request) -> None:
-    """Save a run as an archive in the session's folder."""
+    """Save a run as an archive in the session's folder; one of two that are compared where they meet next."""
     folder = session.workspace.new_run(str(request["name"]))
     worker = session.workers[request.get("run") or FIRST]
-    worker.send("save_folder", folder=str(folder), id=request.get("id"))
+
+    def write() -> None:
+        worker.send("save_folder", folder=str(folder), id=request.get("id"))
+
+    if session.lockstep is None:
+        write()
+    else:
+        session.lockstep.meet(write)
 
 
 @SESSION.handles("export")

@@ -24,6 +24,8 @@ class WorkerHandle:
         context = multiprocessing.get_context("spawn")
         self.name = name
         self.closing = False
+        self.holds_aside = False
+        """Whether it holds a run that was set aside for two that are compared."""
         self._on_data, self._on_exit = on_data, on_exit
         self._loop = asyncio.get_running_loop()
         self._connection, theirs = context.Pipe()

@@ -6,6 +6,7 @@ from typing import Any, Protocol
 
 from barchan.errors import BarchanError
 from barchan.studio.protocol import ANSWERED
+from barchan.studio.worker.measures_table import measures_table
 from barchan.studio.worker.run import StudioRun
 
 Count = Callable[[int, int], None]
@@ -55,7 +56,7 @@ class AllMeasured:
             raise BarchanError("another run or branch was begun before all steps were measured")
         rows = self._measures.up_to(self._last)
         self.done, self.of = len(rows), max(len(rows) + self._current().desk.pending, 1)
-        return {"rows": rows} if self._measures.has(self._last) else None
+        return measures_table(self._current().live.scenario, rows) if self._measures.has(self._last) else None
 
 
 class Background:

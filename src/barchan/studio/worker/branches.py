@@ -38,6 +38,16 @@ class Branches:
         return self._kept[-1].number
 
     @property
+    def began(self) -> int:
+        """The step at which the branch that the run is on branched off."""
+        return self._kept[-1].began
+
+    @property
+    def series(self) -> set[int]:
+        """The numbers of the series of all branches at the desk where states are measured."""
+        return {branch.measures.number for branch in self._kept}
+
+    @property
     def numbers(self) -> list[int]:
         """The numbers of all branches that are kept."""
         return [branch.number for branch in self._kept]
@@ -48,10 +58,12 @@ class Branches:
         now.simulation, now.history, now.measures = simulation, history, measures
         history.fit(BUDGET // MOST)
 
-    def add(self, simulation: Simulation, history: History, measures: LiveMeasures) -> None:
-        """Begin a branch with a simulation that has this past."""
+    def add(
+        self, simulation: Simulation, history: History, measures: LiveMeasures, began: int | None = None
+    ) -> None:
+        """Begin a branch with a simulation that has this past; it began now, or at a step."""
         self._numbered += 1
-        began = simulation.steps_done
+        began = simulation.steps_done if began is None else began
         self._kept = [
             *self._kept[-MOST + 1 :],
             Branch(self._numbered, began, simulation, history, measures),

@@ -1,26 +1,19 @@
 """The commands that a worker carries out, one method each."""
 
 from collections.abc import Callable
-from pathlib import Path
 from typing import Any
 
 from barchan.errors import BarchanError
-from barchan.scenario import Scenario, validate
-from barchan.scenario.changes import changed_from
+from barchan.scenario import Scenario
 from barchan.simulation import AnyStroke, BrushStroke, SetParameter, SetWind, event_from
 from barchan.studio.commands import command_of
 from barchan.studio.protocol import Request
-from barchan.studio.worker import bookmark_commands, questions  # noqa: F401 - register what they carry out
+from barchan.studio.worker import beginnings, bookmark_commands, questions  # noqa: F401 - register what they carry out
 from barchan.studio.worker.description import description
 from barchan.studio.worker.desk import Desk
 from barchan.studio.worker.frame_sender import FrameSender
 from barchan.studio.worker.handlers import WORKER, Answer
-from barchan.studio.worker.rescue import from_bytes
-from barchan.studio.worker.run import StudioRun, started
-from barchan.studio.worker.saved_runs import open_saved_run
-
-BEGINNINGS = ("start", "open_folder", "resume")
-"""Commands that begin another run."""
+from barchan.studio.worker.run import StudioRun
 
 UNSEEN = ("confirm", "keep", "break_off")
 """Commands that change nothing that a frame shows."""
@@ -38,6 +31,8 @@ class RunCommands:
         """No run yet; ``send`` sends control messages, ``send_bytes`` the state that the server keeps."""
         self.frames = frames
         self.run: StudioRun | None = None
+        self.aside: tuple[StudioRun, Scenario | None] | None = None
+        """The run that was set aside for two that are compared, and its origin."""
         self.origin: Scenario | None = None
         """The scenario that was loaded, whose words name what was changed on the page since."""
         self.number = 0
@@ -54,7 +49,7 @@ class RunCommands:
     def carry_out(self, request: Request) -> Answer:
         """Carry one command out; returns the answer to it."""
         command = command_of(request["command"], has_run=self.run is not None)
-        if command.name in BEGINNINGS:
+        if command.name in beginnings.NAMES:
             answer = self._begin(command.name, request)
         else:
             answer = WORKER[command.name](self, request)
@@ -89,7 +84,8 @@ class RunCommands:
         if self.run:
             run.speed.limit = self.run.speed.limit
         self.run = run
-        self.desk.keep_only(run.measures.number)
+        aside = set() if self.aside is None else self.aside[0].branches.series
+        self.desk.keep_only(run.branches.series | aside)
         self.announce()
         if running:
             run.run_to_its_end()
@@ -116,34 +112,6 @@ class RunCommands:
     def paths(self, request: Request) -> None:
         """Send the paths of ``count`` grains from now on, where the model follows grains."""
         self.frames.paths.request(int(request["count"]))
-
-    @WORKER.handles("start")
-    def start(self, request: Request) -> None:
-        """Start a scenario; ``changed`` where it came of the last one by changes on the page."""
-        scenario = validate(request["scenario"], "scenario")
-        origin = scenario
-        if "origin" in request:
-            origin = validate(request["origin"], "scenario")
-        elif request.get("changed") and self.origin is not None:
-            origin = self.origin
-        run = started(changed_from(scenario, origin), self.desk)
-        self.take(run, bool(request.get("running")), origin)
-
-    @WORKER.handles("restart")
-    def restart(self, request: Request) -> None:
-        """Start again with the same scenario and seed."""
-        running = bool(request.get("running", self.current.running))
-        self.take(started(self.current.live.scenario, self.desk), running, self.origin)
-
-    @WORKER.handles("open_folder")
-    def open_folder(self, request: Request) -> None:
-        """Continue the run in an archive, paused where it ended."""
-        self.take(open_saved_run(Path(request["folder"]), self.desk), running=False)
-
-    @WORKER.handles("resume")
-    def resume(self, request: Request) -> None:
-        """Continue from a state that the server has kept, paused."""
-        self.take(from_bytes(request["state"], self.desk), running=False)
 
     @WORKER.handles("run")
     def start_running(self, request: Request) -> None:

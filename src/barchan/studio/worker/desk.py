@@ -3,7 +3,7 @@
 import json
 import pickle
 from collections import deque
-from collections.abc import Callable
+from collections.abc import Callable, Container
 from multiprocessing.connection import Connection
 
 from barchan.studio.worker.measuring import Job, Measuring, Row
@@ -42,9 +42,9 @@ class Desk:
         if self.connection is None:
             self._work_through()
 
-    def keep_only(self, series: int) -> None:
+    def keep_only(self, series: Container[int]) -> None:
         """Leave out the states of other series that wait: their run was given up."""
-        self._waiting = deque((job, take) for job, take in self._waiting if job.series == series)
+        self._waiting = deque((job, take) for job, take in self._waiting if job.series in series)
 
     def wake(self) -> None:
         """Let the process load what it needs; not before, so that it takes no time from the first picture."""

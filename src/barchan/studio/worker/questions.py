@@ -5,11 +5,12 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from barchan.errors import ArchiveError
 from barchan.export.formats import format_of
 from barchan.export.options import options_of
 from barchan.simulation import State
 from barchan.studio.protocol import Request
-from barchan.studio.worker.background import AllMeasured, Background, BrokenOffError, Count, Reading
+from barchan.studio.worker.background import AllMeasured, Background, Count, Reading
 from barchan.studio.worker.exporting import export_states
 from barchan.studio.worker.file_content import file_content
 from barchan.studio.worker.handlers import WORKER, Answer
@@ -94,12 +95,14 @@ def _file(target: Path, write: Callable[[Count], str]) -> Background:
 
 
 def _written(folder: Path, write: Callable[[Count], dict[str, Any]]) -> Background:
-    """Work that writes into a new folder, of which nothing is left where it is broken off."""
+    """Work that writes into a new folder, of which nothing is left where it is broken off or fails."""
 
     def work(count: Count) -> dict[str, Any]:
         try:
             return write(count)
-        except BrokenOffError:
+        except ArchiveError:  # the folder holds what others have written
+            raise
+        except Exception:
             shutil.rmtree(folder, ignore_errors=True)
             raise
 

@@ -37,7 +37,7 @@ def rose_of(simulation: Simulation) -> dict[str, Any]:
 def _of_record(record: WindRecord, sand: Saltation) -> dict[str, Any]:
     """Shares of the time by sector and class of speed."""
     limits = speed_limits(record, sand.threshold_speed())
-    shares, calms = wind_rose(record, limits)
+    shares, calms, _ = wind_rose(record, limits)
     return {"days": record.seconds / DAY, "limits": limits, "shares": shares.tolist(), "calms": calms}
 
 

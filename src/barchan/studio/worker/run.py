@@ -156,6 +156,18 @@ class StudioRun:
         branch = self.branches.take(number)
         self.begin(branch.simulation, branch.history, branch.measures)
 
+    def adopt(self, other: "StudioRun") -> None:
+        """Keep the branch that another run is on, with its bookmarks, as a branch of this one."""
+        here = self.branches.current
+        self.branches.leave(self.live, self.history, self.measures)
+        self.branches.add(other.live, other.history, other.measures, other.branches.began)
+        number = self.branches.current
+        for bookmark in other.bookmarks_here():
+            if bookmark.id not in self.bookmarks:
+                self.bookmarks.set(replace(bookmark, branch=number))
+        self.branches.leave(other.live, other.history, other.measures)
+        self.branches.take(here)
+
     def mark(self, bookmark: Bookmark) -> None:
         """Set a bookmark, or name a known one otherwise; its state is kept, now or once reached."""
         new = bookmark.id not in self.bookmarks

@@ -6,8 +6,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from barchan.errors import Problem, RecordError
+from barchan.wind.records.directionless import direction_before, undirected_remarks
 from barchan.wind.records.durations import durations
-from barchan.wind.records.plausibility import direction_width, warnings_of
+from barchan.wind.records.plausibility import direction_width, lasting_doubts, warnings_of
 from barchan.wind.records.record import Rows, WindlessRows, WindRecord
 
 FASTEST = 150.0
@@ -31,8 +32,8 @@ def checked(rows: Rows) -> WindRecord:
         raise RecordError([Problem("", "holds winds of one time only; allowed: two or more")], rows.source)
     usual, duration, gaps = durations(rows.time)
     direction = np.where(rows.speed == 0.0, 0.0, rows.direction) % 360.0
-    usable = ~(np.isnan(rows.speed) | np.isnan(direction))
-    if not usable.any():
+    usable = ~np.isnan(rows.speed)
+    if not (usable & ~np.isnan(direction)).any():
         raise RecordError([Problem("", f"holds no wind; all of {len(usable)} rows are missing")], rows.source)
     remarks = [*ordered, *repeated, *rows.remarks]
     if gaps:
@@ -44,7 +45,7 @@ def checked(rows: Rows) -> WindRecord:
         time=rows.time[usable],
         duration=duration[usable],
         speed=rows.speed[usable],
-        direction=direction[usable],
+        direction=direction_before(direction[usable]),
         start=rows.start,
         missing=int(np.count_nonzero(~usable)),
         gaps=gaps,
@@ -58,7 +59,12 @@ def checked(rows: Rows) -> WindRecord:
         temperature=_some(rows.temperature, usable),
         snowfall=_some(rows.snowfall, usable),
         windless=_windless(rows, duration, ~usable),
+        unit_stated=rows.unit_stated,
+        utc=rows.utc,
+        undirected=undirected if (undirected := np.isnan(direction[usable])).any() else None,
     )
+    doubts = lasting_doubts(record) if record.unit_stated else []
+    record = replace(record, remarks=(*record.remarks, *undirected_remarks(record), *doubts))
     return replace(record, warnings=warnings_of(record), direction_width=direction_width(record))
 
 
@@ -104,16 +110,16 @@ def _picked(rows: Rows, which: NDArray) -> Rows:
 def _once(rows: Rows) -> tuple[Rows, int, list[str]]:
     """One row for each time, the number of rows dropped, and a remark on them.
 
-    Of several the first with a wind is kept. Raises RecordError where many rows state another wind for
-    the same
-    time, as where stations are mixed.
+    Of several the first with a speed and a direction is kept, else the first with a speed. Raises
+    RecordError where many rows state another wind for the same time, as where stations are mixed.
     """
     again = np.append(False, np.diff(rows.time) == 0)
     if not again.any():
         return rows, 0, []
     group = np.cumsum(~again)
-    absent = np.isnan(rows.speed) | (np.isnan(rows.direction) & (rows.speed != 0.0))
-    order = np.lexsort((np.arange(len(group)), absent, group))
+    lacking = np.isnan(rows.speed) * 2 + (np.isnan(rows.direction) & (rows.speed != 0.0))
+    absent = lacking > 0
+    order = np.lexsort((np.arange(len(group)), lacking, group))
     kept = np.sort(order[np.append(True, np.diff(group[order]) > 0)])
     heads = kept[group - 1]
     differs = (
@@ -134,8 +140,8 @@ def _once(rows: Rows) -> tuple[Rows, int, list[str]]:
         )
         raise RecordError([Problem(f"row {rows.numbers[row]}", message)], rows.source)
     dropped = len(group) - len(kept)
-    told = f"rows of a time that was already there: {dropped} dropped" + (
-        f", {other} with another wind" if other else ""
+    told = f"of several rows of one time the first with a wind is kept: {dropped} dropped" + (
+        f", {other} of them with another wind" if other else ""
     )
     return _picked(rows, kept), dropped, [told]
 

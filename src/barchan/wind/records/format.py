@@ -109,6 +109,12 @@ class RecordFormat(Parameters):
         meaning="How times are written, as in %d.%m.%Y %H:%M, or the unit of counted times (s, min, h, d); "
         "ISO 8601 where it is not given.",
     )
+    time_zone: str | None = parameter(
+        None,
+        unit="-",
+        pattern=r"^(?:UTC|Z|[+-](?:0\d|1[0-4]):[0-5]\d)$",
+        meaning="Zone of times that state none, as +01:00 or UTC: times are then turned to UTC.",
+    )
     missing: list[float] = parameter(
         lambda: list(MISSING),
         unit="-",

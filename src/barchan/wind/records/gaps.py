@@ -68,6 +68,9 @@ def joined_rows(record: WindRecord, more: WindlessRows) -> WindRecord:
         temperature=merged(record.temperature, more.temperature),
         snowfall=merged(record.snowfall, more.snowfall),
         windless=None,
+        undirected=None
+        if record.undirected is None
+        else np.append(record.undirected, np.zeros(len(more.time), bool))[order],
     )
 
 

@@ -15,6 +15,7 @@ from barchan.wind.records.format import MISSING, RecordFormat
 from barchan.wind.records.points import at_one_point, latitude_longitude
 from barchan.wind.records.providers import UNKNOWN, provider_of
 from barchan.wind.records.record import Rows
+from barchan.wind.records.times import Dated, offset_of
 from barchan.wind.records.values import Unit, unit_of, wind_of, without_codes
 from barchan.wind.records.weather_columns import WeatherColumns, weather_of
 
@@ -58,9 +59,8 @@ def _rows(dataset: "xr.Dataset", form: RecordFormat, source: str) -> Rows:
         place = point.place
         height = point.height if height is None or point.height is not None else height
     speed, direction = wind_of(choice, measured[0], measured[1], form)
-    stamps = dataset[time].to_numpy().astype("datetime64[ms]")
-    seconds = (stamps - stamps[0]).astype(np.float64) / 1e3 if len(stamps) else np.zeros(0)
-    numbers = np.arange(1, len(stamps) + 1)
+    seconds, start, utc = _dated(dataset[time], form)
+    numbers = np.arange(1, len(seconds) + 1)
 
     def numbers_of(claim: Claim, _unit: Unit) -> NDArray[np.float64]:
         point = at_one_point(dataset[claim.column], time, form, source)
@@ -85,7 +85,7 @@ def _rows(dataset: "xr.Dataset", form: RecordFormat, source: str) -> Rows:
     return Rows(
         source,
         seconds,
-        stamps[0].astype("datetime64[s]") if len(stamps) else None,
+        start,
         speed,
         direction,
         {**choice.names, "time": time},
@@ -97,13 +97,22 @@ def _rows(dataset: "xr.Dataset", form: RecordFormat, source: str) -> Rows:
         weather.temperature,
         weather.snowfall,
         place=place,
+        unit_stated=units[0].stated,
+        utc=utc,
     )
 
 
-def weather_grid(
-    path: Path, form: RecordFormat
-) -> tuple[NDArray[np.float64], "np.datetime64 | None", WeatherColumns]:
-    """Times (s), their start, and the weather of a NetCDF file, whatever wind it holds.
+def _dated(times: "xr.DataArray", form: RecordFormat) -> Dated:
+    """Times of a file, which are in UTC by the CF conventions unless the user states another zone."""
+    stamps = times.to_numpy().astype("datetime64[ms]")
+    if not len(stamps):
+        return Dated(np.zeros(0), None, utc=True)
+    stamps = stamps - offset_of(form.time_zone or "UTC")
+    return Dated((stamps - stamps[0]).astype(np.float64) / 1e3, stamps[0].astype("datetime64[s]"), utc=True)
+
+
+def weather_grid(path: Path, form: RecordFormat) -> tuple[Dated, WeatherColumns]:
+    """Times and weather of a NetCDF file, whatever wind it holds.
 
     Raises RecordError where it holds no weather over time.
     """
@@ -117,17 +126,16 @@ def weather_grid(
             if time is None or not over_time:
                 raise RecordError([Problem("time", "no variable over time")], source)
             _time_name(dataset, dataset[over_time[0]], form, source)
-            stamps = dataset[time].to_numpy().astype("datetime64[ms]")
-            seconds = (stamps - stamps[0]).astype(np.float64) / 1e3
+            dated = _dated(dataset[time], form)
 
             def numbers_of(claim: Claim, _unit: Unit) -> NDArray[np.float64]:
                 point = at_one_point(dataset[claim.column], time, form, source)
                 return without_codes(_unpacked(point.values, form), claim, form)
 
             columns = [_column(dataset, name) for name in over_time]
-            rows = np.arange(1, len(stamps) + 1)
-            weather = weather_of(columns, form, {}, frozenset(), numbers_of, seconds, rows, source)
-            return seconds, stamps[0].astype("datetime64[s]"), weather
+            rows = np.arange(1, len(dated.seconds) + 1)
+            weather = weather_of(columns, form, {}, frozenset(), numbers_of, dated.seconds, rows, source)
+            return dated, weather
     except (OSError, ValueError) as error:
         raise RecordError([Problem("", f"cannot be read as NetCDF: {error}")], source) from None
 

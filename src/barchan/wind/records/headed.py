@@ -95,6 +95,7 @@ def _provider(header: _Header, fields: _Fields, source: str) -> Provider:
         documented={quantity: columns for quantity, columns in documented.items() if columns},
         times=((time,),),
         remark=f"{header.name} does not state the height of the wind; state it as height",
+        utc="tz" in header.keys and not fields.zone,
     )
 
 

@@ -20,7 +20,8 @@ def with_weather(record: WindRecord, weather: WeatherRecord) -> WindRecord:
     Each row has the mean temperature and the mean snowfall of its time, so that masses are kept however the
     intervals of both differ. Gaps of the wind are cut where the weather changes. What the weather record
     lacks, temperature or snowfall, is the wind record's own. Where it ends or has a gap no snow falls, and
-    its temperature goes on straight over three hours at most. Raises RecordError where the two share no time.
+    its temperature goes on straight over three hours at most. Raises RecordError where the two share no
+    time, or one states its time zone and the other does not.
     """
     shift = _shift(record, weather)
     rows = joined_rows(all_rows(record), _cut(holes(record), weather.time + shift))
@@ -44,7 +45,10 @@ def with_weather(record: WindRecord, weather: WeatherRecord) -> WindRecord:
 def _told(record: WindRecord, weather: WeatherRecord, outside: float) -> list[str]:
     parts = ("temperature", weather.temperature), ("snowfall", weather.snowfall)
     taken = " and ".join(name for name, values in parts if values is not None)
-    said = [f"{taken} are those of {weather.source}, joined in time; both are taken to be in one time zone"]
+    zone = (
+        "both are in UTC" if record.utc else "neither states a time zone, so that both are taken to be in one"
+    )
+    said = [f"{taken} are those of {weather.source}, joined in time; {zone}"]
     if outside > 1e-6:
         said.append(f"{outside:.3g} days of the wind of {record.source} have no weather in {weather.source}")
     return said
@@ -58,7 +62,21 @@ def _shift(record: WindRecord, weather: WeatherRecord) -> float:
         raise RecordError([Problem("", message)], weather.source)
     if record.start is None or weather.start is None:
         return 0.0
+    if record.utc != weather.utc:
+        raise RecordError([Problem("time_zone", _zones(record, weather))], weather.source)
     return float((weather.start - record.start) / np.timedelta64(1, "s"))
+
+
+def _zones(record: WindRecord, weather: WeatherRecord) -> str:
+    """That one of two records states its zone alone, and where to state the other's."""
+    one, other = (record.source, weather.source) if record.utc else (weather.source, record.source)
+    option, key = (
+        ("weather-time-zone", "wind.weather.columns") if record.utc else ("time-zone", "wind.columns")
+    )
+    return (
+        f"times of {one} state their zone (and are read in UTC), those of {other} do not; state the zone of "
+        f"{other}, as --{option}=+01:00 (in a scenario {key}.time_zone)"
+    )
 
 
 def _cut(gaps: WindlessRows, edges: NDArray[np.float64]) -> WindlessRows:

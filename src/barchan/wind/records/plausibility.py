@@ -11,6 +11,13 @@ level, is 19."""
 STRONGEST = 75.0
 """Speed (m/s) above which a record is doubted: gusts of the strongest cyclones."""
 
+STRONGEST_LASTING = 45.0
+"""Mean speed (m/s) over ten minutes or more above which a record is doubted: that of the strongest storms
+of the middle latitudes, and of hurricanes of the third category at sea."""
+
+LASTING = 600.0
+"""Duration (s) from which on a row is a mean and no gust."""
+
 WEAKEST_HIGHEST = 1.0
 """Highest speed (m/s) below which a record is doubted."""
 
@@ -36,6 +43,8 @@ def warnings_of(record: WindRecord) -> tuple[str, ...]:
         found.append(
             f"the highest speed is {highest:.1f} m/s, more than in the strongest cyclones: is the unit right?"
         )
+    elif not record.unit_stated:
+        found += lasting_doubts(record)
     if highest < WEAKEST_HIGHEST and len(record) >= ENOUGH:
         found.append(f"the highest speed is {highest:.2f} m/s, hardly a wind: is the unit right?")
     blows = record.direction[record.speed > 0]
@@ -45,6 +54,20 @@ def warnings_of(record: WindRecord) -> tuple[str, ...]:
         elif blows.max() <= 36.0 and (blows == np.round(blows)).all():
             found.append(f"all winds come from 0 to {blows.max():g}°: are directions in tens of degrees?")
     return tuple(found)
+
+
+def lasting_doubts(record: WindRecord) -> list[str]:
+    """Doubt of a mean over ten minutes or more that hardly any storm has."""
+    usual, highest = float(np.median(record.duration)), float(record.speed.max())
+    if usual < LASTING or highest <= STRONGEST_LASTING:
+        return []
+    return [
+        (
+            f"the highest speed, a mean over {usual / 60:g} min, is {highest:.1f} m/s; more than "
+            f"{STRONGEST_LASTING:g} m/s are winds of hurricanes: is the unit right (km/h, kn, mph)? State "
+            "it as unit"
+        )
+    ]
 
 
 def direction_width(record: WindRecord) -> float:

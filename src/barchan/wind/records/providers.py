@@ -33,6 +33,8 @@ class Provider:
     """Whether a station may report more than once for a time."""
     remark: str = ""
     """Something to know of the format."""
+    utc: bool = False
+    """Whether its times are in UTC."""
 
     def fits(self, headings: Sequence[str], text: str) -> bool:
         """Whether a table with these headings, in a file that begins with this text, is in this format."""
@@ -60,20 +62,8 @@ _BOM_TIME = "Year Month Day Hour Minutes in YYYY"
 _BOM_END = "MI format in Local"
 _ISD_WRONG = ("2", "3", "6", "7")
 _METEOSTAT = (
-    "date",
-    "hour",
-    "temp",
-    "dwpt",
-    "rhum",
-    "prcp",
-    "snow",
-    "wdir",
-    "wspd",
-    "wpgt",
-    "pres",
-    "tsun",
-    "coco",
-)
+    "date", "hour", "temp", "dwpt", "rhum", "prcp", "snow", "wdir", "wspd", "wpgt", "pres", "tsun", "coco",
+)  # fmt: skip
 
 PROVIDERS = (
     Provider(
@@ -84,11 +74,13 @@ PROVIDERS = (
             Stated("WND", "deg", 10.0, part=0, missing=(999.0,), doubt=("WND", 1, _ISD_WRONG)),
         ),
         times=(("DATE",),),
+        utc=True,
         station="STATION",
         several_reports=True,
     ),
     Provider(
         "ISD-Lite (NOAA)",
+        utc=True,
         documented=_wind(Stated("speed", "0.1 m/s", 10.0), Stated("direction", "deg", 10.0)),
         times=(("year", "month", "day", "hour"),),
         time_format="%Y %m %d %H",
@@ -108,6 +100,7 @@ PROVIDERS = (
     ),
     Provider(
         "KNMI hourly",
+        utc=True,
         headings=("STN", "YYYYMMDD", "HH|H|UUR", "DD", "FF|FH"),
         documented=_wind(
             (Stated("FF", "0.1 m/s", 10.0), Stated("FH", "0.1 m/s", 10.0)),
@@ -163,6 +156,7 @@ PROVIDERS = (
     ),
     Provider(
         "NDBC",
+        utc=True,
         headings=("YY|YYYY", "MM", "DD", "hh", "WDIR|WD", "WSPD"),
         documented=_wind(
             Stated("WSPD", "m/s", missing=(99.0,)),
@@ -204,6 +198,7 @@ PROVIDERS = (
     ),
     Provider(
         "ERA5",
+        utc=True,
         headings=("u10", "v10", "time|valid_time"),
         documented={
             "eastward": (Stated("u10", "m/s", 10.0), Stated("u100", "m/s", 100.0)),

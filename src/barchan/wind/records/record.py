@@ -31,11 +31,14 @@ class WindRecord:
     speed: NDArray[np.float64]
     """m/s."""
     direction: NDArray[np.float64]
-    """Where it comes from, degrees clockwise from north in [0, 360); 0 in a calm."""
+    """Where it comes from, degrees clockwise from north in [0, 360); 0 in a calm.
+
+    A wind without a known direction (``undirected``) has that of the wind before it.
+    """
     start: np.datetime64 | None = None
-    """Time of the first row (UTC or local, as the file has it), where the file has dates."""
+    """Time of the first row where the file has dates."""
     missing: int = 0
-    """Rows without a speed, or without a direction while the air moved."""
+    """Rows without a speed."""
     gaps: int = 0
     """Times at which rows are absent from the file."""
     source: str = ""
@@ -64,23 +67,43 @@ class WindRecord:
     """Rows that hold weather and no wind, where the record has any."""
     supposed: NDArray[np.bool_] | None = None
     """Rows in gaps, whose wind is supposed and not measured; None where there are none."""
+    undirected: NDArray[np.bool_] | None = None
+    """Rows that state a speed and no direction while the air moved (VRB); None where there are none."""
+    unit_stated: bool = True
+    """Whether file or user state the unit of the speeds."""
+    utc: bool = False
+    """Whether times are in UTC, as the file or the user states a zone; else they are as the file has them."""
 
     @property
     def measured(self) -> "WindRecord":
         """The record without the rows whose wind is supposed."""
         if self.supposed is None:
             return self
-        kept = ~self.supposed
+        return replace(self.picked(~self.supposed), supposed=None)
+
+    def picked(self, which: NDArray) -> "WindRecord":
+        """The record with some of its rows, by a mask or by numbers, each with its own duration."""
         return replace(
             self,
-            time=self.time[kept],
-            duration=self.duration[kept],
-            speed=self.speed[kept],
-            direction=self.direction[kept],
-            temperature=None if self.temperature is None else self.temperature[kept],
-            snowfall=None if self.snowfall is None else self.snowfall[kept],
-            supposed=None,
+            time=self.time[which],
+            duration=self.duration[which],
+            speed=self.speed[which],
+            direction=self.direction[which],
+            temperature=None if self.temperature is None else self.temperature[which],
+            snowfall=None if self.snowfall is None else self.snowfall[which],
+            supposed=None if self.supposed is None else self.supposed[which],
+            undirected=None if self.undirected is None else self.undirected[which],
         )
+
+    @property
+    def without_direction(self) -> NDArray[np.bool_]:
+        """For each row whether its direction is not known while the air moves."""
+        return np.zeros(len(self), bool) if self.undirected is None else self.undirected
+
+    @property
+    def calm_share(self) -> float:
+        """Share of calms in the time whose speed is known."""
+        return float(self.duration[self.speed == 0.0].sum()) / self.seconds
 
     @property
     def calms(self) -> int:
@@ -125,3 +148,7 @@ class Rows:
     several_reports: bool = False
     """Whether rows of one time and different winds are usual."""
     place: str = ""
+    unit_stated: bool = True
+    """Whether file or user state the unit of the speeds."""
+    utc: bool = False
+    """Whether times are known to be in UTC."""

@@ -17,13 +17,14 @@ def record_facts(record: WindRecord, assumed: float) -> dict[str, str]:
     whole = len(record) + record.missing
     tall = f"at {record.height:g} m" if record.height is not None else f"taken to be at {assumed:g} m"
     known = f", format of {record.format}" if record.format else ""
-    missing, calm = _share(record.missing, whole), _share(record.calms, whole)
+    missing = _share(record.missing, whole)
+    calm = f"{100 * record.calm_share:.1f} % of the known time calm"
     found = {
         "record": f"{record.source}{known}",
         "read": f"{record.columns}, {tall}",
         "point": record.place,
         "time covered": f"{record.seconds / DAY:.6g} days{_span(record)}",
-        "rows": f"{whole}, {missing} missing, {calm} calm, {_gaps(record)}",
+        "rows": f"{whole}, {missing} missing, {calm}, {_gaps(record)}",
     }
     return {name: text for name, text in found.items() if text}
 
@@ -78,7 +79,7 @@ def _span(record: WindRecord) -> str:
     if record.start is None:
         return ""
     last = record.start + np.timedelta64(int(record.time[-1]), "s")
-    return f", {str(record.start)[:10]} to {str(last)[:10]}"
+    return f", {str(record.start)[:10]} to {str(last)[:10]}{', times in UTC' if record.utc else ''}"
 
 
 def _share(part: int, whole: int) -> str:

@@ -38,8 +38,8 @@ def read_table(path: Path, form: RecordFormat) -> Rows:
     parts, hint, choice = _found(layout, form, source)
     table, numbers = one_place(words_of(layout, source), np.asarray(layout.numbers), layout, form, source)
     name = "+".join(parts)
-    times = Times([table[part] for part in parts], name, numbers, form.time_format, hint, source)
-    time, start = seconds(times)
+    times = Times([table[part] for part in parts], name, numbers, form, hint, source, layout.provider.utc)
+    time, start, utc = seconds(times)
     measured, calm, units = [], np.zeros(len(table), bool), []
     for claim in (choice.first, choice.second):
         unit = unit_of(claim, form, source)
@@ -82,6 +82,8 @@ def read_table(path: Path, form: RecordFormat) -> Rows:
         weather.temperature,
         weather.snowfall,
         provider.several_reports,
+        unit_stated=units[0].stated,
+        utc=utc,
     )
 
 

@@ -2,12 +2,13 @@
 
 import re
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from barchan.errors import Problem, RecordError
+from barchan.wind.records.format import RecordFormat
 from barchan.wind.records.headings import read_heading
 from barchan.wind.records.units import SECONDS, TIME
 
@@ -41,7 +42,18 @@ _SLASHES = tuple(
 )
 """Ways to write a time that put the day first, or the month."""
 
-Seconds = tuple[NDArray[np.float64], np.datetime64 | None]
+_UTC_NAMED = re.compile(r"(?<![a-z])(?:utc|gmt)(?![a-z])", re.IGNORECASE)
+
+
+class Dated(NamedTuple):
+    """Times of a file."""
+
+    seconds: NDArray[np.float64]
+    """Since the first one (s)."""
+    start: np.datetime64 | None
+    """The first one, where times are dates."""
+    utc: bool
+    """Whether they are in UTC, as a zone is known."""
 
 
 @dataclass(frozen=True)
@@ -53,30 +65,46 @@ class Times:
     """Their names, joined."""
     numbers: NDArray[np.int64]
     """The rows' numbers in the file."""
-    form: str | None
-    """How times are written, where it is stated."""
+    stated: RecordFormat
+    """What the user states."""
     hint: str | None
     """How the format of the file writes them, where it is known."""
     source: str
+    utc: bool = False
+    """Whether the format of the file fixes UTC."""
+
+    @property
+    def form(self) -> str | None:
+        """How times are written, where it is stated."""
+        return self.stated.time_format
 
     def error(self, row: int, message: str) -> RecordError:
         """The error of a row."""
         return RecordError([Problem(f"row {self.numbers[row]}, column '{self.name}'", message)], self.source)
 
 
-def seconds(times: Times) -> Seconds:
-    """Seconds since the first time of the file, and that time where it is a date.
+def offset_of(zone: str) -> np.timedelta64:
+    """How much later than UTC the clocks of a zone are: ``UTC``, ``Z``, or ``+01:00``."""
+    if zone in {"UTC", "Z"}:
+        return np.timedelta64(0, "m")
+    hours, minutes = zone[1:].split(":")
+    return np.timedelta64((1 if zone[0] == "+" else -1) * (60 * int(hours) + int(minutes)), "m")
 
-    Raises RecordError at the first time that cannot be read, and where only some times state a zone.
+
+def seconds(times: Times) -> Dated:
+    """Seconds since the first time of the file, and that time where it is a date, in UTC if a zone is known.
+
+    Raises RecordError at the first time that cannot be read, where only some times state a zone, and where
+    they state one beside that of the user.
     """
     empty = np.any([(part.str.strip() == "").to_numpy() for part in times.parts], axis=0)
     if empty.any():
         raise times.error(int(np.argmax(empty)), "is empty; allowed: a time in each row")
     if not len(times.parts[0]):
-        return np.zeros(0), None
+        return Dated(np.zeros(0), None, utc=False)
     unit = times.form if times.form in SECONDS else TIME.unit_of(read_heading(times.name).unit)
     if unit and (times.form is None or times.form in SECONDS):
-        return _counted(times, SECONDS[unit]), None
+        return Dated(_counted(times, SECONDS[unit]), None, utc=False)
     return _dates(_joined(times.parts), times)
 
 
@@ -109,7 +137,7 @@ def _plainly_joined(parts: "list[pd.Series]") -> "pd.Series":
     return words
 
 
-def _dates(words: "pd.Series", times: Times) -> Seconds:
+def _dates(words: "pd.Series", times: Times) -> Dated:
     """Dates of words; the hour 24 is the first of the next day."""
     import pandas as pd
 
@@ -123,10 +151,16 @@ def _dates(words: "pd.Series", times: Times) -> Seconds:
             raise RecordError([Problem("time_format", str(error))], times.source) from None
         row, message = _first_mistake(words, wanted)
         raise times.error(row, message) from None
-    if dates.dt.tz is not None:
+    zone, states = times.stated.time_zone, dates.dt.tz is not None
+    if zone and states:
+        message = f"states a zone ('{words.iloc[0]}'), and time_zone is {zone}; allowed: one of them"
+        raise times.error(0, message)
+    if states:
         dates = dates.dt.tz_convert("UTC").dt.tz_localize(None)
     stamps = dates.to_numpy().astype("datetime64[ms]") + later.astype("timedelta64[D]")
-    return (stamps - stamps[0]).astype(np.float64) / 1e3, stamps[0].astype("datetime64[s]")
+    stamps = stamps - offset_of(zone or "UTC")
+    utc = states or bool(zone) or times.utc or _UTC_NAMED.search(times.name) is not None
+    return Dated((stamps - stamps[0]).astype(np.float64) / 1e3, stamps[0].astype("datetime64[s]"), utc)
 
 
 def _guessed(words: "pd.Series", times: Times) -> str:

@@ -70,6 +70,8 @@ class Unit:
     """m/s, or degrees, in one."""
     remark: str = ""
     """The assumption made, if any."""
+    stated: bool = True
+    """Whether the file or the user states it."""
 
 
 def unit_of(claim: Claim, form: RecordFormat, source: str) -> Unit:
@@ -89,7 +91,7 @@ def unit_of(claim: Claim, form: RecordFormat, source: str) -> Unit:
         found = kind.dimension.required(claim.unit, claim.column, source)
         return Unit(found, sizes[found])
     told = f"column '{claim.column}' states no unit; taken as {kind.usual_unit}" if kind.said else ""
-    return Unit(kind.usual_unit, sizes[kind.usual_unit], told)
+    return Unit(kind.usual_unit, sizes[kind.usual_unit], told, stated=False)
 
 
 def wind_of(

@@ -17,7 +17,7 @@ from barchan.wind.records.stations import one_place
 from barchan.wind.records.tables import all_columns, column_values, words_of
 from barchan.wind.records.texts import text_of
 from barchan.wind.records.time_columns import time_columns
-from barchan.wind.records.times import Times, seconds
+from barchan.wind.records.times import Dated, Times, seconds
 from barchan.wind.records.weather_columns import WeatherColumns, weather_of
 
 
@@ -37,6 +37,8 @@ class WeatherRecord:
     snowfall: NDArray[np.float64] | None
     """kg/m²/s, NaN where a row states none."""
     remarks: tuple[str, ...]
+    utc: bool = False
+    """Whether times are in UTC, as the file or the user states a zone."""
 
 
 def read_weather(path: Path, form: RecordFormat) -> WeatherRecord:
@@ -45,41 +47,39 @@ def read_weather(path: Path, form: RecordFormat) -> WeatherRecord:
     Raises RecordError, with file, row and column, where it cannot be used.
     """
     refuse_unreadable(path)
-    time, start, weather = (weather_grid if is_grid(path) else _table)(path, form)
+    dated, weather = (weather_grid if is_grid(path) else _table)(path, form)
     if weather.temperature is None and weather.snowfall is None:
         why = "; ".join(weather.remarks)
         message = f"holds neither temperature nor snowfall{f': {why}' if why else ''}"
         raise RecordError([Problem("", message)], path.name)
-    return _ordered(path.name, time, start, weather)
+    return _ordered(path.name, dated, weather)
 
 
-def _table(
-    path: Path, form: RecordFormat
-) -> tuple[NDArray[np.float64], np.datetime64 | None, WeatherColumns]:
+def _table(path: Path, form: RecordFormat) -> tuple[Dated, WeatherColumns]:
     source = path.name
     text = text_of(path, form.sheet)
     layout = headed(text, source) or laid_out(text, form, source)
     parts, hint = time_columns(layout.headings, form.time, layout.provider, source)
     table, numbers = one_place(words_of(layout, source), np.asarray(layout.numbers), layout, form, source)
-    times = Times([table[part] for part in parts], "+".join(parts), numbers, form.time_format, hint, source)
-    time, start = seconds(times)
+    words = [table[part] for part in parts]
+    times = Times(words, "+".join(parts), numbers, form, hint, source, layout.provider.utc)
+    dated = seconds(times)
     weather = weather_of(
         all_columns(layout),
         form,
         layout.provider.documented,
         frozenset(parts),
         lambda claim, unit: column_values(table, claim, unit, numbers, form, source)[0],
-        time,
+        dated.seconds,
         numbers,
         source,
     )
-    return time, start, weather
+    return dated, weather
 
 
-def _ordered(
-    source: str, time: NDArray[np.float64], start: np.datetime64 | None, weather: WeatherColumns
-) -> WeatherRecord:
+def _ordered(source: str, dated: Dated, weather: WeatherColumns) -> WeatherRecord:
     """The rows in the order of time, one for each; raises RecordError for fewer than two."""
+    time, start, utc = dated
     order = np.argsort(time, kind="stable")
     remarks = list(weather.remarks)
     if (np.diff(time) < 0).any():
@@ -100,4 +100,5 @@ def _ordered(
         None if weather.temperature is None else weather.temperature[kept],
         None if weather.snowfall is None else weather.snowfall[kept],
         tuple(remarks),
+        utc,
     )

@@ -11,7 +11,8 @@ from barchan.wind.records.record import WindRecord
 def write_record(record: WindRecord, path: Path) -> None:
     """Write a record with its weather as CSV, without loss: every number as it is."""
     lines = ["# Written by Barchan.", f"# {record.source}", ",".join(_headings(record))]
-    columns = [_times(record), _numbers(record.speed), _numbers(record.direction)]
+    direction = np.where(record.without_direction, np.nan, record.direction)
+    columns = [_times(record), _numbers(record.speed), _numbers(direction)]
     columns += [_numbers(v) for v in (record.temperature, record.snowfall) if v is not None]
     lines += [",".join(row) for row in zip(*columns, strict=True)]
     path.write_text("\n".join(lines) + "\n", "utf-8")
@@ -31,7 +32,8 @@ def _times(record: WindRecord) -> list[str]:
     if record.start is None:
         return _numbers(record.time)
     whole = np.rint(record.time).astype("timedelta64[s]")
-    return np.datetime_as_string(record.start.astype("datetime64[s]") + whole, unit="s").tolist()
+    stamps = record.start.astype("datetime64[s]") + whole
+    return np.datetime_as_string(stamps, unit="s", timezone="UTC" if record.utc else "naive").tolist()
 
 
 def _numbers(values: np.ndarray) -> list[str]:

@@ -1,0 +1,77 @@
+"""Commands that begin another run, or return to one that was set aside."""
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from barchan.errors import BarchanError
+from barchan.scenario import validate
+from barchan.scenario.changes import changed_from
+from barchan.studio.protocol import Request
+from barchan.studio.worker.handlers import WORKER
+from barchan.studio.worker.rescue import from_bytes
+from barchan.studio.worker.run import started
+from barchan.studio.worker.saved_runs import open_saved_run
+
+if TYPE_CHECKING:
+    from barchan.studio.worker.commands import RunCommands
+
+NAMES = ("start", "open_folder", "resume", "take_back")
+"""Commands whose run has a number of its own, by which the server knows it."""
+
+
+@WORKER.handles("start")
+def start(commands: "RunCommands", request: Request) -> None:
+    """Start a scenario; ``changed`` where it came of the last one by changes on the page.
+
+    ``aside`` keeps the run that there is, paused, to be taken back; a scenario that did not come of it takes
+    the place of that, too.
+    """
+    scenario = validate(request["scenario"], "scenario")
+    origin = scenario
+    if "origin" in request:
+        origin = validate(request["origin"], "scenario")
+    elif request.get("changed") and commands.origin is not None:
+        origin = commands.origin
+    run = started(changed_from(scenario, origin), commands.desk)
+    if request.get("aside") and commands.run is not None:
+        commands.run.pause()
+        commands.aside = commands.run, commands.origin
+    elif not request.get("changed"):
+        commands.aside = None
+    commands.take(run, bool(request.get("running")), origin)
+
+
+@WORKER.handles("take_back")
+def take_back(commands: "RunCommands", _: Request) -> None:
+    """Return to the run that was set aside, as it was; the one in its place becomes a branch of it.
+
+    Raises BarchanError where none was set aside.
+    """
+    if commands.aside is None:
+        raise BarchanError("no run was set aside")
+    (run, origin), commands.aside = commands.aside, None
+    if commands.current.live.steps_done:
+        commands.current.pause()
+        run.adopt(commands.current)
+    commands.take(run, running=False, origin=origin)
+
+
+@WORKER.handles("restart")
+def restart(commands: "RunCommands", request: Request) -> None:
+    """Start again with the same scenario and seed."""
+    running = bool(request.get("running", commands.current.running))
+    commands.take(started(commands.current.live.scenario, commands.desk), running, commands.origin)
+
+
+@WORKER.handles("open_folder")
+def open_folder(commands: "RunCommands", request: Request) -> None:
+    """Continue the run in an archive, paused where it ended."""
+    run = open_saved_run(Path(request["folder"]), commands.desk)
+    commands.aside = None
+    commands.take(run, running=False)
+
+
+@WORKER.handles("resume")
+def resume(commands: "RunCommands", request: Request) -> None:
+    """Continue from a state that the server has kept, paused."""
+    commands.take(from_bytes(request["state"], commands.desk), running=False)

@@ -1,0 +1,63 @@
+"""A run that is set aside for two that are compared, and taken back."""
+
+import numpy as np
+import pytest
+
+from tests.studio.conftest import small
+from tests.studio.worker.test_rescue import Bench
+from tests.studio.worker.test_run import run_to
+
+
+@pytest.fixture
+def bench(scenario):
+    bench = Bench()
+    bench.send("start", scenario=scenario.data(), number=1)
+    return bench
+
+
+def compared(bench, number=2, **content):
+    bench.send("start", scenario=small().data(), changed=True, number=number, **content)
+
+
+def test_the_run_that_was_compared_comes_back_with_its_surface_its_moments_and_its_measures(bench):
+    run = bench.worker.commands.current
+    run_to(run, 30)
+    bench.send("bookmark", bookmarks=[{"id": "m", "name": "horns"}])
+    run_to(run, 40)
+    sand, rows = run.live.bed.sand.copy(), list(run.measures.rows)
+    compared(bench, aside=True)
+    run_to(bench.worker.commands.current, 10)
+    bench.send("take_back", number=3)
+    back = bench.worker.commands.current
+    assert back.live.steps_done == 40
+    assert np.array_equal(back.live.bed.sand, sand)
+    assert back.measures.rows == rows
+    assert not back.running
+    bench.send("visit", bookmark="m")
+    assert back.shown.steps_done == 30
+
+
+def test_the_compared_run_stays_as_a_branch_with_its_own_moments(bench):
+    run_to(bench.worker.commands.current, 20)
+    compared(bench, aside=True)
+    run_to(bench.worker.commands.current, 30)
+    bench.send("bookmark", bookmarks=[{"id": "p", "name": "in the pair"}])
+    bench.send("take_back", number=3)
+    back = bench.worker.commands.current
+    assert back.branches.listing(20) == [
+        {"number": 1, "began": 0, "step": 20},
+        {"number": 2, "began": 0, "step": 30},
+    ]
+    assert [(one.name, one.branch) for one in back.bookmarks] == [("in the pair", 2)]
+    bench.send("visit", bookmark="p")
+    assert back.live.steps_done == 30
+
+
+def test_a_change_of_both_leaves_what_is_set_aside_and_another_scenario_takes_its_place(bench):
+    before = bench.worker.commands.current
+    compared(bench, aside=True)
+    compared(bench, number=3)
+    assert bench.worker.commands.aside[0] is before
+    bench.send("start", scenario=small().data(), number=4)
+    bench.send("take_back", number=5, id=1)
+    assert bench.messages("refused")[0]["text"] == "no run was set aside"
