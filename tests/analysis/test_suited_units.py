@@ -54,3 +54,11 @@ def test_a_suited_value_is_the_same_quantity(unit, exponent):
     shown, name = suited(value, unit, 1.0)
     sizes = {found: size for found, size, _ in LADDERS[unit]}
     assert shown * sizes[name] == pytest.approx(value, rel=1e-12)
+
+
+def test_migration_and_flux_of_short_steps_are_by_the_hour():
+    # a year of 365.25 days has 8766 hours
+    assert spoken(8766.0, "m/yr", 0.25, 4.3) == "1 m/h"
+    assert spoken(17532.0, "m²/yr", 0.25, 4.3) == "2 m²/h"
+    assert spoken(8766.0, "m/yr", 5.0, 86400.0) == "8766 m/yr"
+    assert spoken(0.0, "m/yr", 0.25, 4.3) == "0 m/h"

@@ -29,12 +29,24 @@ They do not follow the value, so that runs on lattices of one kind can be compar
 """
 
 
-def suited(value: float, unit: str, cell_size: float) -> tuple[float, str]:
+HOUR = 3600.0
+
+HOURLY = {"m/yr": ("m/h", YEAR / HOUR), "m²/yr": ("m²/h", YEAR / HOUR)}
+"""For a unit of migration or flux, the unit of runs of short steps, as those of storms, and its size."""
+
+SHORT = HOUR
+"""Duration of a step (s) below which a run is one of hours and not of years; ours."""
+
+
+def suited(value: float, unit: str, cell_size: float, step_seconds: float | None = None) -> tuple[float, str]:
     """A value in the unit that suits it, and that unit; 0 and NaN keep their own, "-" has none.
 
     Migration and flux have one unit for all lattices of dunes and one for those of ripples, by the
-    ``cell_size`` (m).
+    ``cell_size`` (m); those of dunes whose steps last ``step_seconds`` below an hour are by the hour.
     """
+    if unit in HOURLY and cell_size >= FINE and step_seconds is not None and step_seconds < SHORT:
+        name, size = HOURLY[unit]
+        return value / size, name
     if unit in RATES:
         name, size = RATES[unit][cell_size < FINE]
         return value / size, name
@@ -56,8 +68,8 @@ def number(value: float) -> str:
     return f"{value:.4g}" if abs(value) < 1e4 else f"{value:.0f}"
 
 
-def spoken(value: float, unit: str, cell_size: float) -> str:
+def spoken(value: float, unit: str, cell_size: float, step_seconds: float | None = None) -> str:
     """A value with the unit that suits it; see ``suited``."""
-    shown, name = suited(value, unit, cell_size)
+    shown, name = suited(value, unit, cell_size, step_seconds)
     gap = "" if name in {"", "°", "%"} else " "
     return f"{number(shown)}{gap}{name}"

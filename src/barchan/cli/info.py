@@ -70,7 +70,7 @@ def info(
         print_table([(name, value, "") for name, value in rows], left=True)
         if values:
             console.print()
-            measure_table.print_values(values, scenario.lattice.cell_size)
+            measure_table.print_values(values, scenario.lattice.cell_size, scenario.step_seconds)
 
 
 def _contents(run: Path) -> tuple[int, "Scenario", list[tuple[str, str]]]:

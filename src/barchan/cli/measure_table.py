@@ -14,21 +14,23 @@ MARK = "?"
 """Stands before the reason why a value should not be quoted."""
 
 
-def print_values(values: list[Value], cell_size: float) -> None:
+def print_values(values: list[Value], cell_size: float, step_seconds: float | None = None) -> None:
     """A line for each measure: its value in every unit, what an angle is counted from, and doubts.
 
-    Units are those that suit cells of ``cell_size`` (m).
+    Units are those that suit cells of ``cell_size`` (m) and steps of ``step_seconds``.
     """
-    lines = [(row[0].measure.title, _values(row, cell_size), row[0].doubt) for row in in_rows(values)]
+    lines = [
+        (row[0].measure.title, _values(row, cell_size, step_seconds), row[0].doubt) for row in in_rows(values)
+    ]
     titles, shown = (max(len(line[column]) for line in lines) for column in (0, 1))
     for title, text, doubt in lines:
         console.out(f"{title:{titles}}  {text:{shown}}  {f'{MARK} {doubt}' if doubt else ''}".rstrip())
 
 
-def _values(row: list[Value], cell_size: float) -> str:
+def _values(row: list[Value], cell_size: float, step_seconds: float | None) -> str:
     if all(math.isnan(value.value) for value in row):
         return "–"
-    text = ", ".join(spoken(value.value, value.measure.unit, cell_size) for value in row)
+    text = ", ".join(spoken(value.value, value.measure.unit, cell_size, step_seconds) for value in row)
     return f"{text} {row[0].measure.reference}".rstrip()
 
 

@@ -82,7 +82,7 @@ def print_measures(dataset: "xr.Dataset", scenario: Scenario) -> None:
     from barchan.analysis.time_series import last_values
     from barchan.cli.measure_table import print_values
 
-    print_values(last_values(dataset, scenario), scenario.lattice.cell_size)
+    print_values(last_values(dataset, scenario), scenario.lattice.cell_size, scenario.step_seconds)
 
 
 def print_table(rows: list[tuple[str, str, str]], left: bool = False) -> None:

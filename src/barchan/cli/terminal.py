@@ -1,5 +1,6 @@
 """The output of commands, and the progress of long work."""
 
+import re
 import signal
 import time
 from collections.abc import Iterator
@@ -20,6 +21,9 @@ if TYPE_CHECKING:
     from rich.progress import Progress, TaskID
 
 console = Console(highlight=False, markup=False, soft_wrap=True)
+
+DONE = re.compile(r"\b0 cells still to be checked$")
+"""End of the report of work that is done, which needs no word."""
 
 _UNANNOUNCED = 2.0
 """Seconds of work that need no word."""
@@ -171,7 +175,7 @@ def work_announced(quiet: bool) -> Iterator[None]:
 
     def tell(text: str) -> None:
         nonlocal last
-        if not quiet and time.monotonic() - last >= LOG_EVERY:
+        if not quiet and not DONE.search(text) and time.monotonic() - last >= LOG_EVERY:
             last = time.monotonic()
             console.print(text)
 

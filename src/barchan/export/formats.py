@@ -42,6 +42,8 @@ class Format:
     """Fields that a file holds."""
     options: tuple[str, ...] = ()
     """Names of the options that it takes; see ``Options``."""
+    reference_beside: bool = False
+    """Whether the reference system of the coordinates stands in a .prj file beside it."""
     needs: tuple[str, ...] = ()
     """Modules that must be installed, and the names that they are installed by."""
 
@@ -97,9 +99,9 @@ FORMATS = (
         False,
         "many",
         GRIDS,
-        ("rasterio", "rasterio"),
+        needs=("rasterio", "rasterio"),
     ),
-    Format("asc", (".asc",), "ESRI ASCII grid", "asc", False, "one", GRIDS),
+    Format("asc", (".asc",), "ESRI ASCII grid", "asc", False, "one", GRIDS, reference_beside=True),
     Format("png16", (".png",), "16-bit height map: engines, Blender", "png16", False, "one", WHOLE),
     Format("r16", (".r16", ".raw"), "raw 16-bit height map: Unreal, Unity", "raw", False, "one", WHOLE),
     Format("r32", (".r32",), "raw 32-bit height map: World Machine, Gaea", "raw", False, "one", PICTURES),
@@ -120,7 +122,7 @@ FORMATS = (
         False,
         "one",
         PICTURES,
-        ("OpenEXR", "openexr"),
+        needs=("OpenEXR", "openexr"),
     ),
     Format(
         "glb",
@@ -154,7 +156,7 @@ FORMATS = (
     Format("measures", (".csv",), "table of measures, a row a frame", "measures", True, "none"),
     Format("section", (".csv",), "table of a section along the wind", "section", False, "many", ("at",)),
     Format("layers", (".csv",), "table of the layers along that section", "layers", True, "none", ("at",)),
-    Format("mp4", (".mp4",), "film", "film", True, "none", FILMS, ("av", "av")),
+    Format("mp4", (".mp4",), "film", "film", True, "none", FILMS, needs=("av", "av")),
     Format("film", (".webp", ".gif"), "film", "film", True, "none", FILMS),
     Format("picture", (".pdf", ".svg", ".png"), "map with title and scale", "picture", False, "one", DRAWN),
 )

@@ -157,11 +157,26 @@ def _written(path: Path, chosen: Format, source: Source) -> list[Path]:
                 raise ExportError(f"cannot write {file}: it is a folder")
             with replacing(file) as partial:
                 values |= chosen.write(partial, part)
+        beside = _reference_files(chosen, source, files)
         listed = [(file, part.steps, part.fields) for file, part in files]
         car = write_sidecar(path, sidecar_of(chosen, source, listed, values))
     except OSError as error:
         raise ExportError(f"cannot write {path}: {_reason(error)}") from error
-    return [*(file for file, _ in files), car]
+    return [*(file for file, _ in files), *beside, car]
+
+
+def _reference_files(chosen: Format, source: Source, files: list[tuple[Path, Source]]) -> list[Path]:
+    """Write the reference system into a .prj file beside each file that cannot hold it itself."""
+    if not chosen.reference_beside or source.grid.wkt is None:
+        return []
+    from rasterio.crs import CRS
+
+    text = CRS.from_wkt(source.grid.wkt).to_wkt(version="WKT1_ESRI")
+    written = [file.with_suffix(".prj") for file, _ in files]
+    for path in written:
+        with replacing(path) as partial:
+            partial.write_text(text + "\n", "utf-8")
+    return written
 
 
 def _reason(error: OSError) -> str:

@@ -46,6 +46,7 @@ def map_panel(scenario: Scenario, frame: "xr.Dataset", image: Any, **style: Any)
     if stretched:
         axes.set_box_aspect(shape)
     _label(axes, shape, rows < columns, stretched)
+    _place(axes, scenario)
     heading(figure, title(scenario, int(frame["step"])))
     wind_sign(axes, scenario, frame)
     return figure, axes
@@ -68,6 +69,16 @@ def _label(axes: "Axes", shape: float, wide: bool, stretched: bool) -> None:
         (axes.yaxis, SIDE * min(shape, 1.0), 0.4),
     ):
         axis.set_major_locator(MaxNLocator(int(min(max(side / room, 1), MOST_MARKS)), steps=ROUND))
+
+
+def _place(axes: "Axes", scenario: Scenario) -> None:
+    """Where on Earth the origin of the axes lies, of fields over terrain that states it."""
+    place = scenario.ground.georeference()
+    if place is None:
+        return
+    system = "" if place.crs is None else f" ({place.crs})"
+    origin = f"x = 0: {place.west:.10g} m E, y = 0: {place.south:.10g} m N{system}"
+    axes.set_xlabel(f"{axes.get_xlabel()}\n{origin}")
 
 
 def colour_bar(figure: "Figure", axes: "Axes", scale: Any, label: str, **options: Any) -> Any:

@@ -29,6 +29,7 @@ from barchan.scenario.effects import (
     unmoved,
     unused,
 )
+from barchan.scenario.lengths import unmatched_frames, wind_length_facts
 from barchan.scenario.source_map import SourceMap
 from barchan.scenario.summary import html_table, in_a_line, summary
 from barchan.wind import Clock, Forcing, Steady, StepClock, WeatherCourse, Wind
@@ -203,7 +204,7 @@ class Scenario(Parameters):
         seconds = self.step_seconds
         if seconds is None:
             return {}
-        facts = {"step": spoken(seconds), "run": spoken(seconds * self.run.steps)}
+        facts = {"step": spoken(seconds), "run": spoken(seconds * self.run.steps), **wind_length_facts(self)}
         if self.clock is not None:
             facts["threshold of the wind"] = (
                 f"{self.clock.threshold_speed():.3g} m/s at {self.clock.height:g} m"
@@ -279,7 +280,7 @@ class Scenario(Parameters):
         parts = [part for _, part in self.wind.placed_parts()]
         remarks: list[Iterable[str]] = [self.source_map.notes]
         remarks += [recorded_remarks(self), unmoved(self), falls_too_little(self), unused(self), idle(self)]
-        remarks += [starved_edges(self)]
+        remarks += [starved_edges(self), unmatched_frames(self)]
         remarks += [self.ground.remarks(self.lattice), broken_edges(self, ground)]
         remarks += [model.remarks(part.longest_hop, part.direction) for part in parts]
         remarks += [model.wind_remarks()]

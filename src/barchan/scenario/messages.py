@@ -3,12 +3,13 @@
 import difflib
 import json
 from collections.abc import Callable, Iterable
+from functools import lru_cache
 from typing import Any
 
 from pydantic import BaseModel, ValidationError
 
 from barchan.errors import Problem
-from barchan.parameters import NOTE, allowed, variants
+from barchan.parameters import NOTE, allowed, declarations, variants
 from barchan.scenario.source_map import Path, dotted
 
 LONGEST = 60
@@ -36,6 +37,8 @@ def problems_of(
         path = _path_of(item, data)
         owner, field = owner_of(root, data, path)
         message = _message(item, owner, field)
+        if item["type"] == "extra_forbidden":
+            message = _elsewhere(root, path, owner) or message
         if item["type"] == "union_tag_not_found":
             message += _kinds(owner_of(root, data, path[:-1])[1], str(path[-1]))
         found.setdefault(path, Problem(dotted(path), message, place(path)))
@@ -126,6 +129,38 @@ def _message(item: Any, owner: type[BaseModel] | None, field: Any) -> str:
         hint = nearest(value, choices) if isinstance(value, str) and len(choices) > 1 else ""
         return f"is {value_text(value)}{hint}; allowed: {allowed(field)}"
     return str(item["msg"])
+
+
+def _elsewhere(root: type[BaseModel], path: Path, owner: type[BaseModel] | None) -> str:
+    """The place of a key that is unknown where it stands and known elsewhere; empty where it is nowhere."""
+    name = str(path[-1])
+    if owner is root:
+        inner = _groups_with(root, name)
+        return f"unknown key; it belongs to {' or '.join(inner)}" if inner else ""
+    if name in root.model_fields:
+        group = "a group" if variants(root.model_fields[name].annotation) else "a key"
+        return f"unknown key here; '{name}' is {group} of its own, beside {path[0]}"
+    inner = _groups_with(root, name)
+    if not inner or dotted(path[:-1]) in inner:
+        return ""
+    return f"unknown key here; it belongs to {' or '.join(inner)}"
+
+
+def _groups_with(root: type[BaseModel], name: str) -> list[str]:
+    """The groups of a scenario that have a key of that name, as dotted paths; variants count once."""
+    return list(_groups_by_key(root).get(name, ()))
+
+
+@lru_cache(maxsize=8)
+def _groups_by_key(root: type[BaseModel]) -> dict[str, dict[str, None]]:
+    """For each last part of a key the groups that have it; made once: files may hold thousands of errors."""
+    found: dict[str, dict[str, None]] = {}
+    for top, field in root.model_fields.items():
+        for group in variants(field.annotation):
+            for declared in declarations(group, f"{top}."):
+                owner, _, name = declared.key.rpartition(".")
+                found.setdefault(name, {})[owner] = None
+    return found
 
 
 def value_text(value: Any) -> str:

@@ -1,5 +1,6 @@
 """Surfaces from files and from runs."""
 
+import re
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -13,6 +14,9 @@ from barchan.ground.raster import UnreadableError
 from barchan.ground.reading import READERS
 from barchan.ground.reference import name_of
 from barchan.survey.height_field import HeightField
+
+_CRS = re.compile(r"\bcrs(?= '|, for instance)")
+"""The key of a scenario's ground by which messages ask for a reference system; here it is an option."""
 
 ADVICE = "--missing {codes} if it is one, --missing none if all are heights"
 
@@ -56,6 +60,7 @@ def read_field(
     try:
         return _file(file, path, cell_size, periodic)
     except UnreadableError as error:
+        error = UnreadableError(_CRS.sub("--crs", str(error)))
         folder = "; a run is a folder" if path.suffix.lower() not in READERS else ""
         raise SurveyError(f"{path}: {error}{folder}") from None
 
