@@ -3,12 +3,11 @@
 Cells and hops of 0.2 m, quanta of 1 kg/m², 9.6 × 25.6 m, periodic; five seeds. Waves: 60 kg/m² of loose
 drift without bonds under 10 m/s at -10 °C for 24 hours. Cover: 12 kg/m² of drift on bare ground under 12
 m/s for 10 hours, at -20 and at -5 °C, bonds growing. Speeds are from frames half an hour apart. All with
-creep by impacts, the default (`creep.law` `impacts`), and with creep by the threshold. Waves also on cells
-and hops of 0.1 m, 4.8 × 19.2 m.
+creep by impacts, the default (`creep.law` `impacts`), and with creep by the threshold.
 """
 
 from barchan.snow.conditions import Conditions
-from validation.snow_scenes import FINE, advance, field, fine, forms, part
+from validation.snow_scenes import advance, field, forms
 from validation.study import Row, over_seeds, spread
 
 TITLE = "Waves and dunes of snow"
@@ -17,13 +16,8 @@ TITLE = "Waves and dunes of snow"
 LAWS = ("impacts", "threshold")
 
 
-def waves(law, is_fine, seed):
-    model = {"bonding": {"grows": False}, "creep": {"law": law}}
-    if is_fine:
-        model |= {"temperature": -10, "reference_wind": 10}
-        simulation = fine([part(25.0, 10.0)], seed, mean=60, rows=48, columns=192, **model)
-    else:
-        simulation = field(10.0, -10.0, seed, **model)
+def waves(law, seed):
+    simulation = field(10.0, -10.0, seed, bonding={"grows": False}, creep={"law": law})
     advance(simulation, 24.0)
     found = forms(simulation)
     expected = Conditions(simulation.model.parameters, 10.0, -10.0).flux / found["density"] / found["relief"]
@@ -46,19 +40,12 @@ def _within(values, low, high):
 
 def rows():
     for law in LAWS:
-        for is_fine in (False, True):
-            where = f"cells of {FINE:g} m, creep by {law}" if is_fine else f"creep by {law}"
-            yield from _named(where, _rows_of_waves(law, is_fine))
-        yield from _named(f"creep by {law}", _rows_of_cover(law))
+        for row in _rows(law):
+            yield Row(f"{row.what}, creep by {law}", row.published, row.found, row.verdict)
 
 
-def _named(where, rows):
-    for row in rows:
-        yield Row(f"{row.what}, {where}", row.published, row.found, row.verdict)
-
-
-def _rows_of_waves(law, is_fine):
-    (found,) = over_seeds(waves, [(law, is_fine)])
+def _rows(law):
+    (found,) = over_seeds(waves, [(law,)])
     yield Row(
         "spacing of waves", "3 to 20 m", f"{spread(found['spacing'])} m", _within(found["spacing"], 3, 20)
     )
@@ -68,9 +55,6 @@ def _rows_of_waves(law, is_fine):
     ratio = found["ratio"]
     yield Row("speed over Q/(ρ H)", "0.6 to 1.4", spread(ratio), _within(ratio, 0.6, 1.4))
     yield Row("speed", "above 0.05 m/h", f"{spread(found['speed'])} m/h", _within(found["speed"], 0.05, 99))
-
-
-def _rows_of_cover(law):
     cold, warm = over_seeds(cover, [(law, -20.0), (law, -5.0)])
     yield Row(
         "height of dunes on bare ground, -20 °C",
