@@ -110,7 +110,7 @@ def test_a_record_is_told_with_its_columns_height_rows_and_gaps(here, barchan):
     for words in (
         "record: mast.csv",
         "read: speed (m/s) and direction, in m/s, taken to be at 10 m",
-        "rows: 6, 16.7 % missing, 16.7 % calm, 1 gap",
+        "rows: 6, 0.0 % missing, 16.7 % of the known time calm, 1 gap",
         "note: gaps: 1;",
         "the record does not state the height of its speeds; taken to be at 10 m; wind.columns.height",
     ):

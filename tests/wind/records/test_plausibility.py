@@ -6,8 +6,9 @@ import numpy as np
 import pytest
 
 from barchan.aeolian import Saltation
+from barchan.errors import RecordError
 from barchan.theory.assessment import assess_record
-from barchan.wind.records import read_record
+from barchan.wind.records import RecordFormat, read_record
 from tests.wind.records.known import read_potential, winds
 
 SPEEDS, DIRECTIONS = winds()
@@ -66,3 +67,39 @@ def test_a_drift_potential_beyond_all_dunes_is_doubted(tmp_path, unit):
     loud, quiet = (found.remarks, found.warnings)[:: 1 if unit else -1]
     assert any("more than 5000 VU are hardly possible" in said for said in loud)
     assert not any("5000 VU" in said for said in quiet)
+
+
+def test_a_sensor_that_is_stuck_for_a_day_is_remarked(tmp_path):
+    speeds, directions = winds(count=60)
+    speeds[10:40] = 11.0
+    remarks = read(tmp_path, speeds.tolist(), directions.tolist()).remarks
+    (said,) = [remark for remark in remarks if "stuck" in remark]
+    assert "11 m/s for 30 hours on end, 50.0% of the record" in said
+    speeds[::5] += 0.1
+    alive = read(tmp_path, speeds.tolist(), directions.tolist())
+    assert not any("stuck" in remark for remark in alive.remarks)
+
+
+@pytest.mark.parametrize(
+    ("words", "angles"),
+    [
+        (("NNO", "O", "W", "SW"), (22.5, 90.0, 270.0, 225.0)),
+        (("NNO", "O", "E", "SE"), (337.5, 270.0, 90.0, 135.0)),
+        (("NNO", "ZW", "W", "Z"), (22.5, 225.0, 270.0, 180.0)),
+    ],
+)
+def test_points_of_the_compass_of_other_languages_are_told_by_a_columns_letters(tmp_path, words, angles):
+    """Ost and Oost in German and Dutch, ouest and oeste in French and Spanish; Zuid in Dutch."""
+    rows = "".join(
+        f"{day:02}.01.2024;{hour}:00;4,5;{word}\n" for day in (30, 31) for hour, word in enumerate(words)
+    )
+    (tmp_path / "wind.csv").write_text(f"Datum;Uhrzeit;Windgeschwindigkeit (m/s);Windrichtung\n{rows}")
+    record = read_record(tmp_path / "wind.csv", RecordFormat(time_format="%d.%m.%Y %H:%M"))
+    assert tuple(record.direction[:4]) == angles
+    assert record.start == np.datetime64("2024-01-30T00:00:00")
+
+
+def test_points_with_o_that_could_be_east_or_west_are_refused(tmp_path):
+    (tmp_path / "wind.csv").write_text("time,speed,direction\n2024-01-01 00:00,4,NO\n2024-01-01 01:00,4,S\n")
+    with pytest.raises(RecordError, match=r"O is east \(Ost\) or west \(ouest\)"):
+        read_record(tmp_path / "wind.csv")

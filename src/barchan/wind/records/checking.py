@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from barchan.errors import Problem, RecordError
 from barchan.wind.records.directionless import direction_before, undirected_remarks
 from barchan.wind.records.durations import durations
-from barchan.wind.records.plausibility import direction_width, lasting_doubts, warnings_of
+from barchan.wind.records.plausibility import direction_width, lasting_doubts, stuck, warnings_of
 from barchan.wind.records.record import Rows, WindlessRows, WindRecord
 
 FASTEST = 150.0
@@ -64,7 +64,7 @@ def checked(rows: Rows) -> WindRecord:
         undirected=undirected if (undirected := np.isnan(direction[usable])).any() else None,
     )
     doubts = lasting_doubts(record) if record.unit_stated else []
-    record = replace(record, remarks=(*record.remarks, *undirected_remarks(record), *doubts))
+    record = replace(record, remarks=(*record.remarks, *undirected_remarks(record), *doubts, *stuck(record)))
     return replace(record, warnings=warnings_of(record), direction_width=direction_width(record))
 
 

@@ -21,6 +21,13 @@ LASTING = 600.0
 WEAKEST_HIGHEST = 1.0
 """Highest speed (m/s) below which a record is doubted."""
 
+STUCK = 86_400.0
+"""Duration (s) from which on one speed, to the last digit, is that of a sensor that is stuck; ours: means of
+an hour that are rounded to 1 m/s repeat by chance for some hours."""
+
+STUCK_ROWS = 12
+"""Rows that it has at least: means of days repeat sooner."""
+
 ENOUGH = 30
 """Winds from which on directions are judged."""
 
@@ -68,6 +75,24 @@ def lasting_doubts(record: WindRecord) -> list[str]:
             "it as unit"
         )
     ]
+
+
+def stuck(record: WindRecord) -> list[str]:
+    """Doubt of the longest time for which the speed is the same, where that is a day or more and no calm."""
+    starts = np.flatnonzero(np.concatenate([[True], np.diff(record.speed) != 0.0]))
+    rows = np.diff(np.append(starts, len(record)))
+    lasts = np.add.reduceat(record.duration, starts)
+    lasts[(record.speed[starts] == 0.0) | (rows < STUCK_ROWS)] = 0.0
+    longest = int(np.argmax(lasts))
+    if lasts[longest] < STUCK or len(starts) == 1:
+        return []
+    first, share = starts[longest], lasts[longest] / record.duration.sum()
+    when = (
+        "" if record.start is None else f" from {record.start + np.timedelta64(int(record.time[first]), 's')}"
+    )
+    hours, speed = lasts[longest] / 3600, record.speed[first]
+    said = f"the speed is {speed:.4g} m/s for {hours:.4g} hours on end{when}, {share:.1%} of the record"
+    return [f"{said}: is the sensor stuck?"]
 
 
 def direction_width(record: WindRecord) -> float:

@@ -30,7 +30,7 @@ TIMES = Quantity(
     TIME,
     (
         "time", "datetime", "date_time", "timestamp", "valid_time", "valid", "mess_datum", "utc",
-        "observation_time", "obstime", "obs_time", "time_stamp", "date",
+        "observation_time", "obstime", "obs_time", "time_stamp", "date", "datum", "fecha",
     ),
     ("time",),
 )  # fmt: skip
@@ -39,7 +39,8 @@ SPEEDS = Quantity(
     SPEED,
     (
         "speed", "wind_speed", "windspeed", "windspd", "wndspd", "wind_spd", "ws", "wspd", "sknt", "ff", "f",
-        "wind_velocity", "windgeschwindigkeit", "si", "wind", "spd",
+        "wind_velocity", "windgeschwindigkeit", "vitesse_du_vent", "velocidad_del_viento",
+        "velocita_del_vento", "velocità_del_vento", "windsnelheid", "si", "wind", "spd",
     ),
     ("wind_speed",),
     "m/s",
@@ -49,7 +50,8 @@ DIRECTIONS = Quantity(
     ANGLE,
     (
         "direction", "wind_direction", "winddirection", "wind_dir", "winddir", "wd", "wdir", "drct",
-        "dir", "dd", "d", "windrichtung", "wdirection", "wind_bearing",
+        "dir", "dd", "d", "windrichtung", "direction_du_vent", "direccion_del_viento", "dirección_del_viento",
+        "direzione_del_vento", "wdirection", "wind_bearing",
     ),
     ("wind_from_direction", "wind_to_direction"),
     "deg",

@@ -16,7 +16,13 @@ _PARTS = (
 )
 """Names of columns that hold one part of the time each, and how the part is written."""
 
-_OF_DAY = ("time", "hour", "hours", "hr", "hh", "h", "uur", "time_of_day")
+_DATES = ("date", "datum", "fecha", "data")
+"""Names of a column of dates, in the languages that are known."""
+
+_OF_DAY = (
+    "time", "hour", "hours", "hr", "hh", "h", "uur", "time_of_day", "uhrzeit", "zeit", "stunde", "heure",
+    "hora", "ora", "tijd",
+)  # fmt: skip
 """Names of a column with the time of the day beside one of dates."""
 
 
@@ -38,10 +44,11 @@ def time_columns(
             return list(known), _hint(known, provider)
     single = guess(headings, "time")
     plain = {read_heading(h).name: h for h in reversed(headings)}
-    if "date" in plain:
+    date = next((plain[name] for name in _DATES if name in plain), None)
+    if date:
         hour = next((plain[name] for name in _OF_DAY if name in plain), None)
-        if hour and single in {hour, plain["date"]}:
-            return [plain["date"], hour], None
+        if hour and single in {hour, date, None}:
+            return [date, hour], None
     if single is not None:
         return [single], provider.time_format
     found = [next((h for name in names if (h := _like(headings, name))), None) for names, _ in _PARTS]

@@ -52,6 +52,9 @@ _POINTS = ["N", "NNE", "NE", "ENE", "E", "ESE", "SE", "SSE", "S", "SSW", "SW", "
 COMPASS = {name.lower(): 22.5 * k for k, name in enumerate(_POINTS)}
 """Degrees of the points of the compass."""
 
+_LETTERS = frozenset("nesowz")
+"""Letters of the points of the compass in the languages that are known."""
+
 _ROUNDING = 0.01
 """Degrees by which a full turn may be exceeded, as 6.2832 rad is."""
 
@@ -123,19 +126,21 @@ def numbers_of(
 ) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
     """A column of words as numbers, NaN where nothing is, and which rows say that the air is calm.
 
-    Points of the compass become angles in the column's own unit. Raises RecordError at a word that is none of
-    these.
+    Points of the compass become angles in the column's own unit, also those with O, which is east in German
+    and Dutch and west in French, Spanish and Italian: the column's other letters tell. Raises RecordError at
+    a word that is none of these.
     """
     import pandas as pd
 
     plain = words.str.strip()
+    english = _letters_of(plain) if claim.quantity == "direction" else {}
     values = pd.to_numeric(plain, errors="coerce").to_numpy(np.float64, copy=True)
     strange = np.isnan(values)
     calm = np.zeros(len(values), bool)
     for word in plain[strange].unique():
         here = strange & (plain == word).to_numpy()
         low = str(word).lower()
-        point = COMPASS.get(_short(low)) if claim.quantity == "direction" else None
+        point = COMPASS.get(_short(low).translate(english)) if claim.quantity == "direction" else None
         if low in CALM:
             calm |= here
             values[here] = 0.0 if claim.quantity == "speed" else np.nan
@@ -143,8 +148,29 @@ def numbers_of(
             values[here] = point / unit.size
         elif low not in NO_VALUE and not (claim.quantity == "direction" and low in VARIABLE):
             where = f"row {rows[int(np.argmax(here))]}, column '{words.name}'"
-            raise RecordError([Problem(where, f"is '{word}'; allowed: {_allowed(claim.quantity)}")], source)
+            allowed = _allowed(claim.quantity)
+            if claim.quantity == "direction" and "o" in low and _LETTERS.issuperset(low):
+                allowed += (
+                    "; O is east (Ost) or west (ouest), and the column's other letters do not tell which"
+                )
+            raise RecordError([Problem(where, f"is '{word}'; allowed: {allowed}")], source)
     return values, calm
+
+
+def _letters_of(words: "pd.Series") -> dict[int, str]:
+    """The English letters of points of the compass that are written with O and Z, by a column's letters.
+
+    Beside W, without E, O is east (German, Dutch); beside E, without W, it is west (French, Spanish, Italian,
+    Portuguese). Z, without S, is south (Dutch).
+    """
+    found = {word.lower() for word in map(str, words.unique())}
+    letters = set().union(*(word for word in found if word and _LETTERS.issuperset(word)))
+    english = {}
+    if "o" in letters and ("w" in letters) != ("e" in letters):
+        english["o"] = "e" if "w" in letters else "w"
+    if "z" in letters and "s" not in letters:
+        english["z"] = "s"
+    return str.maketrans(english)
 
 
 def _short(word: str) -> str:
