@@ -150,6 +150,7 @@ def test_a_resumed_run_keeps_its_plants_and_its_bits():
     np.testing.assert_array_equal(again.model.pool.motion, simulation.model.pool.motion)
 
 
+@pytest.mark.extended
 def test_a_brush_plants_no_lower_than_none_and_no_higher_than_the_tallest_may_be():
     simulation = Simulation(barchan.load(SMALL, model__canopy__stands=[{"height": 0.0}]))
     (brush,) = (one for one in brushes(simulation) if one["title"] == "plant_height")

@@ -30,7 +30,10 @@ print(memory_needed(scenario) / tracemalloc.get_traced_memory()[1])
 """
 
 
-@pytest.mark.parametrize("name", ["werner", "pelletier", "nield_baas", "wang_hu"])
+OTHERS = [pytest.param(name, marks=pytest.mark.extended) for name in ("pelletier", "nield_baas", "wang_hu")]
+
+
+@pytest.mark.parametrize("name", ["werner", *OTHERS])
 def test_the_estimate_is_about_the_memory_that_a_run_takes(name):
     """The right value is what Python's own count of allocated memory, ``tracemalloc``, says at its peak."""
     done = subprocess.run(

@@ -76,6 +76,7 @@ def test_the_bits_do_not_depend_on_how_a_run_is_cut():
     np.testing.assert_array_equal(whole.bed.sand, cut.bed.sand)
 
 
+@pytest.mark.extended
 def test_oblique_slabs_among_obstacles_with_hops_that_grow_are_all_booked():
     simulation = run(
         10,

@@ -33,7 +33,7 @@ def test_snow_of_one_density_without_closures_moves_as_werners_sand(direction):
                 "lattice": {"rows": 32, "columns": 48, "cell_size": 0.1, "slab_height": 0.01},
                 "sand": {"kind": "flat", "mean": 10},
                 "wind": {"kind": "steady", "direction": direction},
-                "model": {"name": "werner", "lee_erosion": False},
+                "model": {"name": "werner", "lee_erosion": False, "shadow_from": "centre"},
                 "run": {"steps": 10_000, "seed": 3},
             }
         )

@@ -5,7 +5,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from barchan.measures.migration import WHOLE
 from barchan.wind import SeriesWind
 from barchan.wind.clock import spoken
 from barchan.wind.regimes import Regimes
@@ -68,6 +67,8 @@ def unmatched_frames(scenario: "Scenario") -> list[str]:
 
 def _fits(every: int, cycle: float, steps: int) -> bool:
     """Whether a frame lies whole cycles after another, frames being saved at multiples of ``every``."""
+    from barchan.measures.migration import WHOLE  # measures need libraries that the first page does without
+
     most = int(min(steps, (CYCLES + WHOLE) * cycle) // every)
     cycles = np.arange(1, most + 1) * (every / cycle)
     return bool(((np.rint(cycles) >= 1) & (np.abs(cycles - np.rint(cycles)) <= WHOLE)).any())

@@ -72,6 +72,7 @@ def taken(bed: Bed, loose, bonded, middle, breaks):
     return True
 
 
+@pytest.mark.extended
 @pytest.mark.parametrize("breaks", [True, False])
 def test_a_grain_takes_the_youngest_and_bonded_snow_only_where_bonds_break(breaks):
     model, bed, loose, bonded = scene(4)

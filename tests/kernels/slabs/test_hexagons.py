@@ -80,7 +80,7 @@ def test_kernel_equals_reference_on_hexagons_whatever_the_parameters(
 
 
 @pytest.mark.parametrize(
-    "features", [*(pytest.param(FEATURES[k], marks=pytest.mark.extended) for k in (4, 8)), FEATURES[9]]
+    "features", [pytest.param(FEATURES[k], marks=pytest.mark.extended) for k in (4, 8, 9)]
 )
 @settings(deadline=None, max_examples=20)
 @given(st.data())

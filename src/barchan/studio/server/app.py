@@ -22,7 +22,7 @@ from barchan.studio.server import gallery
 from barchan.studio.server.film_routes import film_routes
 from barchan.studio.server.security import LARGEST_UPLOAD, Guard, HostCheck, RateLimiter
 from barchan.studio.server.session import Session
-from barchan.studio.server.uploads import body_of
+from barchan.studio.server.uploads import TooLargeError, body_of
 
 CLIENT = Path(__file__).parents[1] / "client"
 
@@ -102,6 +102,9 @@ async def _upload(request: Request, session: Session) -> Response:
     try:
         content = await body_of(request, LARGEST_UPLOAD)
         path = await run_in_threadpool(session.workspace.keep, name, content)
+    except TooLargeError as error:
+        way = "the command line reads files of any size (barchan run --help), and coarser cells make smaller ones"
+        return JSONResponse({"text": f"'{name}': {error}; {way}"}, 413)
     except (BarchanError, OSError) as error:
         return JSONResponse({"text": str(error)}, 400)
     except ClientDisconnect:
