@@ -103,7 +103,7 @@ async def _upload(request: Request, session: Session) -> Response:
         content = await body_of(request, LARGEST_UPLOAD)
         path = await run_in_threadpool(session.workspace.keep, name, content)
     except TooLargeError as error:
-        way = "the command line reads files of any size (barchan run --help), and coarser cells make smaller ones"
+        way = "the command line reads files of any size, and coarser cells make smaller ones"
         return JSONResponse({"text": f"'{name}': {error}; {way}"}, 413)
     except (BarchanError, OSError) as error:
         return JSONResponse({"text": str(error)}, 400)
