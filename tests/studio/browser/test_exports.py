@@ -13,7 +13,8 @@ def test_every_format_is_offered_and_the_file_is_downloaded(studio):
     sheet.get_by_label("Format").wait_for()
     assert sheet.get_by_label("Format").locator("option").count() >= 15
     sheet.get_by_label("Format").select_option("asc")
-    sheet.get_by_label("Field").select_option("depth")
+    sheet.locator("summary", has_text="fields").click()
+    sheet.locator("input[type=checkbox][value=depth]").check()
     with page.expect_download() as download:
         sheet.get_by_role("button", name="export", exact=True).click()
     lines = Path(download.value.path()).read_text().splitlines()
