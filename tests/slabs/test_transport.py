@@ -4,10 +4,8 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from numba import njit
 
 from barchan.bed import Bed
-from barchan.kernels.slabs.bands import _NOTHING, _next_band, _run, _waits
 from barchan.kernels.slabs.plan import BROKEN_OFF, reach_of
 from barchan.kernels.slabs.state import TALLY_SIZE, Schedule
 from barchan.lattice import Lattice
@@ -19,6 +17,7 @@ from barchan.slabs.transport import Transport
 from barchan.streams import Stream
 from barchan.wind.segment import Segment
 from tests.kernels.slabs.test_step import PlainSlabs
+from tests.slabs.any_order import run_in_any_order
 
 WINDS = [270.0, 90.0, 0.0, 247.5, 225.0, 300.0, 137.0]
 
@@ -153,29 +152,6 @@ def test_slabs_that_hop_far_find_room_however_many_they_are(monkeypatch):
     tight = moved_by(2, model, sand, 225.0)
     np.testing.assert_array_equal(roomy[0], tight[0])
     assert roomy[1] == tight[1]
-
-
-@njit
-def run_in_any_order(stacks, rules, work, schedule, plan, tally, random):
-    """Run a plan on one thread, each time a band chosen at random of those that need not wait."""
-    bands, last = plan.peaks.size, plan.rounds.shape[0]
-    wrap = rules.grid.wrap_across
-    k = 0
-    while True:
-        band, number = _next_band(plan, wrap)
-        if band == _NOTHING:
-            return
-        first = random[k % random.size] % bands
-        for step in range(bands):
-            other = (first + step) % bands
-            begun = plan.done[other]
-            if begun < min(last, plan.done[bands]) and not _waits(plan, other, begun, wrap):
-                band, number = other, begun
-                break
-        plan.taken[band] += 1
-        _run(stacks, rules, work, schedule, plan, band, number, tally)
-        plan.done[band] += 1
-        k += 1
 
 
 @pytest.mark.parametrize("seed", range(6))

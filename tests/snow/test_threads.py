@@ -2,11 +2,9 @@
 
 import numpy as np
 import pytest
-from numba import njit
 
 import barchan.kernels.snow.bed  # noqa: F401  # how kernels treat a bed of snow
 from barchan.bed import Bed
-from barchan.kernels.slabs.bands import _NOTHING, _next_band, _run, _waits
 from barchan.kernels.slabs.plan import BROKEN_OFF
 from barchan.kernels.slabs.state import STRAYED, TALLY_SIZE
 from barchan.lattice import Lattice
@@ -15,6 +13,7 @@ from barchan.slabs import rounds
 from barchan.slabs.rounds import SharedRounds
 from barchan.streams import Stream
 from barchan.wind.segment import Segment
+from tests.slabs.any_order import run_in_any_order
 from tests.snow.scenes import SWITCHED_OFF, snow
 
 STORM = {"snowfall": 2e-2, "temperature": -12.0}
@@ -150,29 +149,6 @@ def test_work_of_two_threads_that_is_interrupted_ends_and_the_next_run_moves_sno
     assert moved == 0
     simulation.advance(5)
     assert simulation.model.drift.state()["travel"] > 0
-
-
-@njit
-def run_in_any_order(bed, rules, work, schedule, plan, tally, random):
-    """Run a plan on one thread, each time a band chosen at random of those that need not wait."""
-    bands, last = plan.peaks.size, plan.rounds.shape[0]
-    wrap = rules.slabs.grid.wrap_across
-    k = 0
-    while True:
-        band, number = _next_band(plan, wrap)
-        if band == _NOTHING:
-            return
-        first = random[k % random.size] % bands
-        for step in range(bands):
-            other = (first + step) % bands
-            begun = plan.done[other]
-            if begun < min(last, plan.done[bands]) and not _waits(plan, other, begun, wrap):
-                band, number = other, begun
-                break
-        plan.taken[band] += 1
-        _run(bed, rules, work, schedule, plan, band, number, tally)
-        plan.done[band] += 1
-        k += 1
 
 
 @pytest.mark.extended

@@ -133,7 +133,7 @@ def budget(
     change = np.asarray(after, float) - np.asarray(before, float)
     sigma = difference_noise(change) if noise is None else noise
     known = change[np.isfinite(change)]
-    up, down = (change[_told(sign * change, sigma)] for sign in (1.0, -1.0))
+    up, down = (change[where] for where in _told(change, sigma))
     by_chance = _by_chance(change, sigma, known.size - up.size - down.size)
 
     def volume(part: Field, chance: Estimate) -> Estimate:
@@ -154,14 +154,16 @@ def budget(
 _MASK = np.array([[1.0, -2.0, 1.0], [-2.0, 4.0, -2.0], [1.0, -2.0, 1.0]])
 
 
-def _told(change: Field, sigma: float) -> NDArray[np.bool_]:
-    """Cells whose change (m) is told from noise to be a rise, by itself or with those about it."""
+def _told(change: Field, sigma: float) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+    """Cells that rose and that fell (m) beyond noise, by themselves or with those about them."""
     if sigma == 0.0:
-        return change > 0.0
-    wide = smoothed(change, TOGETHER, (False, False))
+        return change > 0.0, change < 0.0
+    wide, limit = smoothed(change, TOGETHER, (False, False)), CERTAIN * sigma
     # a Gaussian of width w leaves 1 / (2 √π w) of the deviation of white noise
-    least = CERTAIN * sigma / (2.0 * np.sqrt(np.pi) * TOGETHER)
-    return np.isfinite(change) & (change >= -CERTAIN * sigma) & ((change > CERTAIN * sigma) | (wide > least))
+    least = limit / (2.0 * np.sqrt(np.pi) * TOGETHER)
+    risen = (change > limit) | ((wide > least) & (change >= -limit))
+    fallen = (change < -limit) | ((wide < -least) & (change <= limit))
+    return risen, fallen
 
 
 def _by_chance(change: Field, sigma: float, still: int) -> Estimate:
@@ -174,7 +176,7 @@ def _by_chance(change: Field, sigma: float, still: int) -> Estimate:
     rng, known, sums = np.random.default_rng(1), np.isfinite(change), []
     for _ in range(FIELDS_OF_NOISE):
         noise = np.where(known, rng.normal(0.0, sigma, change.shape), np.nan)
-        rises, falls = (_told(sign * noise, sigma) for sign in (1.0, -1.0))
+        rises, falls = _told(noise, sigma)
         share = min(still / max(int(known.sum() - rises.sum() - falls.sum()), 1), 1.0)
         sums += [share * noise[rises].sum(), -share * noise[falls].sum()]
     return Estimate(float(np.mean(sums)), float(np.std(sums, ddof=1)))

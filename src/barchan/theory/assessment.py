@@ -19,7 +19,7 @@ from barchan.theory.drift import (
     sand_flux,
 )
 from barchan.theory.dune_types import dune_type
-from barchan.theory.record_remarks import doubts_of, is_annual, record_remarks, undirected_remarks
+from barchan.theory.record_remarks import doubts_of, is_annual, record_remarks, undirected_drift_remarks
 from barchan.theory.variability import Variability, variability
 from barchan.wind.clock import YEAR
 from barchan.wind.interval import WindInterval
@@ -89,7 +89,7 @@ def assess_record(record: WindRecord, sand: Saltation, supply: float | None = No
     doubts = doubts_of(potential.total) if is_annual(record) else ()
     warnings = () if record.unit_stated else doubts
     said = doubts if record.unit_stated else ()
-    remarks = (*record_remarks(record), *undirected_remarks(high, threshold), *said)
+    remarks = (*record_remarks(record), *undirected_drift_remarks(high, threshold), *said)
     return replace(found, threshold=threshold, remarks=remarks, warnings=warnings)
 
 

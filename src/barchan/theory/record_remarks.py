@@ -30,13 +30,12 @@ def record_remarks(record: WindRecord) -> list[str]:
     if usual > LONGEST_MEAN:
         said.append(
             f"rows stand for {spoken(usual)} each; means over so long hide strong winds, and the drift "
-            f"potential "
-            "comes out too low"
+            "potential comes out too low"
         )
     return said
 
 
-def undirected_remarks(record: WindRecord, threshold: float) -> list[str]:
+def undirected_drift_remarks(record: WindRecord, threshold: float) -> list[str]:
     """How winds without a direction count in the drift potential above a threshold (knots at 10 m)."""
     which = record.without_direction
     if not which.any():

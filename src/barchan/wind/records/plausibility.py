@@ -43,8 +43,7 @@ def warnings_of(record: WindRecord) -> tuple[str, ...]:
     if mean > STRONGEST_MEAN:
         found.append(
             f"the mean speed is {mean:.1f} m/s; no place on Earth has more than {STRONGEST_MEAN:g} m/s: "
-            f"is the unit "
-            "right (0.1 m/s, km/h, kn)?"
+            "is the unit right (0.1 m/s, km/h, kn)?"
         )
     elif highest > STRONGEST:
         found.append(
