@@ -1,5 +1,6 @@
 /** What the page says to its user: the log of everything, refusals that stay until dismissed, marks at the places they concern. */
 
+import { labelOf } from "./labels";
 import type { Problem } from "./protocol";
 import { Signal } from "./signal";
 
@@ -81,6 +82,6 @@ function dotted(key: string): string {
 export function spokenKey(key: string): string {
   return dotted(key)
     .split(".")
-    .map((part) => (/^\d+$/.test(part) ? String(Number(part) + 1) : part.replaceAll(/_(?=[a-z0-9]{3})/g, " ")))
+    .map((part) => (/^\d+$/.test(part) ? String(Number(part) + 1) : labelOf(part)))
     .join(" › ");
 }
