@@ -139,7 +139,7 @@ def main() -> None:
     seconds = "seconds that each may run at most; more where the machine is busy"
     parser.add_argument("--patience", type=float, default=PATIENCE, help=seconds)
     parser.add_argument(
-        "--title", type=Path, metavar="FILE", help="draw the title picture of the README instead"
+        "--title", type=Path, metavar="FILE", help="draw the README's title picture instead"
     )
     asked = parser.parse_args()
     if asked.title:
