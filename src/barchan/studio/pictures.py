@@ -138,9 +138,7 @@ def main() -> None:
     parser.add_argument("names", nargs="*", metavar="NAME", help="preset; all where none is given")
     seconds = "seconds that each may run at most; more where the machine is busy"
     parser.add_argument("--patience", type=float, default=PATIENCE, help=seconds)
-    parser.add_argument(
-        "--title", type=Path, metavar="FILE", help="draw the README's title picture instead"
-    )
+    parser.add_argument("--title", type=Path, metavar="FILE", help="draw the README's title picture instead")
     asked = parser.parse_args()
     if asked.title:
         draw_title(asked.title)
