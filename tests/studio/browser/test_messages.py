@@ -1,6 +1,7 @@
 """What the page says where something is refused, and that nothing refused stands in the way."""
 
 import io
+import json
 
 import numpy as np
 import pytest
@@ -155,3 +156,15 @@ def test_bounds_and_switches_are_told_in_words(studio):
         "(all) => all.map((one) => one.title)"
     )
     assert [text for text in buttons if "null" in text or "true" in text or "false" in text] == []
+
+
+@pytest.mark.extended
+def test_a_refusal_groups_long_numbers_and_calls_no_value_none(studio):
+    """Of a number of hops at least 1 are allowed, at most a thousand million."""
+    fill(studio, "model.max_hops", "-5")
+    toasts(studio).wait_for()
+    told = toasts(studio).inner_text()
+    assert "1\u202f000\u202f000\u202f000" in told
+    problem = {"key": "run.save_every", "message": "is null; allowed: 1 or null", "place": "scenario"}
+    studio.ask(f"window.barchan.app.handlers.refused({{ text: '', problems: [{json.dumps(problem)}] }})")
+    toasts(studio).filter(has_text="run › save every: is none; allowed: 1 or none").wait_for()

@@ -58,9 +58,8 @@ def test_a_wind_changed_in_mid_run_is_an_event_of_the_same_step_in_both(pair):
 LIMITS = "window.barchan.app.runs.map((run) => window.barchan.stage.terrain(run).colouring.limits)"
 
 
-def colour_by(studio, field):
-    studio.ask(f"window.barchan.app.view.set({{ field: '{field}' }})")
-    name = "elevation of the surface" if field == "elevation" else field
+def colour_by(studio, name):
+    studio.ask(f"window.barchan.app.view.set({{ field: '{name}' }})")
     studio.until(
         "window.barchan.app.runs.every((run) =>"
         f" window.barchan.stage.terrain(run).colouring?.title === '{name}')"
@@ -96,7 +95,7 @@ def test_a_surface_coloured_by_another_quantity_than_the_one_beside_it_has_a_sca
         })()"""
     )
     shown = pair.page.locator(".colours:visible").all_inner_texts()
-    assert [text.splitlines()[0] for text in shown] == ["elevation of the surface (m)", "soil (cm)"]
+    assert [text.splitlines()[0] for text in shown] == ["elevation (m)", "soil (cm)"]
     pair.ask("window.barchan.app.view.set({ field: 'natural' })")
 
 

@@ -21,9 +21,9 @@ export const NATURAL = "natural";
 /** Fields that every run has, which the page computes itself. */
 export const plainFields = (material: string): Field[] => [
   { name: NATURAL, unit: "", meaning: `${material}, as it looks`, centre: null, choice: false, of_layers: false },
-  { name: "elevation", unit: "m", meaning: "elevation of the surface", centre: null, choice: false, of_layers: false },
+  { name: "elevation", unit: "m", meaning: "elevation", centre: null, choice: false, of_layers: false },
   { name: "depth", unit: "m", meaning: `depth of the ${material}`, centre: null, choice: false, of_layers: false },
-  { name: "slope", unit: "degrees", meaning: "slope of the surface", centre: null, choice: false, of_layers: false },
+  { name: "slope", unit: "degrees", meaning: "slope", centre: null, choice: false, of_layers: false },
 ];
 
 const OUTLIERS = 0.005;

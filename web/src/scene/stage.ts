@@ -280,6 +280,7 @@ export class Stage {
     this.renderer.setPixelRatio(this.plain ? 1 : Math.min(window.devicePixelRatio, 2));
     this.renderer.setSize(width, height, true);
     this.view.frame(this.surfaces.box(), this.aspect());
+    if (!this.app.graphicsLost) this.surfaces.paint(width, height, this.manner()); // else it is empty until the next picture
     this.all();
   }
 }

@@ -41,7 +41,7 @@ export function wordsRows(app: App, stage: Stage, changed: () => void, ...boxes:
       "div",
       { className: "checks" },
       h("div", { className: "row" }, h("span", {}, "title"), heading),
-      check("title, model, step, seed, version", words.title),
+      check("title block: title, model, step, seed, version", words.title),
       check("scale bar and compass", words.scale),
       check(natural ? "legend (choose a field under View, colour by)" : "legend of the colours", words.legend),
       ...boxes,
