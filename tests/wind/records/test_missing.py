@@ -38,7 +38,7 @@ def test_stated_texts_count_in_any_case_beside_the_usual_numbers(tmp_path):
 
 
 def test_stated_numbers_replace_the_usual_ones(tmp_path):
-    with pytest.raises(RecordError, match="row 5, column 'wind_speed .m/s.': is -999"):
+    with pytest.raises(RecordError, match=r"row 5, column 'wind_speed .m/s.': is -999"):
         read_record(table(tmp_path), RecordFormat(missing=["FEHL", "kein Wert", "-99"]))
 
 
@@ -54,7 +54,8 @@ def test_a_table_without_a_heading_may_have_stated_texts(tmp_path):
 
 def test_stated_numbers_are_those_before_factors_and_offsets_of_a_header(tmp_path):
     """A speed of 77 tenths is stated to be missing; the others are tenths of a m/s."""
-    head = "SMET 1.1 ASCII\n[HEADER]\nnodata = -999\nfields = timestamp VW DW\nunits_multiplier = 1 0.1 1\n[DATA]\n"
+    keys = "nodata = -999\nfields = timestamp VW DW\nunits_multiplier = 1 0.1 1\n"
+    head = f"SMET 1.1 ASCII\n[HEADER]\n{keys}[DATA]\n"
     path = tmp_path / "a.smet"
     path.write_text(head + "2024-01-01T00:00 50 10\n2024-01-01T01:00 77 10\n2024-01-01T02:00 60 10\n")
     record = read_record(path, RecordFormat(missing=[77.0], height=10.0))
