@@ -32,7 +32,7 @@ def _ending(kind, temperature):
 
 
 def after(law, temperature, bonds, struck, ending, seed):
-    """Relief and skewness before and after the end of a storm whose impacts break bonds in ``struck`` kg/m²."""
+    """Relief and skewness before and after a storm ends, whose impacts break bonds in ``struck`` kg/m²."""
     winds = [part(GROWING, 12.0, temperature), *_ending(ending, temperature)]
     model = {"temperature": temperature, "reference_wind": 10, "quantum": 2, "creep": {"law": law}}
     model["bonding"] = {"grows": bonds, "impact_mass": struck}

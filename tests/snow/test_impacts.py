@@ -5,10 +5,11 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from barchan.kernels.snow.state import quanta_of
+from barchan.kernels.snow.state import epoch_of, quanta_of
 from barchan.simulation import Simulation
+from barchan.slabs import rounds
 from barchan.snow import model
-from barchan.snow.fields import bonded, layers_of, surface_age
+from barchan.snow.fields import layers_of
 from barchan.snow.impacts import struck
 from barchan.wind.frame import WindFrame
 from tests.snow.scenes import snow
@@ -69,16 +70,23 @@ def test_weak_stress_and_shelter_keep_the_bonds_of_snow():
 
 
 @pytest.mark.extended
-def test_snow_that_drift_strikes_stays_young_and_what_lies_deeper_ages():
-    """Five hours of 10 m/s: without impacts most of the surface has bonded after three."""
-    even = {"relief": {"acts": False}, "packing": {"law": "none"}, "mean": 20}
-    struck_by_drift = after(9 * 120, **STRUCK, **even)
-    spared = after(9 * 120, quantum=4.0, **even)
-    kept = struck_by_drift.model.parameters
-    assert surface_age(struck_by_drift.bed).max() < 0.4
-    assert surface_age(spared.bed).max() > 3.0
-    deepest = [bonded(struck_by_drift.bed, words, kept) for words in layers_of(struck_by_drift.bed)]
-    assert np.logical_or.reduce(deepest).all()
+def test_drift_strikes_the_loose_snow_that_lies_open_once_an_epoch(monkeypatch):
+    strikes, whole = [], model.strike
+
+    def watched(pack, rules, *arguments):
+        open_to_it, before = struck(pack, rules), pack.top.copy()
+        whole(pack, rules, *arguments)
+        loose = (before > 0) & (rules.epoch - epoch_of(before) < 18)
+        young = epoch_of(pack.top) == rules.epoch
+        np.testing.assert_array_equal(young, open_to_it & loose)
+        strikes.append((rules.epoch, young.mean()))
+
+    monkeypatch.setattr(model, "strike", watched)
+    simulation = after(4 * EPOCH, **STRUCK)
+    first = model.BondClock().epoch
+    # no drift has been measured in the first steps, but long before the first epoch ends
+    assert [epoch for epoch, _ in strikes] == list(range(first + 1, simulation.model.clock.epoch + 1))
+    assert min(share for _, share in strikes) > 0.5
 
 
 @pytest.mark.extended
@@ -102,6 +110,7 @@ def test_a_run_is_the_same_however_it_is_cut_and_resumed(cuts, direction, falls)
 
 @pytest.mark.extended
 def test_the_bed_is_that_of_one_thread(monkeypatch):
+    monkeypatch.setattr(rounds, "_LEAST_POLLS", 0)
     beds = []
     for threads in (1, 2):
         monkeypatch.setattr("barchan.kernels.core.threads.thread_count", lambda threads=threads: threads)

@@ -19,8 +19,8 @@ from barchan.slabs.tally import tally_of
 from barchan.snow.clock import BondClock
 from barchan.snow.conditions import Conditions, quantum_heights, relative_flux, step_seconds
 from barchan.snow.drift_meter import DRIFTING, DriftMeter
-from barchan.snow.pack import SNOW, STRESS, Field, field_of, fields_of, layer_of, leave
 from barchan.snow.impacts import IMPACTS, strike
+from barchan.snow.pack import SNOW, STRESS, Field, field_of, fields_of, layer_of, leave
 from barchan.snow.packing import INTERVAL, let_pack
 from barchan.snow.parameters import SnowParameters
 from barchan.snow.relief_stress import ReliefStress, stress_on

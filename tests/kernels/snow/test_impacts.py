@@ -21,7 +21,7 @@ LAYER = st.tuples(st.integers(1, 4), st.integers(0, 2 * LOOSE), st.sampled_from(
 
 
 def laid(layers, kept):
-    """A cell with layers of (quanta, age, density in kg/m³), the oldest first, and the same as a plain list."""
+    """A cell with layers of (quanta, age, density in kg/m³), the oldest first; the same as a plain list."""
     pack, plain = bare(kept), PlainLayers(kept)
     plain.layers = [(quanta, NOW - age, 64 * density) for quanta, age, density in layers]
     words = [pack_word(quanta, epoch, density / 64) for quanta, epoch, density in plain.layers]
