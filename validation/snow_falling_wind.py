@@ -3,8 +3,7 @@
 60 kg/m² of loose drift, 2.4 × 9.6 m, periodic, cells and hops of 0.1 m, quanta of 2 kg/m², bonds growing;
 12 m/s for 6 hours. Then the wind stops at once, and nothing moves any more; or it falls evenly to 6 m/s
 within 12 hours, or goes on for 12 hours. Relief and skewness of slopes at 6 and at 18 hours. Creep by
-impacts, the default, and by the threshold; with bonds that grow and without; with bonds that impacts break
-to a depth (`bonding.impact_mass`), by default none; five seeds.
+impacts, the default, and by the threshold; with bonds that grow and without; five seeds.
 """
 
 from validation.snow_scenes import advance, at_rest, falling, fine, part
@@ -13,29 +12,26 @@ from validation.study import Row, over_seeds, spread
 TITLE = "Dunes of snow under a wind that falls"
 
 GROWING, ENDING = 6.0, 12.0
-FALLS, GOES_ON = ENDINGS = ("falls", "goes on")
+ENDINGS = ("falls", "goes on")
 CASES = (
-    ("impacts", -10.0, True, 0.0),
-    ("impacts", -20.0, True, 0.0),
-    ("impacts", -10.0, False, 0.0),
-    ("threshold", -10.0, True, 0.0),
-    ("impacts", -10.0, True, 4.0),
-    ("impacts", -20.0, True, 4.0),
+    ("impacts", -10.0, True),
+    ("impacts", -20.0, True),
+    ("impacts", -10.0, False),
+    ("threshold", -10.0, True),
 )
-OTHER_DEPTHS = tuple(("impacts", -10.0, True, mass) for mass in (1.0, 2.0, 8.0))
 
 
 def _ending(kind, temperature):
-    if kind == FALLS:
+    if kind == "falls":
         return falling(ENDING, 12.0, 6.0, temperature)
     return [part(ENDING, 12.0, temperature)]
 
 
-def after(law, temperature, bonds, struck, ending, seed):
-    """Relief and skewness before and after a storm ends, whose impacts break bonds in ``struck`` kg/m²."""
+def after(law, temperature, bonds, ending, seed):
+    """Relief and skewness before and after the end of a storm."""
     winds = [part(GROWING, 12.0, temperature), *_ending(ending, temperature)]
     model = {"temperature": temperature, "reference_wind": 10, "quantum": 2, "creep": {"law": law}}
-    model["bonding"] = {"grows": bonds, "impact_mass": struck}
+    model["bonding"] = {"grows": bonds}
     simulation = fine(winds, seed, mean=30, rows=24, columns=96, **model)
     advance(simulation, GROWING)
     before = at_rest(simulation)
@@ -53,23 +49,14 @@ def after(law, temperature, bonds, struck, ending, seed):
 
 def rows():
     cases = [(*case, ending) for case in CASES for ending in ENDINGS]
-    cases += [(*case, FALLS) for case in OTHER_DEPTHS]
     found = dict(zip(cases, over_seeds(after, cases), strict=True))
-    for case in CASES:
-        first = found[(*case, FALLS)]
+    for law, cold, bonds in CASES:
+        first = found[law, cold, bonds, "falls"]
+        where = f"creep by {law}, {cold:g} °C{'' if bonds else ', no bonds'}"
         text = f"{_cm(first['before'])} cm, skewness {spread(first['skew_before'])}"
-        yield Row(f"{_where(*case)}: after 6 h of 12 m/s, and after a sudden stop", "", text)
+        yield Row(f"{where}: after 6 h of 12 m/s, and after a sudden stop", "", text)
         for ending in ENDINGS:
-            yield _row(f"{_where(*case)}: wind {ending}", found[(*case, ending)])
-    for case in OTHER_DEPTHS:
-        yield _row(f"{_where(*case)}: wind {FALLS}", found[(*case, FALLS)])
-
-
-def _where(law, temperature, bonds, struck):
-    bonding = "" if bonds else ", no bonds"
-    if struck:
-        bonding = f", impacts break bonds in {struck:g} kg/m²"
-    return f"creep by {law}, {temperature:g} °C{bonding}"
+            yield _row(f"{where}: wind {ending}", found[law, cold, bonds, ending])
 
 
 def _row(what, found):

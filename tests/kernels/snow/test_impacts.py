@@ -11,6 +11,8 @@ from barchan.snow.conditions import Conditions, layer_tables, quantum_heights
 from barchan.snow.parameters import SnowParameters
 from tests.kernels.snow.plain import PlainLayers, bare, stack
 
+pytestmark = pytest.mark.extended
+
 NOW = 1000
 LOOSE = 18
 """Epochs of 600 s in the three hours for which snow is loose."""
