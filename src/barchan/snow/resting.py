@@ -55,7 +55,7 @@ class Bonding(Parameters):
         acts_with={"grows": True},
         meaning="Mass of loose snow at the surface whose bonds impacts of drift break as fast as they grow, "
         "where the stress keeps drift going and nothing shelters; 0: bonds grow under drift too.",
-        source="ours, a design with an assumed depth, after Sommer et al. 2018a: no hardening while snow "
+        source="ours, a design with an assumed depth, after Sommer et al. 2018: no hardening while snow "
         "erodes",
     )
 
