@@ -69,7 +69,7 @@ def test_it_turns_with_bed_and_wind():
 
 
 def test_forced_erosion_gives_a_slab_a_poll():
-    """Half the rows are bare: polls that meet them look for another cell, so that sand is taken up twice as often."""
+    """Half the rows are bare: polls that meet them look on, so that sand is taken up twice as often."""
     stacks = np.zeros((10, 20))
     stacks[::2] = 9
     plain, forced = over(stacks), over(stacks, forced_erosion=True)

@@ -98,7 +98,9 @@ class _Flying:
 
     def where(self, chosen: NDArray[np.bool_]) -> "_Flying":
         """Those chosen."""
-        return _Flying(*(part[chosen] for part in (self.cell, self.slabs, self.hop, self.x, self.y)))
+        return _Flying(
+            self.cell[chosen], self.slabs[chosen], self.hop[chosen], self.x[chosen], self.y[chosen]
+        )
 
     def after_hop(self, lattice: Lattice, direction: float) -> "_Flying":
         """All a hop further, without those that left the field."""
