@@ -1,10 +1,10 @@
 """The small pictures of presets in the gallery: ``python -m barchan.studio.pictures [NAME …]`` draws them.
 
-Each preset runs in a studio to its end, or for PATIENCE seconds at most; the picture is the studio's own. It
-takes the built client, a Chromium and Playwright (extra ``dev``). ``--title FILE`` draws the title picture of
-the README instead.
+Each preset runs in a studio to its end, or for some seconds at most; the picture is the studio's own. It
+takes the built client, a Chromium and Playwright (extra ``dev``).
 """
 
+import argparse
 import base64
 import io
 import re
@@ -34,7 +34,7 @@ LARGEST = 15_000
 """Bytes of a picture at most: it is saved with less quality where it would be larger."""
 SEED = 1
 PATIENCE = 20.0
-"""Seconds that a preset may run, at most."""
+"""Seconds that a preset may run, at most, on a machine that does nothing else."""
 
 FLAGS = ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
 RUN = "window.barchan.app.runs[0]"
@@ -112,12 +112,12 @@ def save(image: Image.Image, path: Path, largest: int) -> None:
             return
 
 
-def draw(names: list[str]) -> None:
-    """Draw the pictures of these presets, or of all."""
+def draw(names: list[str], patience: float) -> None:
+    """Draw the pictures of these presets, or of all, that run for so many seconds at most."""
     FOLDER.mkdir(exist_ok=True)
     with studio_page() as page:
         for name in names or preset_names():
-            step = run_preset(page, name, PATIENCE)
+            step = run_preset(page, name, patience)
             image = rendered(page, FINER * WIDTH, FINER * HEIGHT)
             small = image.resize((WIDTH, HEIGHT), Image.Resampling.LANCZOS)
             save(small, FOLDER / f"{name}.webp", LARGEST)
@@ -132,8 +132,19 @@ def draw_title(path: Path) -> None:
         save(rendered(page, TITLE["width"], TITLE["height"]), path, 500_000)
 
 
-if __name__ == "__main__":
-    if sys.argv[1:2] == ["--title"]:
-        draw_title(Path(sys.argv[2]))
+def main() -> None:
+    """Draw what the command line asks for."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("names", nargs="*", metavar="NAME", help="preset; all where none is given")
+    seconds = "seconds that each may run at most; more where the machine is busy"
+    parser.add_argument("--patience", type=float, default=PATIENCE, help=seconds)
+    parser.add_argument("--title", type=Path, metavar="FILE", help="draw the README's title picture instead")
+    asked = parser.parse_args()
+    if asked.title:
+        draw_title(asked.title)
     else:
-        draw(sys.argv[1:])
+        draw(asked.names, asked.patience)
+
+
+if __name__ == "__main__":
+    main()
