@@ -127,7 +127,7 @@ def never_moved(simulation):
     return float(kept / simulation.ledger.initial)
 
 
-def dome(length, wind, temperature, seed):
+def dome(length, wind, temperature, seed, **model):
     """Share that never moved of a dome of drift of a length (m), a 37th as high, on bare ground."""
     density = Conditions(field(wind, temperature, seed).model.parameters, wind, temperature).drift_density
     width = 0.2 * length
@@ -143,6 +143,7 @@ def dome(length, wind, temperature, seed):
         start_density=density,
         start_age=0.4,
         quantum=0.5,
+        **model,
     )
     advance(simulation, 0.2 + 24.0 / float(np.clip(wind - 6.0, 1.0, 4.0)))
     return never_moved(simulation)

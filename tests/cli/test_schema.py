@@ -47,6 +47,12 @@ def test_a_lattice_from_the_ground_holds_to_the_schema(schema):
     assert schema["$defs"]["Lattice"]["properties"]["kind"]["enum"] == ["square", "hex", "from ground"]
 
 
+def test_a_run_as_long_as_its_record_holds_to_the_schema(schema, validator):
+    steps = schema["$defs"]["Run"]["properties"]["steps"]
+    assert (steps["anyOf"][0]["maximum"], steps["anyOf"][1]) == (10**12, {"const": "record"})
+    assert validator.is_valid({**data(), "run": {"steps": "record"}})
+
+
 @pytest.mark.parametrize("name", preset_names())
 def test_every_preset_holds_to_the_schema(validator, name):
     assert list(validator.iter_errors(load_scenario(name).data())) == []

@@ -105,3 +105,23 @@ def test_compilation_is_announced_once_and_not_when_quiet(printed):
                 event.broadcast(event.Event("numba:compile", event.EventStatus.START))
                 event.broadcast(event.Event("numba:compile", event.EventStatus.END))
         assert text.getvalue().count("compiling kernels") == said
+
+
+@pytest.mark.parametrize(
+    ("report", "lines"),
+    [
+        ("slopes relax: 1,204 slabs have slid, 30 cells still to be checked", 1),
+        ("slopes relax: 1,204 slabs have slid, 1,000 cells still to be checked", 1),
+        ("slopes relax: 1,204 slabs have slid, 0 cells still to be checked", 0),
+        ("grains fall: 0 of them are in the air", 0),
+        ("the ground is being read", 1),
+    ],
+)
+def test_progress_is_printed_as_long_as_its_last_count_is_of_work_left(report, lines, printed, monkeypatch):
+    text = printed(False)
+    monkeypatch.setattr("barchan.cli.terminal._UNANNOUNCED", 0.0)
+    with terminal.work_announced(quiet=False):
+        from barchan.kernels.core import progress
+
+        progress.report(report)
+    assert text.getvalue().count("\n") == lines

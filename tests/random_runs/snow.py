@@ -33,6 +33,7 @@ def scenario(number: int) -> dict[str, Any]:
         "creep": rng.choice([{"gain": 1.0}, {"gain": 8.0}, {"law": "threshold"}]),
         "abrasion": {"rate": rng.choice([0.02, 0.5])},
         "threshold": {"law": rng.choice(["bonds", "bonds", "li_pomeroy", "snowtran", "mar"])},
+        "bonding": {"impact_mass": rng.choice([0.0, 0.7, 6.0])},
         "packing": {"law": rng.choice(["vionnet", "anderson", "none"])},
         "beneath": [
             {"mass": rng.uniform(0.5, 30.0), "age": rng.choice([0.0, 30.0, 400.0]), "weak_share": 0.1}

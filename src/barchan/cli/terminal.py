@@ -22,8 +22,8 @@ if TYPE_CHECKING:
 
 console = Console(highlight=False, markup=False, soft_wrap=True)
 
-DONE = re.compile(r"\b0 cells still to be checked$")
-"""End of the report of work that is done, which needs no word."""
+_COUNT = re.compile(r"\d[\d,]*")
+"""A count within a report of progress; the last one is that of the work left."""
 
 _UNANNOUNCED = 2.0
 """Seconds of work that need no word."""
@@ -175,12 +175,18 @@ def work_announced(quiet: bool) -> Iterator[None]:
 
     def tell(text: str) -> None:
         nonlocal last
-        if not quiet and not DONE.search(text) and time.monotonic() - last >= LOG_EVERY:
+        if not quiet and _work_left(text) and time.monotonic() - last >= LOG_EVERY:
             last = time.monotonic()
             console.print(text)
 
     with compilation_announced(quiet), told_of_progress(tell):
         yield
+
+
+def _work_left(report: str) -> bool:
+    """Whether any work is left by a report of progress, which counts it last; also where it counts none."""
+    counts = _COUNT.findall(report)
+    return not counts or int(counts[-1].replace(",", "")) > 0
 
 
 @contextmanager

@@ -2,19 +2,19 @@
 
 from functools import lru_cache
 from pathlib import Path
-from typing import Annotated, Any, Literal
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
-from pydantic import BeforeValidator
 
 from barchan.errors import Problem, ScenarioError
 from barchan.ground.raster import Hints, Outline, Place, Raster, UnreadableError
 from barchan.ground.reading import read
 from barchan.ground.reference import require_metres
 from barchan.ground.resampling import resampled
-from barchan.ground.voids import filled, marked, suspects
+from barchan.ground.voids import filled, suspects
 from barchan.lattice import Lattice
+from barchan.missing import Codes, marked, missing_key
 from barchan.parameters import Parameters, parameter
 
 TOLERANCE = 1e-3
@@ -24,11 +24,6 @@ FARTHEST = 0.5
 """Cells by which that may shift the far edge of the field."""
 
 ADVICE = "state missing [{codes}] if it is one (and fill 'interpolate'), missing [] if all are heights"
-
-
-def _several(value: Any) -> Any:
-    """A single number as a list of one."""
-    return [value] if isinstance(value, int | float) and not isinstance(value, bool) else value
 
 
 class FromFile(Parameters):
@@ -54,12 +49,11 @@ class FromFile(Parameters):
         "linear between smaller ones; an elevation model at its own scale from its south-west corner, others "
         "stretched over the field.",
     )
-    missing: Annotated[list[float] | None, BeforeValidator(_several)] = parameter(
+    missing: Codes | None = missing_key(
         None,
-        unit="-",
-        max_length=100,
-        meaning="Numbers that mark cells without a value, where the file does not declare them; [] if all "
-        "are values. Without it, a number that looks like such a mark is refused.",
+        "Numbers",
+        " where the file does not declare them; [] if all are heights. Without it, a number that looks like "
+        "one is refused.",
     )
     fill: Literal["no", "interpolate"] = parameter(
         "no",

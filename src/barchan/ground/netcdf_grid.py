@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from barchan.ground.raster import Hints, Raster, UnreadableError, placed, refuse_many_cells
 from barchan.ground.reference import reference_of, stated
 from barchan.ground.units import metres_in
-from barchan.ground.voids import marked
+from barchan.missing import marked
 
 if TYPE_CHECKING:
     import xarray as xr

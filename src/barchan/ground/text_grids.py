@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from barchan.ground.raster import Hints, Raster, UnreadableError, placed
 from barchan.ground.reference import reference_of, stated
-from barchan.ground.voids import marked
+from barchan.missing import marked
 
 NEEDED = ("ncols", "nrows")
 KNOWN = (*NEEDED, "xllcorner", "yllcorner", "xllcenter", "yllcenter", "cellsize", "dx", "dy", "nodata_value")

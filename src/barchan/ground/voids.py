@@ -9,26 +9,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from barchan.ground.terrain import HIGHEST
+from barchan.missing import marked
 
 CODES = (-9999.0, -9999.9, -99999.0, -32768.0, -32767.0, 9999.0, 32767.0, 99999.0)
 """Codes for missing heights within the range of heights; beyond that range every number is one."""
-
-SINGLE = 1e-6
-"""Relative difference of two numbers that single precision may write alike."""
 
 STEEPEST = 20.0
 """Cells' widths that a step to every neighbour must exceed to set a value off."""
 
 SETS_OFF = 3.0
 """Multiple of the file's other steps that it must exceed as well."""
-
-
-def marked(values: NDArray[np.float64], codes: list[float]) -> NDArray[np.bool_]:
-    """The cells that hold one of the codes, as exactly as single precision writes them."""
-    found = np.zeros(values.shape, bool)
-    for code in codes:
-        found |= np.abs(values - code) <= SINGLE * abs(code)
-    return found
 
 
 def suspects(values: NDArray[np.float64], metres: float, cell: float) -> list[tuple[float, int]]:

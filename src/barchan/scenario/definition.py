@@ -41,6 +41,9 @@ FORMAT = 3
 
 LARGEST_SEED = 2**53 - 1
 
+MOST_STEPS = 10**12
+"""Steps of the longest run."""
+
 TOGETHER = "parts_do_not_go_together"
 """Type of the error for parts of a scenario that do not fit each other."""
 
@@ -86,9 +89,10 @@ class Run(Parameters):
         1000,
         unit="steps",
         ge=0,
-        le=10**12,
+        le=MOST_STEPS,
         scale="log",
-        meaning="Length of the run; a step polls as many cells as the field has.",
+        meaning="Length of the run; a step polls as many cells as the field has. 'record' is as long as the "
+        "wind's record, which must have an end (wind.repeat false).",
         source="Prague thesis, Table 6.1",
     )
     seed: int | None = parameter(

@@ -14,6 +14,7 @@ from barchan.errors import Problem, ScenarioError
 from barchan.scenario.changes import with_changes_told
 from barchan.scenario.definition import Scenario
 from barchan.scenario.from_ground import measure, spelt_out
+from barchan.scenario.from_record import as_long_as_record, without_record
 from barchan.scenario.messages import nearest, problems_of, wrong_paths
 from barchan.scenario.migrations import migrate
 from barchan.scenario.overrides import (
@@ -100,6 +101,7 @@ def validate(
     paths = frozenset(one.path for one in given)
     source_map = SourceMap(name, lines or {}, paths, origin.place)
     found += [replace(p, place=source_map.of(path_of(p.key))) for p in measure(data, paths)]
+    as_record = without_record(data)
     left: dict[Switch, list[str]] = {}
     while True:
         try:
@@ -112,7 +114,8 @@ def validate(
     if found:
         raise ScenarioError(found, name)
     notes = tuple(switch.note(keys) for switch, keys in left.items())
-    return scenario.with_source_map(replace(source_map, notes=notes))
+    scenario = scenario.with_source_map(replace(source_map, notes=notes))
+    return as_long_as_record(scenario) if as_record else scenario
 
 
 def _left_behind(

@@ -19,6 +19,7 @@ from barchan.slabs.tally import tally_of
 from barchan.snow.clock import BondClock
 from barchan.snow.conditions import Conditions, quantum_heights, relative_flux, step_seconds
 from barchan.snow.drift_meter import DRIFTING, DriftMeter
+from barchan.snow.impacts import IMPACTS, strike
 from barchan.snow.pack import SNOW, STRESS, Field, field_of, fields_of, layer_of, leave
 from barchan.snow.packing import INTERVAL, let_pack
 from barchan.snow.parameters import SnowParameters
@@ -140,7 +141,10 @@ class SnowModel(Model):
                 self._stock = part.step
             fallen += self._snow(field, part, now, seconds, counts)
             self._drift(bed, field, part, now, stream, counts)
+            epoch = self.clock.epoch
             self.clock.pass_time(bonding, time, steps)
+            if self.clock.epoch > epoch:
+                self._strike(bed, field, part, now, stream)
             done += steps
         leave(bed, field.pack, field.ground, field.frame, self.clock.epoch)
         return replace(tally_of(counts, segment, field.frame), fallen=fallen)
@@ -194,12 +198,26 @@ class SnowModel(Model):
         """Let the wind take, carry and lay down snow."""
         if segment.polls == 0 or now.flux == 0.0:
             return
-        stress = None
         if self.parameters.relief.acts:
             self._stress.renew(bed, field, segment.direction, self.parameters)
-            stress = np.ascontiguousarray(field.frame.enter(bed.arrays[STRESS])).ravel()
-        rules = self._rules(field, now, stress)
+        rules = self._rules(field, now, self._stress_on(bed, field))
         Transport(field, rules, now, self.lattice).run(segment, stream, counts, self.drift)
+
+    def _strike(self, bed: Bed, field: Field, segment: Segment, now: Conditions, stream: Stream) -> None:
+        """Let drift that is in the air break the bonds that grew in the epoch that has just ended."""
+        bonding = self.parameters.bonding
+        drifts = segment.polls > 0 and now.flux > 0.0 and self.drift.share > DRIFTING
+        if not (drifts and bonding.grows and bonding.impact_mass > 0.0):
+            return
+        key = derive(derive(stream.key, -1 - self.clock.time), IMPACTS)
+        rules = self._rules(field, now, self._stress_on(bed, field))
+        strike(field.pack, rules, bonding.impact_mass / self.parameters.quantum, key)
+
+    def _stress_on(self, bed: Bed, field: Field) -> NDArray[np.float32] | None:
+        """Stress in the wind's frame, over that on flat snow, as it was last computed; None: uniform."""
+        if not self.parameters.relief.acts:
+            return None
+        return np.ascontiguousarray(field.frame.enter(bed.arrays[STRESS])).ravel()
 
     def _rules(self, field: Field, now: Conditions, stress: NDArray[np.float32] | None = None) -> SnowRules:
         return rules_under(

@@ -46,6 +46,18 @@ class Bonding(Parameters):
         "over its own, to this power.",
         source="ours: 0.05 after five days, the rate of rescal-snow",
     )
+    impact_mass: float = parameter(
+        0.0,
+        unit="kg/m²",
+        ge=0,
+        le=100,
+        live=True,
+        acts_with={"grows": True},
+        meaning="Mass of loose snow at the surface whose bonds impacts of drift break as fast as they grow, "
+        "where the stress keeps drift going and nothing shelters; 0: bonds grow under drift too.",
+        source="ours, a design with an assumed depth, after Sommer et al. 2018: no hardening while snow "
+        "erodes",
+    )
 
 
 class Snowfall(Parameters):

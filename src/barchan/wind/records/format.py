@@ -3,6 +3,7 @@
 from typing import Literal
 
 from barchan.aeolian.snow.density import GREATEST_DENSITY, LEAST_DENSITY
+from barchan.missing import Marks, codes_in, missing_key, texts_in
 from barchan.parameters import Parameters, parameter
 from barchan.wind.records.units import AngleUnit, SpeedUnit
 
@@ -10,6 +11,13 @@ MISSING = [
     -9999.0, -999.0, -999.9, -99.9, 999.0, 999.9, 9999.0, 99999.0, -9999.9, -99999.0, -32768.0,
     -32767.0, 9999.9,
 ]  # fmt: skip
+"""Numbers that usually stand for a missing value."""
+
+USUAL_TEXTS = frozenset((
+    "", "-", "--", "---", "m", "mm", "mq", "na", "n/a", "#n/a", "nan", "null", "none", "missing", "nd", "*",
+    "***", "/", "//", "///",
+))  # fmt: skip
+"""Texts that stand for a missing value among numbers, in lower case."""
 
 
 class RecordFormat(Parameters):
@@ -115,11 +123,10 @@ class RecordFormat(Parameters):
         pattern=r"^(?:UTC|Z|[+-](?:0\d|1[0-4]):[0-5]\d)$",
         meaning="Zone of times that state none, as +01:00 or UTC: times are then turned to UTC.",
     )
-    missing: list[float] = parameter(
+    missing: Marks = missing_key(
         lambda: list(MISSING),
-        unit="-",
-        max_length=100,
-        meaning="Numbers that stand for a missing value, in the file's own unit.",
+        "Numbers, in the file's own unit, and texts, in upper or lower case,",
+        ". Numbers replace the usual codes; texts count beside the usual ones, such as NA, M, /// and -.",
     )
     skip_rows: int = parameter(0, unit="-", ge=0, meaning="Lines to pass over at the top of a table.")
     sheet: str | None = parameter(
@@ -133,3 +140,19 @@ class RecordFormat(Parameters):
     longitude: float | None = parameter(
         None, unit="degrees", ge=-180, le=360, meaning="Which point of a grid to read: the nearest to it."
     )
+
+    @property
+    def codes(self) -> list[float]:
+        """Numbers for a missing value: the stated ones, or the usual ones where texts alone are stated."""
+        return self.stated_codes if self.stated_codes or not self.missing else list(MISSING)
+
+    @property
+    def stated_codes(self) -> list[float]:
+        """Numbers that the user states beside or in place of the usual ones."""
+        codes = codes_in(self.missing)
+        return [] if codes == MISSING else codes
+
+    @property
+    def texts(self) -> frozenset[str]:
+        """Texts that stand for a missing value, in lower case."""
+        return USUAL_TEXTS | texts_in(self.missing)

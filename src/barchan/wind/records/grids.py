@@ -11,12 +11,13 @@ from barchan.errors import Problem, RecordError
 from barchan.wind.records.boom import boom_of, brought_to_ten_metres
 from barchan.wind.records.choice import choose
 from barchan.wind.records.claims import Claim, Column, claims_of, guess
-from barchan.wind.records.format import MISSING, RecordFormat
+from barchan.wind.records.format import RecordFormat
+from barchan.wind.records.netcdf_values import variable_values
 from barchan.wind.records.points import at_one_point, latitude_longitude
 from barchan.wind.records.providers import UNKNOWN, provider_of
 from barchan.wind.records.record import Rows
 from barchan.wind.records.times import Dated, offset_of
-from barchan.wind.records.values import Unit, unit_of, wind_of, without_codes
+from barchan.wind.records.values import Unit, unit_of, wind_of
 from barchan.wind.records.weather_columns import WeatherColumns, weather_of
 
 if TYPE_CHECKING:
@@ -54,7 +55,7 @@ def _rows(dataset: "xr.Dataset", form: RecordFormat, source: str) -> Rows:
     for claim in (choice.first, choice.second):
         unit = unit_of(claim, form, source)
         point = at_one_point(dataset[claim.column], time, form, source)
-        measured.append(without_codes(_unpacked(point.values, form), claim, form) * unit.size)
+        measured.append(variable_values(point.values, claim, unit, form, source) * unit.size)
         units.append(unit)
         place = point.place
         height = point.height if height is None or point.height is not None else height
@@ -62,9 +63,9 @@ def _rows(dataset: "xr.Dataset", form: RecordFormat, source: str) -> Rows:
     seconds, start, utc = _dated(dataset[time], form)
     numbers = np.arange(1, len(seconds) + 1)
 
-    def numbers_of(claim: Claim, _unit: Unit) -> NDArray[np.float64]:
+    def numbers_of(claim: Claim, unit: Unit) -> NDArray[np.float64]:
         point = at_one_point(dataset[claim.column], time, form, source)
-        return without_codes(_unpacked(point.values, form), claim, form)
+        return variable_values(point.values, claim, unit, form, source)
 
     boom, told = boom_of(choice.first.column, names, form, source), ""
     if boom is not None:
@@ -128,9 +129,9 @@ def weather_grid(path: Path, form: RecordFormat) -> tuple[Dated, WeatherColumns]
             _time_name(dataset, dataset[over_time[0]], form, source)
             dated = _dated(dataset[time], form)
 
-            def numbers_of(claim: Claim, _unit: Unit) -> NDArray[np.float64]:
+            def numbers_of(claim: Claim, unit: Unit) -> NDArray[np.float64]:
                 point = at_one_point(dataset[claim.column], time, form, source)
-                return without_codes(_unpacked(point.values, form), claim, form)
+                return variable_values(point.values, claim, unit, form, source)
 
             columns = [_column(dataset, name) for name in over_time]
             rows = np.arange(1, len(dated.seconds) + 1)
@@ -181,29 +182,3 @@ def _time_name(dataset: "xr.Dataset", variable: "xr.DataArray", form: RecordForm
     if dataset[name].dtype.kind != "M":
         raise RecordError([Problem(name, "holds no dates of the standard calendar")], source)
     return name
-
-
-def _unpacked(variable: "xr.DataArray", form: RecordFormat) -> NDArray[np.float64]:
-    """The numbers of a variable in its own unit, NaN where attributes or codes mark one as missing.
-
-    Fill values and valid ranges are those of the packed numbers (CF); codes that the user states hold
-    for packed
-    and unpacked numbers.
-    """
-    raw = variable.to_numpy()
-    values = raw.astype(np.float64)
-    attributes = variable.attrs
-    fills = [np.ravel(attributes[key]) for key in ("_FillValue", "missing_value") if key in attributes]
-    absent = (
-        np.isin(values, np.concatenate(fills).astype(np.float64)) if fills else np.zeros(values.shape, bool)
-    )
-    low, high = attributes.get("valid_range", (attributes.get("valid_min"), attributes.get("valid_max")))
-    if low is not None:
-        absent |= values < float(low)
-    if high is not None:
-        absent |= values > float(high)
-    packed = "scale_factor" in attributes or "add_offset" in attributes
-    if packed and list(form.missing) != MISSING:
-        absent |= np.isin(values, form.missing)
-    scaled = values * float(attributes.get("scale_factor", 1.0)) + float(attributes.get("add_offset", 0.0))
-    return np.where(absent, np.nan, scaled)

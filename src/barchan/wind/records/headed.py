@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 from barchan.errors import Problem, RecordError
 from barchan.wind.records.claims import Documented, Stated
+from barchan.wind.records.format import RecordFormat
 from barchan.wind.records.layout import Layout
 from barchan.wind.records.providers import Provider
 
@@ -51,12 +52,13 @@ class _Fields:
     names: list[str]
     factors: list[float]
     offsets: list[float]
-    nodata: float | None
+    absent: list[float]
+    """Numbers for no data, as the file has them: that of the header and those that the user states."""
     zone: str
     """What times end with."""
 
 
-def headed(text: str, source: str) -> Layout | None:
+def headed(text: str, form: RecordFormat, source: str) -> Layout | None:
     """The layout of a SMET or NEAD file; None for any other.
 
     Values are brought to their documented units (first the factors, then the offsets), values without data
@@ -68,7 +70,7 @@ def headed(text: str, source: str) -> Layout | None:
     if "BINARY" in first:
         raise RecordError([Problem("row 1", "is binary SMET; convert it to ASCII")], source)
     header = _header(text, first[0], source)
-    fields = _fields(header, source)
+    fields = _fields(header, form, source)
     lines, numbers = [], []
     for at, line in enumerate(text.split("\n")[header.data :], start=header.data + 1):
         stripped = line.strip()
@@ -115,14 +117,14 @@ def _header(text: str, name: str, source: str) -> _Header:
     raise RecordError([Problem("", f"is {name}, but has no [DATA]")], source)
 
 
-def _fields(header: _Header, source: str) -> _Fields:
+def _fields(header: _Header, form: RecordFormat, source: str) -> _Fields:
     names = _words(header.keys["fields"], header)
     nodata = _number(header.keys["nodata"])
     if nodata is None:
         message = f"is '{header.keys['nodata']}'; allowed: a number"
         raise RecordError([Problem("nodata", message)], source)
     factors, offsets = (_per_field(header, names, *s, source) for s in ((_FACTORS, 1.0), (_OFFSETS, 0.0)))
-    return _Fields(names, factors, offsets, nodata, _zone(header, source))
+    return _Fields(names, factors, offsets, [nodata, *form.stated_codes], _zone(header, source))
 
 
 def _words(text: str, header: _Header) -> list[str]:
@@ -141,7 +143,7 @@ def _values(words: list[str], fields: _Fields, at: int, source: str) -> list[str
         value = _number(word)
         if name.lower() in _TIMES:
             found.append(word + fields.zone)
-        elif value is None or value == fields.nodata or math.isnan(value):
+        elif value is None or value in fields.absent or math.isnan(value):
             found.append("" if value is not None else word)
         else:
             found.append(word if (factor, offset) == (1.0, 0.0) else repr(value * factor + offset))

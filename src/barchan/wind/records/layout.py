@@ -11,6 +11,7 @@ from barchan.wind.records.format import RecordFormat
 from barchan.wind.records.providers import UNKNOWN, Provider, provider_of, provider_of_rows
 from barchan.wind.records.quantities import WIND
 from barchan.wind.records.time_columns import joined_columns
+from barchan.wind.records.values import CALM, VARIABLE
 
 SEPARATORS = (",", ";", "\t", "|")
 BLANKS = " "
@@ -52,7 +53,7 @@ def laid_out(text: str, form: RecordFormat, source: str) -> Layout:
         return bare
     at, separator = _heading(lines, kept, form)
     headings = _unique(_fields(lines[kept[at]], separator))
-    rest = [n for n in kept[at + 1 :] if not lines[n].lstrip().startswith("#") or _is_data(lines[n])]
+    rest = [n for n in kept[at + 1 :] if not lines[n].lstrip().startswith("#") or _is_data(lines[n], form)]
     above = []
     for n in kept[at + 1 : at + 1 + _MOST_UNIT_ROWS]:
         fields = _fields(lines[n], separator)
@@ -69,7 +70,7 @@ def _without_heading(lines: list[str], kept: list[int], form: RecordFormat) -> L
     """The layout of a table that begins with a row of data; None where it begins otherwise."""
     rows = [n for n in kept if not lines[n].lstrip().startswith("#")]
     sample = [lines[n] for n in rows[:_SAMPLE]]
-    if not sample or not all(map(_is_data, sample)):
+    if not sample or not all(_is_data(line, form) for line in sample):
         return None
     provider = provider_of_rows(sample) or UNKNOWN
     separator = next((mark for mark in SEPARATORS if mark in sample[0]), BLANKS)
@@ -83,11 +84,11 @@ def _without_heading(lines: list[str], kept: list[int], form: RecordFormat) -> L
     return Layout(separator, headings, [], [lines[n] for n in rows], [n + 1 for n in rows], provider, None)
 
 
-def _is_data(line: str) -> bool:
-    """Whether a line begins with a number or a date and has no words but such as mark what is missing."""
+def _is_data(line: str, form: RecordFormat) -> bool:
+    """Whether a line begins with a number or a date and has no words but such as mark a missing value."""
     words = re.findall(r"[A-Za-z]{3,}", line)
-    plain = {"nan", "null", "vrb", "calm", "missing", "none"}
-    return _begins_with_digit(line.lstrip("\" '")) and all(word.lower() in plain for word in words)
+    known = {word for text in (*form.texts, *VARIABLE, *CALM) for word in re.findall(r"[a-z]{3,}", text)}
+    return _begins_with_digit(line.lstrip("\" '")) and all(word.lower() in known for word in words)
 
 
 def _is_value(field: str) -> bool:

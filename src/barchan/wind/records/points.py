@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from barchan.errors import Problem, RecordError
 from barchan.wind.records.format import RecordFormat
+from barchan.wind.records.netcdf_values import fill_values
 from barchan.wind.records.stations import FARTHEST
 
 if TYPE_CHECKING:
@@ -71,10 +72,10 @@ def _either_version(variable: "xr.DataArray", time: str) -> "xr.DataArray":
     """The final or else the preliminary values of ERA5."""
     if "expver" not in variable.dims:
         return variable
-    fill = variable.attrs.get("_FillValue", variable.attrs.get("missing_value"))
+    fills = fill_values(variable.attrs).tolist()
     merged = variable.isel(expver=0, drop=True)
     for k in range(1, variable.sizes["expver"]):
-        there = merged.notnull() if fill is None else merged.notnull() & (merged != fill)
+        there = merged.notnull() & ~merged.isin(fills)
         merged = merged.where(there, variable.isel(expver=k, drop=True))
     merged.attrs = variable.attrs
     merged.name = variable.name

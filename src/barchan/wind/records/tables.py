@@ -34,7 +34,7 @@ def read_table(path: Path, form: RecordFormat) -> Rows:
     """The rows of a table; raises RecordError where it is none."""
     source = path.name
     text = text_of(path, form.sheet)
-    layout = headed(text, source) or laid_out(text, form, source)
+    layout = headed(text, form, source) or laid_out(text, form, source)
     parts, hint, choice = _found(layout, form, source)
     table, numbers = one_place(words_of(layout, source), np.asarray(layout.numbers), layout, form, source)
     name = "+".join(parts)
@@ -175,7 +175,7 @@ def column_values(
         words = _part(words, stated.part)
     elif words.str.fullmatch(r"\s*-?\d+,\d+\s*").any():
         words = words.str.replace(",", ".")
-    values, calm = numbers_of(words.rename(claim.column), claim, unit, numbers, source)
+    values, calm = numbers_of(words.rename(claim.column), claim, unit, numbers, source, form.texts)
     values = without_codes(values, claim, form)
     if stated is not None and stated.doubt is not None:
         column, part, wrong = stated.doubt

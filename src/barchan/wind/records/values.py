@@ -7,37 +7,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from barchan.errors import Problem, RecordError
+from barchan.missing import marked
 from barchan.wind.records.choice import Choice
 from barchan.wind.records.claims import Claim
-from barchan.wind.records.format import RecordFormat
+from barchan.wind.records.format import USUAL_TEXTS, RecordFormat
 from barchan.wind.records.quantities import QUANTITIES
 
 if TYPE_CHECKING:
     import pandas as pd
-
-NO_VALUE = frozenset(
-    [
-        "",
-        "-",
-        "--",
-        "---",
-        "m",
-        "mm",
-        "mq",
-        "na",
-        "n/a",
-        "nan",
-        "null",
-        "none",
-        "missing",
-        "nd",
-        "*",
-        "***",
-        "/",
-        "///",
-    ]
-)
-"""Words that stand for a missing value, in lower case."""
 
 VARIABLE = frozenset(["vrb", "variable", "var"])
 """Words for a wind without a certain direction."""
@@ -112,19 +89,24 @@ def wind_of(
 
 def without_codes(values: NDArray[np.float64], claim: Claim, form: RecordFormat) -> NDArray[np.float64]:
     """Numbers of a column as the file has them, NaN where they stand for a missing value."""
-    codes = [*form.missing, *(claim.stated.missing if claim.stated else ())]
+    codes = [*form.codes, *(claim.stated.missing if claim.stated else ())]
     if claim.quantity == "direction":
         codes.append(VARIABLE_CODE)
     if claim.stated and claim.stated.calm is not None:
         codes.append(claim.stated.calm)
-    absent = np.isin(values, codes) | ~(np.abs(values) < _FILL)
+    absent = marked(values, codes) | ~(np.abs(values) < _FILL)
     return np.where(absent, np.nan, values)
 
 
 def numbers_of(
-    words: "pd.Series", claim: Claim, unit: Unit, rows: NDArray[np.int64], source: str
+    words: "pd.Series",
+    claim: Claim,
+    unit: Unit,
+    rows: NDArray[np.int64],
+    source: str,
+    absent: frozenset[str] = USUAL_TEXTS,
 ) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
-    """A column of words as numbers, NaN where nothing is, and which rows say that the air is calm.
+    """A column of words as numbers, NaN at texts of ``absent``, and which rows say that the air is calm.
 
     Points of the compass become angles in the column's own unit, also those with O, which is east in German
     and Dutch and west in French, Spanish and Italian: the column's other letters tell. Raises RecordError at
@@ -140,13 +122,15 @@ def numbers_of(
     for word in plain[strange].unique():
         here = strange & (plain == word).to_numpy()
         low = str(word).lower()
+        if low in absent:
+            continue
         point = COMPASS.get(_short(low).translate(english)) if claim.quantity == "direction" else None
         if low in CALM:
             calm |= here
             values[here] = 0.0 if claim.quantity == "speed" else np.nan
         elif point is not None:
             values[here] = point / unit.size
-        elif low not in NO_VALUE and not (claim.quantity == "direction" and low in VARIABLE):
+        elif not (claim.quantity == "direction" and low in VARIABLE):
             where = f"row {rows[int(np.argmax(here))]}, column '{words.name}'"
             allowed = _allowed(claim.quantity)
             if claim.quantity == "direction" and "o" in low and _LETTERS.issuperset(low):

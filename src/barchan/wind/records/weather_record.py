@@ -58,7 +58,7 @@ def read_weather(path: Path, form: RecordFormat) -> WeatherRecord:
 def _table(path: Path, form: RecordFormat) -> tuple[Dated, WeatherColumns]:
     source = path.name
     text = text_of(path, form.sheet)
-    layout = headed(text, source) or laid_out(text, form, source)
+    layout = headed(text, form, source) or laid_out(text, form, source)
     parts, hint = time_columns(layout.headings, form.time, layout.provider, source)
     table, numbers = one_place(words_of(layout, source), np.asarray(layout.numbers), layout, form, source)
     words = [table[part] for part in parts]
