@@ -100,8 +100,9 @@ def test_the_section_is_a_line_in_the_scene_that_lies_on_the_surface(studio):
     studio.page.keyboard.press("1")
     studio.picture()
     shown = "window.barchan.stage.surfaces.shown[0]"
+    knobs = f"{shown}.marks.section.group.children.slice(-2)"
     assert studio.ask(f"{shown}.marks.section.group.visible")
-    ends = studio.ask(f"{shown}.marks.section.group.children.slice(-2).map((knob) => knob.position.toArray())")
+    ends = studio.ask(f"{knobs}.map((knob) => knob.position.toArray())")
     # The wind is from the west: the line goes from the western to the eastern edge of a block ten units long.
     assert [ends[0][0], ends[1][0]] == pytest.approx([-5, 5], abs=0.2)
     heights = studio.ask(f"[{ends[0]}, {ends[1]}] && {shown}.terrain.box().max.y")
