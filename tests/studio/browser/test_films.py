@@ -135,7 +135,9 @@ def test_escape_ends_a_recording_and_saves_it_and_says_how_long_it_is(studio):
     page = studio.page
     page.keyboard.press("v")
     page.get_by_role("button", name="begin", exact=True).click()
-    page.get_by_text("recording 0:01").wait_for()
+    page.get_by_text("recording 0:").wait_for()
+    drawn = studio.ask("window.barchan.stage.drawn")
+    studio.until(f"window.barchan.stage.drawn > {drawn + 8}")
     with page.expect_download() as download:
         page.keyboard.press("Escape")
     assert download.value.path().stat().st_size > 0
