@@ -122,7 +122,7 @@ def _log_speed(height: Field, flux: float, offset: float) -> Field:
     return np.asarray(np.log(np.maximum(flux, 1e-300) / np.maximum(height + offset, 1e-300)))
 
 
-def _student(freedom: int) -> float:
+def _student(freedom: float) -> float:
     """Standard errors on either side that hold 95 % of Student's distribution, by its degrees of freedom."""
     from scipy import stats  # takes most of a second to load
 
