@@ -97,5 +97,5 @@ Sommer et al. (2018) saw no hardening while drift erodes. Where impacts break th
 the surface, two thirds of the relief are left at -10 and at -20 °C, with slip faces, in every seed; of 2
 kg/m² less than half of it. Ripples of snow turn over 1 to 7 kg/m², so the depth is assumed, and the lower
 part of that range does not cure it. Under this closure drift that is in the air does not let its snow bond,
-so that forms no longer come to rest in a steady 7 m/s (one run).
+so that forms no longer come to rest in a steady 7 m/s (three seeds).
 """
