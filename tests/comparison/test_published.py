@@ -71,8 +71,11 @@ def test_one_more_run_lies_in_the_interval_of_student():
     ("claim", "result"),
     [
         (Claim("a", "a", "highest", value=6.9), "agrees"),
-        (Claim("a", "a", "highest", value=7.1), "differs"),
-        (Claim("a", "a", "highest", value=7.1, rounding=0.5), "agrees"),
+        (Claim("a", "a", "highest", value=7.4), "agrees"),
+        (Claim("a", "a", "highest", value=7.6), "differs"),
+        (Claim("a", "a", "highest", value=7.6, rounding=0.5), "agrees"),
+        (Claim("a", "b", "highest", value=14.5), "agrees"),
+        (Claim("a", "b", "highest", value=17.1), "differs"),
         (Claim("a", "b", "highest", than_case="a"), "agrees"),
         (Claim("a", "a", "highest", than_case="b"), "differs"),
         (Claim("a", "a", "highest", than_measure="uneven"), "undecided"),
@@ -85,12 +88,18 @@ def test_one_more_run_lies_in_the_interval_of_student():
     ],
 )
 def test_claims_are_judged_over_seeds(claim, result):
-    """a: 1, 2, 3, one more run up to 6.97; b: ten higher in each seed, but for a hundredth."""
+    """a: 1, 2, 3, one more run up to 6.97, and half a slab; b: ten higher, but for a hundredth."""
     cases = {
         "a": variant("a", highest=[1.0, 2.0, 3.0], uneven=[9.0, -9.0, 3.0]),
         "b": variant("b", highest=[11.0, 12.01, 13.0]),
     }
     assert judge(claim, cases).result == result
+
+
+def test_two_runs_of_as_many_slabs_do_not_foretell_the_next_to_the_slab():
+    cases = {"a": variant("a", highest=[22.0, 22.0])}
+    assert judge(Claim("a", "a", "highest", value=23.0, rounding=0.5), cases).result == "agrees"
+    assert judge(Claim("a", "a", "highest", value=24.0, rounding=0.5), cases).result == "differs"
 
 
 def test_a_set_is_run_again_and_its_report_says_what_agrees(tmp_path, monkeypatch):

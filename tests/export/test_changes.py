@@ -148,3 +148,16 @@ def test_a_level_field_can_be_written(tmp_path):
     export(run, tmp_path / "level.png")
     export(run, tmp_path / "level.stl")
     assert readers.trimesh.load(tmp_path / "level.stl").is_watertight
+
+
+def test_the_side_car_tells_how_to_read_each_of_several_maps(run, tmp_path):
+    export(run, tmp_path / "dunes.png", fields="elevation,depth,slope")
+    car = json.loads((tmp_path / "dunes.png.json").read_text())
+    assert list(car["numbers"]) == ["elevation", "depth", "slope"]
+    assert {*car} == {
+        *("format", "program", "scenario", "files", "frame", "periodic", "changes", "ranges", "numbers")
+    }
+    told = car["numbers"]["depth"]
+    with readers.Image.open(tmp_path / "dunes-depth.png") as picture:
+        found = told["lowest"] + np.asarray(picture)[::-1].astype(float) * told["per_unit"]
+    np.testing.assert_allclose(found, slabs(10) * SLAB, atol=told["per_unit"] / 2 * 1.001)

@@ -55,10 +55,16 @@ def test_a_film_shows_every_frame_north_up(run, tmp_path):
     assert light.max() == below.max()  # higher sand is lighter, and the hump lies in the south-west
 
 
-def test_webp_needs_no_extra_and_has_every_frame(run, tmp_path):
-    export(run, tmp_path / "dunes.webp", pixels=64)
-    with Image.open(tmp_path / "dunes.webp") as film:
+@pytest.mark.parametrize("suffix", [".webp", ".gif"])
+def test_films_that_need_no_extra_show_every_frame_north_up(run, tmp_path, suffix):
+    export(run, tmp_path / f"dunes{suffix}", pixels=160)
+    with Image.open(tmp_path / f"dunes{suffix}") as film:
         assert film.n_frames == 3
+        for frame in range(3):
+            film.seek(frame)
+            light = np.asarray(film.convert("L"), float)
+            height, width = light.shape
+            assert light.max() == light[height // 2 :, : width // 2].max()  # the hump, in the south-west
 
 
 def test_a_picture_has_the_size_that_was_asked_for(run, tmp_path):

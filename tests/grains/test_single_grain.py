@@ -81,7 +81,8 @@ def test_a_falling_grain_reaches_its_settling_speed():
     from barchan.grains.bed import GrainGround
     from barchan.grains.pool import free_slots, grains_in, work_space
     from barchan.grains.rules import rules_of
-    from barchan.kernels.grains.landing import fly
+    from barchan.kernels.grains.flight import move
+    from barchan.kernels.grains.landing import land
 
     wang_hu = model("wang_hu")
     flight = wang_hu(wang_hu.Parameters(drag="reynolds", wind_speed=0.0), LATTICE)
@@ -90,7 +91,9 @@ def test_a_falling_grain_reaches_its_settling_speed():
     )
     grains = grains_in(*free_slots(1), None)
     grains.z[0], grains.status[0] = 100.0, 1
-    about = flight.blow(ground, WIND), ground.arrays, rules_of(flight.setting(WIND))
+    about, landings = (flight.blow(ground, WIND), ground.arrays), ground.landings
+    rules = rules_of(flight.setting(WIND))
     for _ in range(2000):
-        fly(0, 1, np.uint64(1), grains, *about, ground.landings)
+        count = move(0, 1, grains, *about, landings.candidates)
+        land(0, count, np.uint64(1), grains, *about, rules, landings)
     assert -grains.w[0] == pytest.approx(flight.parameters.settling_speed(), rel=0.01)

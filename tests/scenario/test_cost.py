@@ -30,6 +30,11 @@ def test_ripples_of_the_benchmark_take_its_number_of_updates() -> None:
     assert expected_work(scenario) == pytest.approx(73 * 77e6, rel=0.3)
 
 
+def test_grains_that_fly_one_after_the_other_take_longer() -> None:
+    """Measured: 100 updates and 95 µs of a core for each of 10,000 trajectories of a step."""
+    assert expected_seconds(load("first-grains")) == pytest.approx(100 * 10_000 * 95e-6, rel=0.5)
+
+
 def test_grains_below_the_threshold_are_no_work() -> None:
     assert expected_work(load("szabo-10", model__wind_speed=1.0)) == 0.0
 

@@ -110,11 +110,17 @@ class Served:
 
 
 @contextmanager
-def serving(folder: Path, scenario: Scenario | None = None, archive: Path | None = None, port: int = 0):
-    """A server in a thread."""
+def serving(
+    folder: Path,
+    scenario: Scenario | None = None,
+    archive: Path | None = None,
+    port: int = 0,
+    home: Path | None = None,
+):
+    """A server in a thread; it keeps its runs in ``home``."""
     socket = listener("127.0.0.1", port)
     guard = Guard(socket.getsockname()[1])
-    session = Session(Workspace(folder), scenario, archive)
+    session = Session(Workspace(folder), scenario, archive, home)
     config = configured(application(session, guard))
     server = uvicorn.Server(config)
     thread = threading.Thread(target=server.run, args=([socket],), daemon=True)

@@ -33,6 +33,7 @@ import { StateNotice } from "./ui/state_notice";
 import { Tabs } from "./ui/tabs";
 import { Toasts, leadTo } from "./ui/toasts";
 import { Tour } from "./ui/tour";
+import { Unfinished } from "./ui/unfinished";
 import { Timeline } from "./ui/timeline";
 import { ViewPanel } from "./ui/viewpanel";
 import { readOnly, watcherCount } from "./ui/watching";
@@ -103,7 +104,8 @@ const toasts = new Toasts(app, (key) => {
   tabs.choose(key === "wind" || key.startsWith("wind.") ? 1 : 0);
   leadTo(key);
 });
-scene.append(h("div", { className: "messages" }, new StateNotice(app).element, toasts.element));
+const unfinished = new Unfinished(app);
+scene.append(h("div", { className: "messages" }, new StateNotice(app).element, unfinished.list(), toasts.element));
 
 app.notices.logged.watch((entry) => entry.level !== "info" && dock.mark(log));
 
@@ -112,7 +114,7 @@ const tour = new Tour(app, () => {
   tabs.choose(1);
 });
 scene.append(tour.element);
-const showGallery = () => void gallery(app, () => tour.begin()).catch((error) => app.refused(error));
+const showGallery = () => void gallery(app, () => tour.begin(), unfinished).catch((error) => app.refused(error));
 
 const turn = Math.PI / 36;
 /** Keys that command the run, which a window that watches does without. */
@@ -164,9 +166,14 @@ page.classList.toggle("watching", app.watching);
 app.framed.watch(() => {
   if (!app.current?.ready || !page.classList.contains("waiting")) return;
   page.classList.remove("waiting");
-  if (location.hash === "#gallery") history.replaceState(null, "", location.pathname + location.search);
   links.open();
-  if (opensGallery && !app.watching) showGallery();
+});
+let gallerySeen = !opensGallery || app.watching;
+app.connection.state.watch((state) => {
+  if (state !== "open" || gallerySeen) return;
+  gallerySeen = true; // before the first frame: the first model may still be compiled
+  history.replaceState(null, "", location.pathname + location.search);
+  showGallery();
 });
 page.append(
   bar.element,

@@ -1,19 +1,20 @@
 """The folder of a run, and who may write to it."""
 
 import json
-import os
 import shutil
 from collections.abc import Iterator
 from contextlib import closing, contextmanager, suppress
 from datetime import UTC, datetime
+from io import FileIO
 from pathlib import Path
-from typing import Any, BinaryIO
+from typing import Any
 
 from barchan.archive.checkpoint import read_checkpoint, write_checkpoint
 from barchan.archive.frames import Frames, published
 from barchan.archive.named_files import FILES, INDEX, NamedFiles
 from barchan.archive.parent import PARENT, Parent
 from barchan.errors import ArchiveError
+from barchan.holding import HeldError, hold, holder_of
 from barchan.scenario import Scenario
 from barchan.scenario.definition import text_of
 from barchan.scenario.paths import anchored
@@ -219,53 +220,15 @@ def _end_last_line(path: Path) -> None:
             file.write(b"\n")
 
 
-def _lock(path: Path) -> BinaryIO:
-    """Hold the folder for this process; the system lets go when the process ends, however it ends."""
+def _lock(path: Path) -> FileIO:
+    """Hold the folder for this process; raises ArchiveError where another one does."""
     with writing(path.parent):
-        file = path.open("a+b", buffering=0)
         try:
-            _hold(file, path.parent)
-            if not _is_at(file, path):  # its last holder took the name away just as we came
-                file.close()
-                return _lock(path)
-            file.truncate(0)
-            file.write(str(os.getpid()).encode())
-        except BaseException:
-            file.close()
-            raise
-    return file
-
-
-def _hold(file: BinaryIO, folder: Path) -> None:
-    try:
-        import fcntl
-    except ImportError:  # no advisory locks on this system: go without
-        return
-    try:
-        fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-    except OSError:
-        file.seek(0)
-        owner = file.read().decode().strip() or "another"
-        raise ArchiveError(f"{folder} is being written by process {owner}") from None
+            return hold(path)
+        except HeldError as error:
+            raise ArchiveError(f"{path.parent} is being written by process {error.owner}") from None
 
 
 def writer_of(path: Path) -> str | None:
     """The process that is writing the run in a folder, by its number; None where none does."""
-    try:
-        import fcntl
-
-        with (path / LOCK).open("rb") as file:
-            try:
-                fcntl.flock(file, fcntl.LOCK_SH | fcntl.LOCK_NB)
-            except OSError:
-                return file.read().decode().strip() or "another"
-    except (ImportError, OSError):
-        pass
-    return None
-
-
-def _is_at(file: BinaryIO, path: Path) -> bool:
-    try:
-        return os.path.samestat(os.fstat(file.fileno()), path.stat())
-    except FileNotFoundError:
-        return False
+    return holder_of(path / LOCK)

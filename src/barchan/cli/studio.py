@@ -1,12 +1,15 @@
 """``barchan studio``: the live laboratory in the browser."""
 
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 from cyclopts import Parameter
 from cyclopts.validators import Number
 
 from barchan.cli.overrides import Tokens, pairs
+
+if TYPE_CHECKING:
+    from barchan.studio.server.unfinished import Found
 
 
 def studio(
@@ -23,8 +26,8 @@ def studio(
     Parameters
     ----------
     scenario
-        A preset's name, a scenario file, or the folder of a run to look at and go on with; without it the
-        studio opens with its gallery of presets.
+        A preset's name, a scenario file, or the folder of a run, or of two that were saved together, to look
+        at and go on with; without it the studio opens with its gallery of presets.
     folder
         Where runs are saved and opened; the current folder without it.
     host
@@ -41,6 +44,7 @@ def studio(
     from barchan.studio.server.gallery import showpiece
     from barchan.studio.server.launch import Studio, serve
     from barchan.studio.server.security import LOOPBACK
+    from barchan.studio.server.together import moment
 
     overrides = pairs(values, studio)
     named = scenario or showpiece()
@@ -59,13 +63,24 @@ def studio(
         console.print(f"studio: {address}")
         console.print("Ctrl-C ends it")
 
-    serve(Studio(folder, chosen, archive, host, port, gallery=scenario is None), ready, browser)
+    def left(found: "Found") -> None:
+        for runs in found.runs.values():
+            stopped = " and ".join(f"'{run.title or run.model}'" for run in runs.members)
+            step = f"step {runs.members[0].step} on {moment(runs.saved)}"
+            print_note(f"a run of {stopped} stopped unexpectedly at {step}; the studio's first page opens it")
+        for text in found.broken:
+            print_note(f"a run that the studio kept cannot be read and is left as it is: {text}")
+
+    serve(Studio(folder, chosen, archive, host, port, gallery=scenario is None), ready, browser, left)
 
 
 def _run_at(folder: str) -> tuple[str | Path, bool]:
     """Where the scenario in a folder stands, and whether there is a run to go on with."""
     from barchan.archive import source_at  # brings zarr, which a preset does without
     from barchan.archive.folder import CHECKPOINT
+    from barchan.studio.server.together import is_together
 
+    if is_together(Path(folder)):
+        return folder, True
     source = source_at(folder)
     return source, isinstance(source, Path) and (source.parent / CHECKPOINT).is_file()

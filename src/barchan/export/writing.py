@@ -151,18 +151,29 @@ def _written(path: Path, chosen: Format, source: Source) -> list[Path]:
         if not path.parent.is_dir():
             raise ExportError(f"cannot write {path}: there is no folder {path.parent}")
         if "limits" in chosen.options:
-            values = {name: source.range_of(name) for name in source.fields}
+            for name in source.fields:
+                source.range_of(name)
         for file, part in files:
             if file.is_dir():
                 raise ExportError(f"cannot write {file}: it is a folder")
             with replacing(file) as partial:
-                values |= chosen.write(partial, part)
+                values = _joined(values, chosen.write(partial, part))
         beside = _reference_files(chosen, source, files)
         listed = [(file, part.steps, part.fields) for file, part in files]
         car = write_sidecar(path, sidecar_of(chosen, source, listed, values))
     except OSError as error:
         raise ExportError(f"cannot write {path}: {_reason(error)}") from error
     return [*(file for file, _ in files), *beside, car]
+
+
+def _joined(told: dict[str, Any], more: dict[str, Any]) -> dict[str, Any]:
+    """What the side-car file says of several files: tables of fields have the fields of all of them."""
+    tables = {
+        name: {**told[name], **value}
+        for name, value in more.items()
+        if isinstance(value, dict) and isinstance(told.get(name), dict)
+    }
+    return {**told, **more, **tables}
 
 
 def _reference_files(chosen: Format, source: Source, files: list[tuple[Path, Source]]) -> list[Path]:

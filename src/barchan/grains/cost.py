@@ -10,13 +10,19 @@ _LIFT = 1.4
 _HOPS = 2.0
 """Hops of a trajectory from lift-off to rest, roughly."""
 
+_ALONE = 40.0
+"""Updates of grains that fly together in the time of one of a grain that flies alone."""
+
 
 def work_of_step(rules: GrainFlight, lattice: Lattice, speed: float, share: float) -> float:
-    """Grain updates in the ``share`` of a step in which a wind of ``speed`` (m/s at 10 m) blows."""
+    """Grain updates in the ``share`` of a step in which a wind of ``speed`` (m/s at 10 m) blows.
+
+    Those of grains that fly one after the other are counted as the others that would take as long.
+    """
     ustar = rules.friction_velocity(speed)
     if rules.clock == "step":
         iterations = _HOPS * 2.0 * _LIFT * ustar / (rules.gravity * rules.time_step)
-        return share * lattice.cells * max(iterations, 1.0)
+        return _ALONE * share * lattice.cells * max(iterations, 1.0)
     return share * rules.iterations_per_step * grains_per_cell(rules, lattice, ustar) * lattice.cells
 
 

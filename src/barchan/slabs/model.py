@@ -17,6 +17,7 @@ from barchan.kernels.slabs.state import Schedule
 from barchan.lattice import HEX_ROWS, Lattice
 from barchan.model import Derived, Model, Tally
 from barchan.slabs.arguments import SlabArguments, build, levels_over
+from barchan.slabs.expected_flux import expected_flux
 from barchan.slabs.influx import INFLUX, edge_influx
 from barchan.slabs.obstacles import ClearDistances
 from barchan.slabs.parameters import ShadowRule, SlabParameters
@@ -48,6 +49,14 @@ class SlabModel(Model):
             "1",
             "in shadow of the wind",
             lambda model, bed, wind: model.shadow_zone(bed, wind.direction),
+        ),
+        Derived(
+            "flux",
+            "m²/step",
+            "expected flux of slabs from each cell",
+            expected_flux,
+            along_wind=True,
+            least=0.0,
         ),
     )
 
@@ -152,6 +161,10 @@ class SlabModel(Model):
         if segment.hop_length is not None:
             return segment.hop_length
         return self.parameters.hop_length
+
+    def hops(self, bed: Bed, hop_length: float) -> NDArray[np.float64]:
+        """Hop length (cells) from each cell, before it is rounded; negative: against the wind."""
+        return np.full(self.lattice.shape, hop_length)
 
     def work_bytes(self) -> int:
         """Surface, sand, mobility, avalanches and distances to walls, some of them twice while they turn."""

@@ -143,7 +143,8 @@ def server(tmp_path_factory):
     command = [sys.executable, "-c", "from barchan.cli import main; main()", "studio", "barchans"]
     values = [text for key, value in SMALL.items() for text in (f"--{key}", value)]
     options = [*values, "--no-browser", "--folder", str(folder)]
-    process = subprocess.Popen([*command, *options], stdout=subprocess.PIPE, text=True)
+    own = {**os.environ, "XDG_DATA_HOME": str(folder / "data")}
+    process = subprocess.Popen([*command, *options], stdout=subprocess.PIPE, text=True, env=own)
     address = next(found[0] for line in process.stdout if (found := re.search(r"http://\S+", line)))
     yield process, address, folder
     children = children_of(process.pid)

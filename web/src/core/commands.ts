@@ -61,7 +61,7 @@ export type CommandName =
   | "share_look"
   /** Start lost runs again, at their beginning or from the kept state. */
   | "revive"
-  /** Save a run in the session's folder. */
+  /** Save a run in the session's folder; of two that are compared one or both. */
   | "save"
   /** Write a run for another program, as a file for the page to fetch. */
   | "export"
@@ -71,8 +71,12 @@ export type CommandName =
   | "report"
   /** Break off the answer to another request. */
   | "cancel"
-  /** Continue a run of the session's folder. */
+  /** Continue a run, or two saved together, of the session's folder. */
   | "open"
+  /** Go on with a run that the studio kept when it ended unexpectedly. */
+  | "open_unfinished"
+  /** Delete such a run. */
+  | "discard_unfinished"
   /** Ask what is wrong with a scenario's text. */
   | "check"
   /** Ask for a preset's scenario. */

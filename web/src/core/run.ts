@@ -74,14 +74,6 @@ export function shownSteps(runs: Run[]): number[] {
   return status ? [...commonHistory(runs).filter((step) => step < status.step), status.step] : [];
 }
 
-/** Under which name each run is saved: one that is alone under that which is given, two with their models behind it. */
-export function savedNames(name: string, runs: Run[]): [Run, string][] {
-  if (runs.length < 2) return runs.map((run) => [run, name]);
-  const models = runs.map((run) => run.description!.model.name);
-  const same = new Set(models).size < runs.length;
-  return runs.map((run, at) => [run, `${name}-${models[at]}${same ? `-${run.name}` : ""}`]);
-}
-
 /** How a run is named beside another: by its model, or where both have the same, by what differs. */
 export function nameBeside(run: Run, other: Run | undefined): string {
   const [own, others] = [run.description, other?.description];

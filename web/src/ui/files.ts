@@ -5,7 +5,6 @@ import type { Progress } from "../core/connection";
 import { type KeptFile, keepFile } from "../core/kept_file";
 import { problemText } from "../core/notices";
 import type { JsonObject, Problem } from "../core/protocol";
-import { savedNames } from "../core/run";
 import type { Stage } from "../scene/stage";
 import { type Submit, dialog, formDialog, working } from "./dialog";
 import { download, h } from "./dom";
@@ -197,22 +196,15 @@ export class Files {
     const name = h("input", { type: "text", value: `run-${new Date().toISOString().slice(0, 16).replaceAll(/[T:]/g, "-")}`, "aria-label": "Name of the run" });
     const pair = this.app.runs.length > 1;
     const save: Submit = async (progress, signal) => {
-      const goesOn = pair && this.app.running;
-      if (pair) this.app.send({ command: "pause" }); // both meet there, so both are saved at the same step
-      const saved = savedNames(name.value, this.app.runs).map(async ([run, as]) => {
-        const answer = await this.app.connection.ask({ command: "save", name: as, run: run.name }, progress, signal);
-        this.app.note("info", `Saved ${answer.frames} frames up to step ${answer.step} as ${as}.`);
-      });
-      if (goesOn) this.app.send({ command: "run" });
-      const refused = (await Promise.allSettled(saved)).find((one) => one.status === "rejected");
-      if (refused) throw refused.reason;
+      const answer = await this.app.connection.ask({ command: "save", name: name.value }, progress, signal);
+      this.app.note("info", `Saved ${answer.frames} frames up to step ${answer.step} as ${name.value}.`);
     };
     formDialog(
       "Save the run",
       "save",
       save,
       h("p", {}, "A folder with the scenario, the states that are kept, and all it takes to go on; the command line reads it too."),
-      pair && h("p", { className: "hint" }, "Both runs are saved, each as a run of its own whose name ends in its model."),
+      pair && h("p", { className: "hint" }, "Both runs are saved at the same step, in two folders named by their models, and open side by side again."),
       h("div", { className: "row" }, h("label", {}, "name ", name)),
     );
     name.select();

@@ -4,6 +4,7 @@ import type { App } from "../core/app";
 import type { JsonObject } from "../core/protocol";
 import { dialog } from "./dialog";
 import { h } from "./dom";
+import type { Unfinished } from "./unfinished";
 
 interface Preset {
   name: string;
@@ -20,8 +21,8 @@ interface Preset {
   picture: boolean;
 }
 
-/** Open the gallery; `onTour` leads through the first steps, where it is to be offered. */
-export async function gallery(app: App, onTour: () => void): Promise<void> {
+/** Open the gallery; `onTour` leads through the first steps, where it is to be offered. Runs that were interrupted come first. */
+export async function gallery(app: App, onTour: () => void, unfinished: Unfinished): Promise<void> {
   const presets = await app.connection.fetch<Preset[]>("presets");
   const close = () => sheet.close();
   const cards = presets.map((preset) => card(app, preset, close));
@@ -46,7 +47,7 @@ export async function gallery(app: App, onTour: () => void): Promise<void> {
   const groups = h("nav", { className: "groups", "aria-label": "Landforms" }, ...sections.map(({ title }) => h("button", { type: "button", onclick: () => jump(title) }, title)));
   const first = presets.find((preset) => preset.start);
   const start = first && lead(app, first, close, onTour);
-  const sheet: HTMLDialogElement = dialog("Presets", "gallery", h("div", { className: "finder" }, search, groups), h("div", { className: "sections" }, start ?? "", ...sections.map((section) => section.element)));
+  const sheet: HTMLDialogElement = dialog("Presets", "gallery", h("div", { className: "finder" }, search, groups), h("div", { className: "sections" }, unfinished.list(close), start ?? "", ...sections.map((section) => section.element)));
   search.focus();
 }
 

@@ -16,7 +16,7 @@ from barchan.scenario.summary import field_size
 METHOD = """
 A reported number comes of one run whose random numbers are not known. It agrees where it lies in the
 interval that one more run of ours would lie in with a chance of 95 % (Student's t with the mean and
-deviation over seeds), widened by half of its last digit.
+deviation over seeds), widened by half of its last digit, and by another half where ours are whole numbers.
 
 An order, such as one side steeper than the other, agrees where the paired t-test over seeds finds it (p <
 0.05), differs where the test finds the opposite, and is undecided where it finds neither. Two measures
@@ -26,7 +26,7 @@ A landform is named by the rule on the page Measures of the documentation. It ag
 it, differs where none has, and is undecided otherwise.
 
 Values that Barchan itself doubts, for instance the spacing of too few bedforms, are left out with their
-seeds.
+seeds; 5.2 (2/3) is the mean of two seeds of three.
 
 Where a set-up is not stated in the source, its title or the notes of the preset say what is assumed.
 """

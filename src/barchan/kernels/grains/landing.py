@@ -10,7 +10,6 @@ from barchan.kernels.grains.bonds import restitution_at
 from barchan.kernels.grains.bounce import bounce
 from barchan.kernels.grains.entrainment import entrain
 from barchan.kernels.grains.exchange import MIDDLE
-from barchan.kernels.grains.flight import move
 from barchan.kernels.grains.pool import record_end
 from barchan.kernels.grains.splash import rebound
 from barchan.kernels.grains.state import FLYING, GONE, LOSS_UNIT, NOWHERE
@@ -126,10 +125,3 @@ def land(first, count, key, grains, air, ground, rules, landings):
             landings.slot[found] = landings.deposit_cell[found] = landings.lift_cell[found] = NOWHERE
             found += 1
     return found - first
-
-
-@njit(cache=True, nogil=True, error_model="numpy")
-def fly(first, last, key, grains, air, ground, rules, landings):
-    """Move slots by one time step, then handle those that may have landed."""
-    count = move(first, last, grains, air, ground, landings.candidates)
-    return land(first, count, key, grains, air, ground, rules, landings)

@@ -3,11 +3,13 @@
 import numpy as np
 from numba import njit
 
+from barchan.kernels.core.borrow import borrowed
 from barchan.kernels.core.random import derive
 from barchan.kernels.grains.collapse import settle_about
 from barchan.kernels.grains.entrainment import entrain
 from barchan.kernels.grains.exchange import exchange
-from barchan.kernels.grains.landing import fly
+from barchan.kernels.grains.flight import move_blocks, work_space
+from barchan.kernels.grains.landing import land
 from barchan.kernels.grains.state import FLOWN, FLYING, NOWHERE, SUNK
 from barchan.kernels.grains.surface import renew_stale
 
@@ -22,10 +24,17 @@ def _exchange_one(scene):
     renew_stale(0, scene.ground.grid.rows, scene.ground)
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
-def _fly_one(key, scene):
-    """Move the grain in the first slot by one time step; the number of entries."""
-    return fly(0, 1, key, scene.grains, scene.air, scene.ground, scene.rules, scene.landings)
+@njit(inline="always")
+def _fly_one(key, scene, work):
+    """Move the grain in the first slot by one time step; the number of entries.
+
+    Made part of its callers: a call for each time step would hand over the whole scene.
+    """
+    grains, air, ground, landings = scene.grains, scene.air, scene.ground, scene.landings
+    count = move_blocks(0, 1, grains, air, ground, landings.candidates, work)
+    if count > 0:
+        count = land(0, count, key, grains, air, ground, scene.rules, landings)
+    return count
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
@@ -35,6 +44,8 @@ def trajectories(first, count, key, scene, lifting, slopes):
     All fly in the first slot; a grain that does not land for ``LONGEST_FLIGHT`` time steps is put down.
     ``lifting`` is the entrainment that starts a trajectory; that of the scene's rules has no chance.
     """
+    scene, slopes = borrowed((scene, slopes))
+    work = work_space()
     landings, counts, ground = scene.landings, scene.counts, scene.ground
     for number in range(first, first + count):
         start = derive(key, number)
@@ -50,7 +61,7 @@ def trajectories(first, count, key, scene, lifting, slopes):
             if aloft > LONGEST_FLIGHT:
                 scene.grains.z[0] = SUNK
                 scene.grains.bounces[0] = max(scene.grains.bounces[0], scene.rules.bounce.most)
-            if _fly_one(start, scene):
+            if _fly_one(start, scene, work):
                 _exchange_one(scene)
         end = landings.deposit_cell[0] if landings.deposit_cell[0] >= 0 else source
         settle_about(source, end, ground, slopes, start)
@@ -64,7 +75,8 @@ def trace(key, scene, lifting, path):
     velocity (m/s) and bounces since lift-off. The flight ends where it is when ``path`` is full. 0: nothing
     was lifted.
     """
-    grains, grid = scene.grains, scene.ground.grid
+    scene = borrowed(scene)
+    grains, grid, work = scene.grains, scene.ground.grid, work_space()
     if entrain(0, key, grains, scene.ground, lifting) == NOWHERE:
         return 0
     for k in range(path.shape[0]):
@@ -72,6 +84,6 @@ def trace(key, scene, lifting, path):
         path[k, 1] = np.float64(grains.y[0]) + np.float64(grains.wraps_y[0]) * grid.rows
         path[k, 2], path[k, 3], path[k, 4] = grains.z[0], grains.u[0], grains.v[0]
         path[k, 5], path[k, 6] = grains.w[0], grains.bounces[0]
-        if _fly_one(derive(key, k), scene):
+        if _fly_one(derive(key, k), scene, work):
             return k + 1
     return path.shape[0]

@@ -81,6 +81,7 @@ def application(session: Session, guard: Guard) -> Starlette:
         Route("/api/schema", guarded(json_of(gallery.schema), guard.may_look)),
         Route("/api/colours", guarded(json_of(colours), guard.may_look)),
         Route("/api/files", guarded(json_of(gallery.files_taken), guard.may_look)),
+        Route("/api/unfinished", guarded(json_of(lambda: session.unfinished.look().data()))),
         Route("/api/formats", guarded(json_of(gallery.formats))),
         Route("/api/watching", guarded(json_of(guard.for_watchers))),
         Route("/api/exports/{number}/{name}", guarded(exported)),

@@ -2,6 +2,7 @@
 
 import asyncio
 import socket
+import threading
 import webbrowser
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -14,6 +15,8 @@ from barchan.scenario import Scenario
 from barchan.studio.protocol import LARGEST_MESSAGE
 from barchan.studio.server.security import EVERYWHERE, LOOPBACK, Guard
 from barchan.studio.server.session import Session
+from barchan.studio.server.unfinished import Found
+from barchan.studio.server.user_data import data_folder
 from barchan.studio.server.workspace import Workspace
 
 if TYPE_CHECKING:
@@ -22,6 +25,9 @@ if TYPE_CHECKING:
 
 PORT = 8127
 """The usual port: browsers keep preferences and bookmarks by address and port."""
+
+AUTOSAVES = "studio-autosave"
+"""The folder, among the user's data, of runs that are kept in case that a studio ends unexpectedly."""
 
 SOMEWHERE = "192.0.2.1"
 """An address beyond any network of one's own: one of those kept for examples."""
@@ -41,9 +47,15 @@ class Studio:
     """Whether the page opens with the gallery of presets."""
 
 
-def serve(studio: Studio, ready: Callable[[str], None], open_browser: bool = True) -> None:
+def serve(
+    studio: Studio,
+    ready: Callable[[str], None],
+    open_browser: bool = True,
+    left: Callable[[Found], None] = lambda _: None,
+) -> None:
     """Serve until interrupted; ``ready`` is called with the address. All workers end with the server.
 
+    ``left`` is called with the runs that earlier studios have left because they ended unexpectedly.
     Raises BarchanError where the address is taken or the client was not built.
     """
     import uvicorn
@@ -55,7 +67,7 @@ def serve(studio: Studio, ready: Callable[[str], None], open_browser: bool = Tru
     sock = usual_listener(studio.host) if studio.port is None else listener(studio.host, studio.port)
     port = sock.getsockname()[1]
     guard = Guard(port, tuple({*LOOPBACK, studio.host, *names_of(studio.host)}))
-    session = Session(Workspace(studio.folder), studio.scenario, studio.archive)
+    session = Session(Workspace(studio.folder), studio.scenario, studio.archive, data_folder() / AUTOSAVES)
     config = configured(application(session, guard))
     shown = "127.0.0.1" if studio.host in EVERYWHERE else studio.host
     address = f"{guard.address(shown)}/?token={guard.token}"
@@ -63,10 +75,11 @@ def serve(studio: Studio, ready: Callable[[str], None], open_browser: bool = Tru
     ready(address)
     if open_browser:
         webbrowser.open(address)
+    threading.Thread(target=lambda: left(session.unfinished.look()), daemon=True, name="unfinished").start()
     try:
         asyncio.run(uvicorn.Server(config).serve([sock]))
     except KeyboardInterrupt:
-        pass
+        session.autosave.discard()  # the user has ended it; a system that shuts down sends another signal
     finally:
         session.close()
         sock.close()

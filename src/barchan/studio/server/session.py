@@ -20,13 +20,18 @@ from barchan.studio.protocol import (
 )
 from barchan.studio.server.aside import Aside
 from barchan.studio.server.audience import Audience, Viewer
+from barchan.studio.server.autosave import Autosave
 from barchan.studio.server.films import Films
+from barchan.studio.server.joint_answers import JointAnswers, is_joint
 from barchan.studio.server.kept_states import KeptStates
 from barchan.studio.server.lockstep import Lockstep
+from barchan.studio.server.pairs import open_together
 from barchan.studio.server.queries import QUERIES
 from barchan.studio.server.reports import Reports
 from barchan.studio.server.session_commands import FIRST, SECOND, SESSION
 from barchan.studio.server.starts import Starts
+from barchan.studio.server.together import is_together, read_together
+from barchan.studio.server.unfinished import Unfinished
 from barchan.studio.server.worker_handle import WorkerHandle
 from barchan.studio.server.workspace import Workspace
 from barchan.version import __version__
@@ -36,9 +41,16 @@ class Session:
     """Workers, the browsers that are connected, and the messages between them."""
 
     def __init__(
-        self, workspace: Workspace, scenario: Scenario | None = None, archive: Path | None = None
+        self,
+        workspace: Workspace,
+        scenario: Scenario | None = None,
+        archive: Path | None = None,
+        home: Path | None = None,
     ) -> None:
-        """Prepare a session that begins with a scenario or an archive."""
+        """Prepare a session that begins with a scenario, an archive, or two that were saved together.
+
+        Its runs are kept in ``home`` in case that the studio ends unexpectedly.
+        """
         self.workspace = workspace
         self.workers: dict[str, WorkerHandle] = {}
         self.scenarios: dict[str, dict[str, Any]] = {}
@@ -51,22 +63,32 @@ class Session:
         self.audience = Audience()
         self.reports = Reports(self)
         self.films = Films(workspace)
+        self.joint = JointAnswers(self)
+        self.unfinished = Unfinished(home)
+        self.autosave = Autosave(self, home)
+        self._opened: list[Path] = []
         if archive is not None:
-            self.first: Request = {"command": "open_folder", "folder": str(archive)}
+            self._opened = read_together(archive).folders if is_together(archive) else [archive]
+            self.first: Request = {"command": "open_folder", "folder": str(self._opened[0])}
         else:
             data = (scenario or Scenario()).seeded().data()
             workspace.trust(data)
             self.first = {"command": "start", "scenario": data, "running": True}
 
     def start(self) -> None:
-        """Start the first worker."""
-        self.start_run(FIRST, self.first)
+        """Start the first worker, both for two that were saved together."""
+        if len(self._opened) > 1:
+            open_together(self, self._opened)
+        else:
+            self.start_run(FIRST, self.first)
         self._keep()
+        self.autosave.begin()
 
     def close(self) -> None:
         """End all workers."""
         if self._keeping is not None:
             self._keeping.cancel()
+        self.autosave.close()
         self.films.give_up()
         for worker in self.workers.values():
             worker.close()
@@ -155,6 +177,8 @@ class Session:
         def pass_on() -> None:
             for worker in workers:
                 worker.forward({**request, "run": None})
+            if command.name == "pause":
+                self.autosave.soon()
 
         if pair is None or command.pair == "any time":
             pass_on()
@@ -199,12 +223,15 @@ class Session:
         if content["type"] == "begun":
             self._on_begun(worker.name, content)
             return
-        if self.reports.takes(content):
+        if self.reports.takes(content) or self.joint.takes(content):
             return
         if content["type"] == "scenario":
             self.scenarios[worker.name] = content["scenario"]
+            self.workspace.trust(content["scenario"])
         elif content["type"] == "arrived" and self.lockstep is not None:
             self.lockstep.arrived(worker.name, content["step"], content["order"])
+        elif content["type"] == "arrived":
+            self.autosave.soon()
         elif content["type"] == "refused" and content["command"] == "run" and self.lockstep is not None:
             self.lockstep.stopped(worker.name)
         self.audience.on_message(worker.name, content["type"], data)
@@ -214,6 +241,7 @@ class Session:
         if self.workers.get(worker.name) is worker:
             worker.process.join()
             self.reports.lose(worker.name)
+            self.joint.lose(worker.name)
             self.pair_again()
             self.audience.to_all(self._loss(worker))
             if (missed := self.starts.lost(worker.name)) is not None:
@@ -222,9 +250,13 @@ class Session:
     def pair_again(self) -> None:
         """Pause two runs; neither waits for steps of the other any more, whose process may be lost."""
         if self.lockstep is not None:
-            self.lockstep.leave()
-            self.lockstep = Lockstep(self.workers, self._on_lockstep)
-            self.lockstep.pause()
+            self.lead(Lockstep(self.workers, self.on_lockstep))
+
+    def lead(self, pair: Lockstep) -> None:
+        """Let two runs be led together from now on, paused."""
+        self._end_lockstep()
+        self.lockstep = pair
+        pair.pause()
 
     def _loss(self, worker: WorkerHandle) -> bytes:
         """The message that a worker has ended by itself."""
@@ -234,11 +266,12 @@ class Session:
     def _on_begun(self, name: str, content: dict[str, Any]) -> None:
         """A worker has begun a run, or refused to."""
         start = self.starts.answered(name, content["number"])
+        start_request: Request = (start.request if start is not None else None) or {}
         if content["ok"]:
-            if name == FIRST and start is not None and start.request is not None:
-                self.aside.begun(name, start.request)
+            if name == FIRST and start_request:
+                self.aside.begun(name, start_request)
             self.kept.begun(name, content["number"], resumed=start is not None and start.request is None)
-        elif name == SECOND and SECOND not in self.scenarios:
+        elif name == SECOND and SECOND not in self.scenarios and not is_joint(start_request):
             self.end_second()
             self.aside.take_back(FIRST)
 
@@ -256,7 +289,7 @@ class Session:
             self.start_run(
                 name, {"command": "start", **answer, "scenario": data, "running": running and alone}
             )
-        self.lockstep = None if alone else Lockstep(self.workers, self._on_lockstep)
+        self.lockstep = None if alone else Lockstep(self.workers, self.on_lockstep)
         if self.lockstep is not None and running:
             self.lockstep.run(min(int(data["run"]["steps"]) for data in scenarios.values()))
 
@@ -268,7 +301,10 @@ class Session:
             start = self.starts.add(name, None)
             self.worker(name).send_bytes(numbered(state, start.number))
 
-    def _on_lockstep(self, running: bool) -> None:
+    def on_lockstep(self, running: bool) -> None:
+        """Two runs that are led together started or stopped."""
+        if not running:
+            self.autosave.soon()
         self.audience.to_all(message("lockstep", running=running))
 
     def _end_lockstep(self) -> None:
@@ -284,6 +320,7 @@ class Session:
         """End the second simulation."""
         self._end_lockstep()
         self.reports.lose(SECOND)
+        self.joint.lose(SECOND)
         worker = self.workers.pop(SECOND, None)
         if worker is not None:
             worker.close()

@@ -8,11 +8,13 @@ from barchan.models import models
 from barchan.scenario import validate
 from barchan.studio.commands import Handlers
 from barchan.studio.protocol import Request
+from barchan.studio.server.pairs import RUNS, open_together, save_together
+from barchan.studio.server.together import is_together, read_together
 
 if TYPE_CHECKING:
     from barchan.studio.server.session import Session
 
-FIRST, SECOND = "a", "b"
+FIRST, SECOND = RUNS
 
 SESSION: Handlers[Callable[["Session", Request], None]] = Handlers("session")
 
@@ -80,8 +82,14 @@ def revive(session: "Session", request: Request) -> None:
 
 @SESSION.handles("save")
 def save(session: "Session", request: Request) -> None:
-    """Save a run as an archive in the session's folder; one of two that are compared where they meet next."""
+    """Save a run as an archive in the session's folder; of two that are compared where they meet next.
+
+    Without ``run`` both of them are saved together, so that they open side by side again.
+    """
     folder = session.workspace.new_run(str(request["name"]))
+    if session.lockstep is not None and request.get("run") is None:
+        save_together(session, folder, request.get("id"))
+        return
     worker = session.workers[request.get("run") or FIRST]
 
     def write() -> None:
@@ -128,18 +136,33 @@ def report(session: "Session", request: Request) -> None:
 def cancel(session: "Session", request: Request) -> None:
     """Break off the answer to the request with the id ``of``."""
     session.reports.break_off(request.get("of"))
+    session.joint.break_off(request.get("of"))
     for worker in session.workers.values():
         worker.send("break_off", of=request.get("of"))
 
 
 @SESSION.handles("open")
 def open_run(session: "Session", request: Request) -> None:
-    """Continue an archive of the session's folder."""
+    """Continue a run of the session's folder, or two that were saved together."""
     folder = session.workspace.run(str(request["name"]))
     if folder.name not in session.workspace.runs():
         raise BarchanError(f"no run '{folder.name}' in {session.workspace.folder}")
-    session.end_second()
-    session.start_run(FIRST, {"command": "open_folder", "folder": str(folder), "id": request.get("id")})
+    folders = read_together(folder).folders if is_together(folder) else [folder]
+    open_together(session, folders, request.get("id"))
+
+
+@SESSION.handles("open_unfinished")
+def open_unfinished(session: "Session", request: Request) -> None:
+    """Go on with what a studio that ended unexpectedly has left."""
+    adopted = session.unfinished.open(str(request["name"]))
+    open_together(session, adopted.runs.folders, request.get("id"), adopted)
+
+
+@SESSION.handles("discard_unfinished")
+def discard_unfinished(session: "Session", request: Request) -> None:
+    """Delete what a studio that ended unexpectedly has left."""
+    session.unfinished.discard(str(request["name"]))
+    session.tell("done", id=request.get("id"))
 
 
 def _model_beside(scenario: dict[str, Any], name: Any) -> dict[str, Any]:

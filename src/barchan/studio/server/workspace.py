@@ -8,6 +8,7 @@ from typing import Any
 from barchan.errors import BarchanError, Problem, ScenarioError
 from barchan.ground.reading import READERS
 from barchan.studio.server.security import is_plain_name, is_reserved
+from barchan.studio.server.together import is_together
 from barchan.wind.records.reading import SUFFIXES
 
 UPLOADS = "studio-uploads"
@@ -107,13 +108,14 @@ class Workspace:
         return path
 
     def runs(self) -> list[str]:
-        """Names of the runs that can be opened."""
+        """Names of the runs that can be opened, among them of those that were saved together."""
         from barchan.archive.folder import CHECKPOINT, SCENARIO  # brings zarr, which no first page needs
 
         if not self.folder.is_dir():
             return []
-        found = [path for path in self.folder.iterdir() if (path / SCENARIO).is_file()]
-        return sorted(p.name for p in found if (p / CHECKPOINT).is_file() and is_plain_name(p.name))
+        found = [path for path in self.folder.iterdir() if is_plain_name(path.name)]
+        whole = [p for p in found if (p / SCENARIO).is_file() and (p / CHECKPOINT).is_file()]
+        return sorted(path.name for path in (*whole, *filter(is_together, found)))
 
 
 def plain_file_name(name: str) -> str:

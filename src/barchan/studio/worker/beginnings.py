@@ -7,10 +7,11 @@ from barchan.errors import BarchanError
 from barchan.scenario import validate
 from barchan.scenario.changes import changed_from
 from barchan.studio.protocol import Request
-from barchan.studio.worker.handlers import WORKER
+from barchan.studio.worker.handlers import WORKER, Answer
 from barchan.studio.worker.rescue import from_bytes
 from barchan.studio.worker.run import started
 from barchan.studio.worker.saved_runs import open_saved_run
+from barchan.studio.worker.state_folder import holds_newest, open_newest
 
 if TYPE_CHECKING:
     from barchan.studio.worker.commands import RunCommands
@@ -64,11 +65,13 @@ def restart(commands: "RunCommands", request: Request) -> None:
 
 
 @WORKER.handles("open_folder")
-def open_folder(commands: "RunCommands", request: Request) -> None:
-    """Continue the run in an archive, paused where it ended."""
-    run = open_saved_run(Path(request["folder"]), commands.desk)
+def open_folder(commands: "RunCommands", request: Request) -> Answer:
+    """Continue the run in an archive, or from the state in a folder, paused where it ended."""
+    folder = Path(request["folder"])
+    run = (open_newest if holds_newest(folder) else open_saved_run)(folder, commands.desk)
     commands.aside = None
     commands.take(run, running=False)
+    return {"step": run.live.steps_done}
 
 
 @WORKER.handles("resume")

@@ -20,6 +20,7 @@ from barchan.studio.worker.rose import rose_of
 from barchan.studio.worker.saved_runs import save_run, states_of
 from barchan.studio.worker.spacetime import space_time as section_over_time
 from barchan.studio.worker.spacetime_files import write_space_time
+from barchan.studio.worker.state_folder import fingerprint, newest_of, write_newest
 from barchan.studio.worker.strata import layers_along
 
 if TYPE_CHECKING:
@@ -37,6 +38,17 @@ def keep(commands: "RunCommands", _: Request) -> None:
         commands.send_bytes(data)
 
 
+@WORKER.handles("keep_in")
+def keep_in(commands: "RunCommands", request: Request) -> Answer:
+    """Write the newest state into a folder, while the run goes on, unless it is the one that is ``known``."""
+    found = fingerprint(commands)
+    if found is None or found == request.get("known"):
+        return {"fingerprint": found, "written": False}
+    newest, folder = newest_of(commands.current), Path(request["folder"])
+    written = {"fingerprint": found, "written": True}
+    return _written(folder, lambda _: {**written, "member": write_newest(newest, folder)})
+
+
 @WORKER.handles("save_folder")
 def save_folder(commands: "RunCommands", request: Request) -> Answer:
     """Save the run as an archive, while it goes on; up to step ``until`` where that is stated."""
@@ -44,8 +56,10 @@ def save_folder(commands: "RunCommands", request: Request) -> Answer:
     states = _up_to(states_of(commands.current), request.get("until"))
     step = states[-1].step
     bookmarks = [one for one in commands.current.bookmarks_here() if one.step <= step]
+    scenario = commands.current.live.scenario
+    words = {"title": scenario.title, "model": scenario.model.name, "steps": scenario.run.steps}
     return _written(
-        folder, lambda count: {"frames": save_run(states, folder, count, bookmarks), "step": step}
+        folder, lambda count: {"frames": save_run(states, folder, count, bookmarks), **words, "step": step}
     )
 
 

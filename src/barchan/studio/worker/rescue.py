@@ -41,8 +41,18 @@ def from_bytes(data: bytes, desk: Desk | None = None) -> StudioRun:
     """The run whose state ``to_bytes`` gave, paused; of its past only the measures are left."""
     head = len(STATE_MAGIC) + struct.calcsize(STATE_HEAD)
     saved: _Saved = pickle.loads(memoryview(data)[head:])  # noqa: S301 - a worker of this session wrote it
-    run = resumed(saved.state, History(saved.every, marks=marks_of(saved.bookmarks)), desk)
-    run.measures.rows = saved.rows
-    run.bookmarks = Bookmarks(saved.bookmarks)
+    return continued(saved.state, saved.every, saved.rows, saved.bookmarks, desk)
+
+
+def continued(
+    state: State, every: int, rows: list[dict[str, Any]], bookmarks: list[Bookmark], desk: Desk | None = None
+) -> StudioRun:
+    """A run that goes on from a state, paused; of its past the measures ``rows`` are left.
+
+    States are kept every ``every`` steps from there on.
+    """
+    run = resumed(state, History(every, marks=marks_of(bookmarks)), desk)
+    run.measures.rows = rows
+    run.bookmarks = Bookmarks(bookmarks)
     run.measures.resend()
     return run

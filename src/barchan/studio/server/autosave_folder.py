@@ -1,0 +1,97 @@
+"""The folder on disk in which a studio keeps the newest state of its runs."""
+
+import os
+import shutil
+from datetime import UTC, datetime
+from io import FileIO
+from pathlib import Path
+from typing import Any
+
+from barchan.holding import hold
+from barchan.replacing import PARTIAL
+from barchan.studio.server.together import Member, name_together
+
+LOCK = "writer.lock"
+"""The file that a studio holds for as long as its folder is its own."""
+
+
+class AutosaveFolder:
+    """A folder that one process holds: each state takes the place of the one before by one renaming."""
+
+    def __init__(self, home: Path) -> None:
+        """A new folder of ``home``, made when the first state is to be written."""
+        began = datetime.now(UTC).strftime("%Y%m%d-%H%M%S")
+        self.path = home / f"{began}-{os.getpid()}"
+        self._lock: FileIO | None = None
+        self._count = 0
+        self._newest: Path | None = None
+        self._members: dict[str, Member] = {}
+
+    def next(self) -> Path:
+        """A folder for the next state to be written into; raises OSError where none can be made."""
+        if self._lock is None:
+            self.path.mkdir(parents=True, exist_ok=True)
+            self._lock = hold(self.path / LOCK)
+        self._count += 1
+        partial = self.path / f"{self._count:06d}{PARTIAL}"
+        try:
+            partial.mkdir()
+        except OSError:
+            self.close()  # somebody has deleted the folder: it is made again for the next state
+            self._newest, self._members = None, {}
+            raise
+        return partial
+
+    def commit(self, partial: Path, written: dict[str, dict[str, Any] | None]) -> bool:
+        """Let what was written take the place of the state before; returns whether it is whole.
+
+        ``written`` holds title, model, step and steps by run, None for a run that is as it was in the state
+        before. Runs that are not at one step are not kept: two that are compared belong together.
+        """
+        members = {}
+        for run, data in written.items():
+            member = self._members.get(run) if data is None else Member(folder=run, **data)
+            if member is None or (data is None and not self._carry_over(run, partial)):
+                return False
+            members[run] = member
+        if len({member.step for member in members.values()}) != 1:
+            return False
+        name_together(partial, list(members.values()), sealed=True)
+        final = partial.with_name(partial.name.removesuffix(PARTIAL))
+        _to_disk(partial)
+        partial.replace(final)
+        _to_disk(self.path)
+        before, self._newest, self._members = self._newest, final, members
+        if before is not None:
+            shutil.rmtree(before, ignore_errors=True)
+        return True
+
+    def _carry_over(self, run: str, partial: Path) -> bool:
+        """Take a run over from the state before; returns whether it was there."""
+        if self._newest is None or not (self._newest / run).is_dir():
+            return False
+        shutil.copytree(self._newest / run, partial / run)
+        return True
+
+    def close(self) -> None:
+        """Leave the folder to the next studio."""
+        if self._lock is not None:
+            self._lock.close()
+            self._lock = None
+
+    def discard(self) -> None:
+        """Delete the folder."""
+        self.close()
+        shutil.rmtree(self.path, ignore_errors=True)
+
+
+def _to_disk(folder: Path) -> None:
+    """Let the system write a folder and its files to disk, so that no renaming is ahead of them."""
+    if not hasattr(os, "O_DIRECTORY"):  # a folder cannot be opened there
+        return
+    for path in (folder, *folder.rglob("*")):
+        handle = os.open(path, os.O_RDONLY)
+        try:
+            os.fsync(handle)
+        finally:
+            os.close(handle)

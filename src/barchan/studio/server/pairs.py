@@ -1,0 +1,90 @@
+"""Runs that are saved side by side and opened side by side again."""
+
+import shutil
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from barchan.studio.protocol import Request
+from barchan.studio.server.lockstep import Lockstep
+from barchan.studio.server.together import Member, name_together
+
+if TYPE_CHECKING:
+    from barchan.studio.server.joint_answers import Answers
+    from barchan.studio.server.session import Session
+    from barchan.studio.server.unfinished import Adopted
+
+RUNS = ("a", "b")
+"""The names of two runs side by side."""
+
+
+def save_together(session: "Session", folder: Path, request: Any) -> None:
+    """Save both runs where they meet next, in folders beside each other that are named by their models."""
+    models = {run: str(session.scenarios[run]["model"]["name"]) for run in session.workers}
+    same = len(set(models.values())) < len(models)
+    folders = {run: f"{model}-{run}" if same else model for run, model in models.items()}
+
+    def done(answers: "Answers") -> None:
+        words = ("title", "model", "step", "steps")
+        members = [
+            Member(folder=folders[run], **{word: answer[word] for word in words})
+            for run, answer in answers.items()
+        ]
+        name_together(folder, sorted(members, key=lambda one: list(folders.values()).index(one.folder)))
+        frames = sum(answer["frames"] for answer in answers.values())
+        session.tell("done", id=request, frames=frames, step=members[0].step)
+
+    def failed(why: str) -> None:
+        shutil.rmtree(folder, ignore_errors=True)
+        session.tell("refused", id=request, command="save", text=why, problems=[])
+
+    def progress(count: int, of: int) -> None:
+        session.tell("progress", id=request, done=count, of=of)
+
+    def ask() -> None:
+        parts: dict[str, Request] = {
+            run: {"command": "save_folder", "folder": str(folder / own)} for run, own in folders.items()
+        }
+        session.joint.ask(parts, done, failed, progress, request)
+
+    assert session.lockstep is not None
+    session.lockstep.meet(ask)
+
+
+def open_together(
+    session: "Session", folders: Sequence[Path], request: Any = None, adopted: "Adopted | None" = None
+) -> None:
+    """Go on with a run, or with two side by side, paused where they were saved.
+
+    What was ``adopted`` of an earlier studio is left as it is where they cannot be opened.
+    """
+    session.end_second()
+
+    def done(answers: "Answers") -> None:
+        if adopted is not None:
+            session.autosave.adopt(adopted)
+        steps = [answer["step"] for answer in answers.values()]
+        if len(set(steps)) > 1:
+            session.end_second()
+            apart = f"they stand at steps {steps[0]} and {steps[1]}, so that they cannot run side by side"
+            refuse(f"only the first of both runs is open: {apart}. Each can be opened by itself")
+        else:
+            session.tell("done", id=request, step=steps[0])
+
+    def failed(why: str) -> None:
+        if adopted is not None:
+            adopted.release()
+        session.end_second()
+        refuse(why)
+
+    def refuse(why: str) -> None:
+        session.tell("refused", id=request, command="open", text=why, problems=[])
+
+    parts: dict[str, Request] = {
+        run: {"command": "open_folder", "folder": str(folder)}
+        for run, folder in zip(RUNS, folders, strict=False)
+    }
+    session.joint.ask(parts, done, failed, request=request, send=session.start_run)
+    if len(parts) > 1:
+        session.lead(Lockstep(session.workers, session.on_lockstep))
+        session.report_runs()

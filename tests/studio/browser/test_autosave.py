@@ -1,0 +1,85 @@
+"""After a studio was killed the next one offers its run, in the gallery and over the scene."""
+
+import os
+import re
+import signal
+import subprocess
+import sys
+from contextlib import contextmanager
+
+import pytest
+
+from barchan.measures import highest_stack
+from barchan.scenario import load_scenario
+from barchan.simulation import Simulation
+from tests.studio.browser.conftest import SMALL, until
+from tests.studio.server.test_autosave import step_on_disk
+from tests.studio.server.test_autosave import until as wait_for
+
+RUN = "window.barchan.app.runs[0]"
+
+pytestmark = [
+    pytest.mark.extended,
+    pytest.mark.skipif(sys.platform != "linux", reason="the user's data are elsewhere"),
+]
+
+
+@contextmanager
+def studio(tmp_path, name=None, steps="100000"):
+    """The studio as the command line starts it, with user data of its own: the process and its address."""
+    values = [text for key, value in {**SMALL, "run.steps": steps}.items() for text in (f"--{key}", value)]
+    names = [name, *values] if name else []
+    command = [sys.executable, "-c", "from barchan.cli import main; main()", "studio", *names]
+    options = ["--no-browser", "--port", "0", "--folder", str(tmp_path)]
+    own = {**os.environ, "XDG_DATA_HOME": str(tmp_path)}
+    process = subprocess.Popen([*command, *options], env=own, stdout=subprocess.PIPE, text=True)
+    try:
+        yield process, next(m[0] for line in process.stdout if (m := re.search(r"http://\S+", line)))
+    finally:
+        process.kill()
+        process.wait(20)
+        process.stdout.close()
+
+
+def test_a_run_whose_studio_was_killed_is_offered_and_goes_on_where_it_stopped(tmp_path, visit):
+    home = tmp_path / "barchan" / "studio-autosave"
+    with studio(tmp_path, "barchans") as (process, address):
+        page = visit(address)
+        until(page, f"{RUN}?.status?.step > 20")
+        page.keyboard.press("Space")
+        until(page, "!window.barchan.app.running")
+        step = page.evaluate(f"{RUN}.status.step")
+        wait_for(lambda: step_on_disk(home) == step)
+        os.kill(process.pid, signal.SIGKILL)
+        page.close()
+    with studio(tmp_path) as (_, address):
+        page = visit(address)
+        offer = page.locator("dialog .unfinished li")
+        offer.wait_for()
+        assert "Your run of “Barchans" in offer.inner_text()
+        assert f"stopped at step {step} of 100\u202f000 on " in offer.inner_text()
+        offer.get_by_role("button", name="open it").click()
+        until(page, f"{RUN}.status?.step === {step} && !window.barchan.app.running")
+        until(page, "!document.querySelector('dialog')")
+        assert page.locator(".messages .unfinished li").count() == 0
+        uninterrupted = Simulation(load_scenario("barchans", list(SMALL.items())))
+        uninterrupted.advance(step)
+        assert page.evaluate(f"{RUN}.status.highest") == highest_stack(uninterrupted.bed.stack)
+        assert page.evaluate(f"{RUN}.status.volume") == uninterrupted.bed.volume
+
+
+def test_a_run_that_is_discarded_is_not_offered_again(tmp_path, visit):
+    home = tmp_path / "barchan" / "studio-autosave"
+    with studio(tmp_path, "barchans", "20") as (process, _):
+        wait_for(lambda: step_on_disk(home) == 20)
+        os.kill(process.pid, signal.SIGKILL)
+    with studio(tmp_path, "barchans") as (_, address):
+        page = visit(address)
+        offer = page.locator(".messages .unfinished li")
+        offer.get_by_role("button", name="discard it").click()
+        offer.get_by_role("button", name="discard it for good").click()
+        until(page, "!document.querySelector('.unfinished li')")
+        assert (
+            page.evaluate("window.barchan.app.connection.fetch('unfinished').then((one) => one.unfinished)")
+            == []
+        )

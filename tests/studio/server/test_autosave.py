@@ -1,0 +1,219 @@
+"""A studio that ends unexpectedly takes no run along."""
+
+import json
+import os
+import re
+import signal
+import subprocess
+import sys
+import time
+from contextlib import contextmanager
+
+import numpy as np
+import pytest
+
+from barchan.archive import open_run
+from barchan.archive.checkpoint import read_checkpoint
+from barchan.simulation import SetParameter, Simulation
+from barchan.studio.server import autosave, autosave_folder
+from barchan.studio.server.unfinished import Unfinished
+from tests.studio.conftest import PATIENCE, serving, small
+
+
+@pytest.fixture
+def eager(monkeypatch):
+    monkeypatch.setattr(autosave, "EVERY", 0.2)
+    monkeypatch.setattr(autosave, "SOON", 0.05)
+
+
+def until(condition):
+    end = time.monotonic() + PATIENCE
+    while not (found := condition()):
+        assert time.monotonic() < end
+        time.sleep(0.02)
+    return found
+
+
+def step_on_disk(home):
+    """The step of the newest state in a studio's folder, whether or not the studio runs."""
+    newest = sorted(home.glob("*/[0-9][0-9][0-9][0-9][0-9][0-9]/a/checkpoint.npz"))
+    try:
+        return read_checkpoint(newest[-1]).step if newest else 0
+    except OSError:  # it has just made room for the next one
+        return 0
+
+
+def left_in(home):
+    (name, runs), *_ = Unfinished(home).look().runs.items()
+    return name, runs
+
+
+def alone(step: int, change_at: int) -> Simulation:
+    simulation = Simulation(small())
+    simulation.advance(change_at)
+    simulation.apply(SetParameter(key="model.p_s", value=0.9))
+    simulation.advance(step - change_at)
+    return simulation
+
+
+def test_a_run_is_on_disk_on_every_pause_and_goes_on_with_the_same_bits_changes_and_moments(
+    tmp_path, monkeypatch
+):
+    monkeypatch.setattr(autosave, "SOON", 0.05)
+    home = tmp_path / "home"
+    with serving(tmp_path, small(), home=home) as first, first.browser() as browser:
+        browser.send("pause")
+        browser.send("restart", running=False)
+        browser.send("run", until=30)
+        browser.until_message("scenario")
+        browser.until_frame(lambda status: status["step"] == 30)
+        browser.send("set", key="model.p_s", value=0.9)
+        browser.send("bookmark", bookmarks=[{"id": "horns", "name": "Horns", "step": 30}])
+        browser.send("run", until=45)
+        browser.until_frame(lambda status: status["step"] == 45)
+        until(lambda: step_on_disk(home) == 45)
+    name, left = left_in(home)
+    assert [(run.model, run.step, run.steps) for run in left.members] == [("werner", 45, 100)]
+    with serving(tmp_path, small(), home=home) as second, second.browser() as browser:
+        browser.until_frame()
+        browser.send("open_unfinished", name=name, id=1)
+        assert browser.until_message("done", id=1)["step"] == 45
+        described = [one for one in browser.messages if one["type"] == "scenario"][-1]
+        assert [one["name"] for one in described["bookmarks"]] == ["Horns"]
+        assert described["changes"]
+        assert described["scenario"]["model"]["p_s"] == 0.9
+        browser.send("run", until=60)
+        browser.until_frame(lambda status: status["step"] == 60)
+        until(lambda: step_on_disk(home) == 60)
+        until(lambda: not (home / name).exists())
+    state = read_checkpoint(left_in(home)[1].folders[0] / "checkpoint.npz")
+    assert np.array_equal(state.arrays["bed/sand"], alone(60, 30).bed.sand)
+
+
+@pytest.mark.extended
+def test_a_studio_that_the_user_ends_leaves_nothing(eager, tmp_path):
+    home = tmp_path / "home"
+    with serving(tmp_path, small(), home=home) as served:
+        until(lambda: step_on_disk(home) > 0)
+    assert len(Unfinished(home).look().runs) == 1
+    served.session.autosave.discard()
+    assert list(home.iterdir()) == []
+
+
+@pytest.mark.extended
+def test_a_disk_that_is_full_is_said_once_and_the_run_goes_on(eager, tmp_path, monkeypatch):
+    def full(*_):
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(autosave_folder.AutosaveFolder, "next", full)
+    with serving(tmp_path, small(), home=tmp_path / "home") as served, served.browser() as browser:
+        text = browser.until_message("refused")["text"]
+        assert "The run is not kept on disk: No space left on device." in text
+        browser.until_frame(lambda status: status["step"] == 100)
+    assert sum(message["type"] == "refused" for message in browser.messages) == 1
+
+
+@pytest.mark.extended
+def test_what_cannot_be_opened_stays_on_disk_and_is_named(eager, tmp_path):
+    home = tmp_path / "home"
+    with serving(tmp_path, small(), home=home):
+        until(lambda: step_on_disk(home) > 0)
+    name, left = left_in(home)
+    (left.folders[0] / "checkpoint.npz").write_bytes(b"")
+    with serving(tmp_path, small(), home=home) as served, served.browser() as browser:
+        browser.send("open_unfinished", name=name, id=1)
+        text = browser.until_message("refused", id=1)["text"]
+        assert "checkpoint.npz: damaged" in text
+        assert "checkpoint.npz" in served.session.unfinished.look().broken[0]
+    assert (home / name).is_dir()
+
+
+@pytest.mark.extended
+def test_a_pair_that_was_interrupted_goes_on_side_by_side(eager, tmp_path):
+    home = tmp_path / "home"
+    with serving(tmp_path, small(), home=home) as served, served.browser() as browser:
+        browser.until_frame()
+        browser.send("compare", model="momiji")
+        until(lambda: len(list(home.glob("*/*[0-9]/b/checkpoint.npz"))) == 1)
+    name, left = left_in(home)
+    step = left.members[0].step
+    assert [run.model for run in left.members] == ["werner", "momiji"]
+    with serving(tmp_path, small(), home=home) as served, served.browser() as browser:
+        browser.until_frame()
+        browser.send("open_unfinished", name=name, id=1)
+        assert browser.until_message("done", id=1)["step"] == step
+        for run in "ab":
+            browser.until(lambda h, f: f is not None and h["run"] == run and h["status"]["step"] == step)  # noqa: B023
+
+
+@contextmanager
+def studio(folder, home, *names):
+    """The studio as the command line starts it: the process, its address, and its first lines."""
+    command = [sys.executable, "-c", "from barchan.cli import main; main()", "studio", *names]
+    environment = {**os.environ, "XDG_DATA_HOME": str(home), "COLUMNS": "400"}
+    options = ["--no-browser", "--port", "0", "--folder", str(folder)]
+    pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.STDOUT, "text": True}
+    process = subprocess.Popen([*command, *options], env=environment, **pipes)
+    try:
+        yield process
+    finally:
+        process.kill()
+        process.wait(20)
+        process.stdout.close()
+
+
+def line_with(process, words: str) -> str:
+    return next(line for line in process.stdout if re.search(words, line))
+
+
+@pytest.mark.extended
+@pytest.mark.skipif(sys.platform != "linux", reason="the user's data are elsewhere")
+def test_the_terminal_says_after_a_kill_where_the_run_stopped_and_ctrl_c_leaves_nothing(tmp_path):
+    scenario = tmp_path / "winds.json"
+    scenario.write_text(json.dumps(small(title="Two winds").data()))
+    home = tmp_path / "barchan" / "studio-autosave"
+    with studio(tmp_path, tmp_path, str(scenario), "--run.steps", "40") as process:
+        line_with(process, "http")
+        until(lambda: step_on_disk(home) == 40)
+        os.kill(process.pid, signal.SIGKILL)
+    with studio(tmp_path, tmp_path, str(scenario)) as process:
+        said = line_with(process, "stopped unexpectedly")
+        assert "a run of 'Two winds' stopped unexpectedly at step 40 on" in said
+        until(lambda: len(list(home.iterdir())) == 2)
+        process.send_signal(signal.SIGINT)
+        process.wait(20)
+    left = left_in(home)[1]
+    uninterrupted = Simulation(small())
+    uninterrupted.advance(40)
+    sand = read_checkpoint(left.folders[0] / "checkpoint.npz").arrays["bed/sand"]
+    assert left.members[0].step == 40
+    assert np.array_equal(sand, uninterrupted.bed.sand)
+    assert len(list(home.iterdir())) == 1
+
+
+@pytest.mark.extended
+def test_a_pair_that_is_saved_opens_side_by_side_with_both_histories(served, tmp_path):
+    with served.browser() as browser:
+        browser.until_frame()
+        browser.send("compare", key="model.p_s", value=0.9)
+        browser.until_message("lockstep", running=False)
+        browser.send("save", name="pair", id=2)
+        saved = browser.until_message("done", id=2)
+        browser.send("saved", id=3)
+        assert browser.until_message("done", id=3)["saved"] == ["pair"]
+        browser.send("alone")
+        browser.until_message("runs", runs=["a"])
+        browser.frames.clear()
+        browser.send("open", name="pair", id=4)
+        assert browser.until_message("done", id=4)["step"] == saved["step"] == 100
+        for run, p_s in (("a", 0.6), ("b", 0.9)):
+            browser.send("look", step=50, run=run)
+            browser.until(lambda h, f: f is not None and h["run"] == run and h["status"]["step"] == 50)  # noqa: B023
+            assert served.session.scenarios[run]["model"]["p_s"] == p_s
+    for folder in ("werner-a", "werner-b"):
+        with open_run(served.folder / "pair" / folder) as dataset:
+            assert list(dataset["step"].values) == list(range(0, 101, 10))
+    with serving(tmp_path, archive=served.folder / "pair") as again, again.browser() as browser:
+        for run in "ab":
+            browser.until(lambda h, f: f is not None and h["run"] == run and h["status"]["step"] == 100)  # noqa: B023
+        assert again.session.lockstep is not None

@@ -1,0 +1,106 @@
+/** Runs that an earlier studio left because it ended unexpectedly: each is offered, to be opened or discarded. */
+
+import type { App } from "../core/app";
+import { Signal } from "../core/signal";
+import { h, short } from "./dom";
+
+interface Member {
+  title: string;
+  model: string;
+  step: number;
+  steps: number;
+}
+
+interface Left {
+  name: string;
+  /** When its state was kept, as an ISO date and time. */
+  saved: string;
+  /** One run, or two side by side. */
+  runs: Member[];
+}
+
+interface Answer {
+  unfinished: Left[];
+  /** What is damaged, each with its file. */
+  broken: string[];
+}
+
+export class Unfinished {
+  private left: Left[] = [];
+  private readonly changed = new Signal<void>();
+  private looked = false;
+
+  constructor(private readonly app: App) {
+    if (!app.watching) app.connection.state.watch((state) => state === "open" && void this.look());
+  }
+
+  /** A list of the offers, which is hidden where there are none; `onOpen` is called when one was opened. */
+  list(onOpen: () => void = () => undefined): HTMLElement {
+    const element = h("ul", { className: "unfinished", "aria-label": "Runs that stopped unexpectedly" });
+    let shown = false;
+    const draw = () => {
+      if (shown && !element.isConnected) return this.changed.leave(draw); // its sheet was closed
+      shown = element.isConnected;
+      element.hidden = this.left.length === 0;
+      element.replaceChildren(...this.left.map((one) => this.offer(one, onOpen)));
+    };
+    this.changed.watch(draw);
+    draw();
+    return element;
+  }
+
+  private async look(): Promise<void> {
+    if (this.looked) return;
+    this.looked = true;
+    try {
+      const { unfinished, broken } = await this.app.connection.fetch<Answer>("unfinished");
+      for (const text of broken) this.app.note("warning", `A run that the studio kept cannot be read and is left as it is: ${text}`);
+      this.set(unfinished);
+    } catch (error) {
+      this.looked = false;
+      this.app.refused(error);
+    }
+  }
+
+  private set(left: Left[]): void {
+    this.left = left;
+    this.changed.send();
+  }
+
+  private offer(one: Left, onOpen: () => void): HTMLElement {
+    const discard = h("button", { type: "button", onclick: () => this.confirm(discard, one) }, "discard it");
+    return h(
+      "li",
+      {},
+      h("span", {}, words(one)),
+      h("button", { type: "button", className: "primary", onclick: () => void this.open(one, onOpen) }, "open it"),
+      discard,
+    );
+  }
+
+  private async open(one: Left, onOpen: () => void): Promise<void> {
+    if (!(await this.app.ask({ command: "open_unfinished", name: one.name }))) return;
+    this.app.note("info", "The run goes on from where it stopped; of its past the measures and moments are left.");
+    this.set(this.left.filter((other) => other !== one));
+    onOpen();
+  }
+
+  /** The first click asks, the second deletes. */
+  private confirm(button: HTMLButtonElement, one: Left): void {
+    button.textContent = "discard it for good";
+    button.onclick = () => void this.discard(one);
+  }
+
+  private async discard(one: Left): Promise<void> {
+    if (await this.app.ask({ command: "discard_unfinished", name: one.name })) this.set(this.left.filter((other) => other !== one));
+  }
+}
+
+function words({ runs, saved }: Left): string {
+  const [first] = runs;
+  const names = [...new Set(runs.map((run) => run.title || run.model))].map((name) => `“${name}”`).join(" and ");
+  const moment = new Date(saved).toLocaleString(undefined, { dateStyle: "long", timeStyle: "short" });
+  const of = first!.steps > first!.step ? ` of ${short(first!.steps, 9)}` : "";
+  const what = runs.length > 1 ? `Your two runs side by side of ${names}` : `Your run of ${names}`;
+  return `${what} stopped at step ${short(first!.step, 9)}${of} on ${moment}, when the studio ended unexpectedly.`;
+}
