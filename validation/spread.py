@@ -64,12 +64,12 @@ def rows():
 
 
 READING = """
-The single barchan loses its form as the Prague thesis has it: its horns shorten steadily with the spread,
-are gone at about 10°, and from 15° on the heap grows rounder. A spread here is a standard deviation, so
-that a third of the steps deviate more; the thesis does not say what its 15° measure. In the field barchans
-merge into chains with slanting edges, and the scatter between runs hides the trend up to 20°; rounder dunes
-at 30 and 45° are plain. Transverse dunes stand much more than claimed: at 30° their crests are as straight
-and lie as well across the mean wind as without a spread, only at 45° they are lower and less straight.
-Directions are independent from step to step, and a ridge hardly moves in one; winds that keep a direction
-for long would act more strongly.
+Barchans lose their form as the Prague thesis has it: the horns of the single barchan are as long at 5° as
+without a spread, then shorten, and are gone at about 20°; at 45° the heap is round. In the field the
+scatter between runs hides the trend up to 15°. A spread here is a standard deviation, so that a third of
+the steps deviate more; the thesis does not say what its 15° measure.
+Transverse dunes stand much more than claimed: at 30° their crests are as straight and lie as well across
+the mean wind as without a spread, only at 45° they are lower and less straight. Directions are independent
+from step to step, and a ridge hardly moves in one; winds that keep a direction for long would act more
+strongly.
 """
