@@ -43,8 +43,8 @@ def choose(
     """The columns (or variables, ``kind``) to read as the wind.
 
     Speed and direction of one height and one number of sensor come before others, then 10 m or the stated
-    height, then speed and direction before components, then the likeliest name. Raises RecordError where there is no wind, none at a
-    stated height, or only one that is known not to be of use.
+    height, then speed and direction before components, then the likeliest name. Raises RecordError where
+    there is no wind, none at a stated height, or only one that is known not to be of use.
     """
     pairs = [(rank, *pair) for rank, (x, y) in enumerate(_KINDS) for pair in product(claims[x], claims[y])]
     if not pairs:
