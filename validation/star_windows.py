@@ -64,8 +64,8 @@ under equal winds, as few under uneven ones. The later share of stars is larger 
 are left. After 2560 steps none of the three kinds of unevenness that the Prague thesis asks for has more
 stars than equal winds, nor crests less straight, beyond the scatter of three runs; under hops that grow no
 star is left. What the four winds share, directions along the axes of the lattice and right angles between
-them, shapes ridges along its diagonals. Five even directions change more than any unevenness: crests stay
-the least straight, and the largest share of summits has three arms at the end, though the scatter is large.
-Slopes at the top grow to 14 to 19° with size, and so into the range of real crests (15 to 30°); feet stay
-at 11 to 20°, too steep, for slabs leave no gentle apron.
+them, shapes ridges along its diagonals. Five even directions change more than any unevenness: most summits
+are left, and the largest share of them, a quarter in each of three runs, has three arms at the end. Slopes
+at the top grow to 15 to 19° with size, and so into the range of real crests (15 to 30°); feet stay at 13 to
+20°, too steep, for slabs leave no gentle apron.
 """

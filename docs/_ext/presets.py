@@ -1,9 +1,7 @@
-"""The page of presets: a gallery by model, then each preset with its picture."""
+"""The page of presets: a gallery by landform, then each preset with its picture."""
 
-from collections.abc import Callable
 from html import escape
 from importlib import resources
-from itertools import groupby
 from pathlib import Path
 from typing import Any
 
@@ -20,38 +18,39 @@ def copy_pictures(folder: Path) -> None:
 def presets_page() -> str:
     """Every preset: its picture, where it comes from, what to look for, how to run it."""
     from barchan.scenario import load_scenario, preset_names
+    from barchan.studio.server.gallery import landforms
 
     scenarios = {name: load_scenario(name) for name in preset_names()}
-    parts = [
-        "# Presets",
-        "Scenarios that ship with Barchan; `barchan presets NAME` prints one as a file.",
-    ]
-    for model, names in groupby(
-        sorted(scenarios, key=lambda n: (scenarios[n].model.name, n)), _model_of(scenarios)
-    ):
-        cards = "\n".join(_card(name, scenarios[name].title) for name in names)
-        parts += [
-            f"**Model** [`{model}`](models/{model}.md)",
-            f'```{{raw}} html\n<div class="gallery">\n{cards}\n</div>\n```',
-        ]
+    lead = (
+        "Scenarios that ship with Barchan; `barchan presets NAME` prints one as a file. Times are what a run "
+        "is expected to take on one core, compilation left out."
+    )
+    parts = ["# Presets", lead]
+    for landform, names in landforms().items():
+        cards = "\n".join(_card(name, scenarios[name]) for name in names)
+        parts += [f"**{landform}**", f'```{{raw}} html\n<div class="gallery">\n{cards}\n</div>\n```']
     parts += [_preset(name, scenario) for name, scenario in scenarios.items()]
     return "\n\n".join(parts) + "\n"
 
 
-def _model_of(scenarios: dict[str, Any]) -> Callable[[str], str]:
-    return lambda name: str(scenarios[name].model.name)
-
-
-def _card(name: str, title: str) -> str:
+def _card(name: str, scenario: Any) -> str:
     picture = f'<img src="../_static/presets/{name}.webp" alt="" width="320" height="200" loading="lazy">'
-    return f'<a href="#preset-{name.replace(".", "-")}">{picture}<span>{escape(title)}</span></a>'
+    words = f"<span>{escape(scenario.title)}<br><small>{_time(scenario)}</small></span>"
+    return f'<a href="#preset-{name.replace(".", "-")}">{picture}{words}</a>'
+
+
+def _time(scenario: Any) -> str:
+    """The expected time of its run on one core, for people to read."""
+    from barchan.scenario.cost import expected_seconds, spoken_estimate
+
+    return spoken_estimate(expected_seconds(scenario))
 
 
 def _preset(name: str, scenario: Any) -> str:
     """One preset."""
     run = scenario.run
     facts = scenario.facts()
-    field = f"{scenario.lattice.size_in_words}, {run.steps} steps"
+    field = f"{scenario.lattice.size_in_words}, {run.steps} steps, {_time(scenario)} on one core"
     lines = [f"Source\n: {scenario.citation or '–'}", f"Look for\n: {scenario.look_for or '–'}"]
     lines += [f"Model\n: [`{scenario.model.name}`](models/{scenario.model.name}.md)", f"Size\n: {field}"]
     lines += [f"{fact.capitalize()}\n: {value}" for fact, value in facts.items()]

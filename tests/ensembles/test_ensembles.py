@@ -19,7 +19,7 @@ from barchan.archive import open_run
 from barchan.archive.folder import SCENARIO, log_of
 from barchan.ensembles import task
 from barchan.ensembles.axes import parse_axes
-from barchan.ensembles.plan import PLAN, load_plan, make_plan, member_id
+from barchan.ensembles.plan import PLAN, load_plan, make_plan, make_varied_plan, member_id
 from barchan.ensembles.reports import State, member_folder, read_failure, read_report, state_of
 from barchan.ensembles.running import run_ensemble
 from barchan.ensembles.table import measure_table, series_table, short_names
@@ -142,6 +142,13 @@ def test_all_values_out_of_range_are_named_before_anything_starts():
     assert "is -1" in str(error.value)
     assert "is 0" in str(error.value)
     assert "is -4" in str(error.value)
+
+
+def test_keys_that_do_not_exist_are_named_together_with_values_out_of_range():
+    with pytest.raises(ScenarioError) as error:
+        make_varied_plan(DATA, ["model.hop_length=-1,3", "sand.men=2", "nowhere.key=1", "sand.mean=3,-4"])
+    for said in ("nowhere.key", "sand.men", "is -1", "is -4"):
+        assert said in str(error.value)
 
 
 def test_a_scenario_at_fault_is_tried_once_and_stops_nobody(tmp_path):

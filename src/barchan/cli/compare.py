@@ -107,15 +107,15 @@ def _comparison(
     from barchan.archive import source_at
     from barchan.comparison.comparing import axis_of_models
     from barchan.comparison.comparing import compare as compare_plan
-    from barchan.ensembles.axes import parse_axes
-    from barchan.ensembles.plan import make_plan
+    from barchan.ensembles.plan import make_varied_plan
 
     if scenario is None:
         raise BarchanError("barchan compare needs a scenario, or --preset-set thesis")
     axes = [axis_of_models(models.split(","))] if models else []
-    plan = make_plan(
+    plan = make_varied_plan(
         source_at(scenario),
-        [*axes, *parse_axes(vary or [])],
+        vary or [],
+        axes,
         seeds=seeds,
         first_seed=first_seed,
         overrides=overrides,

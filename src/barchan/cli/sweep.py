@@ -109,10 +109,9 @@ def _plan_in(folder: str, stated: bool) -> "Plan":
 def _new_plan(scenario: str, vary: list[str], overrides: "list[Override]", **design: Any) -> "Plan":
     """The plan of a new sweep of a scenario; ``design`` as in ``make_plan``."""
     from barchan.archive import source_at
-    from barchan.ensembles.axes import parse_axes
-    from barchan.ensembles.plan import make_plan
+    from barchan.ensembles.plan import make_varied_plan
 
-    return make_plan(source_at(scenario), parse_axes(vary), overrides=overrides, **design)
+    return make_varied_plan(source_at(scenario), vary, overrides=overrides, **design)
 
 
 def _check_measures(plan: "Plan", measures: list[str]) -> None:

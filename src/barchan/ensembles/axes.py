@@ -68,6 +68,14 @@ def parse_axes(texts: Sequence[str]) -> tuple[Axis, ...]:
 
     Raises ScenarioError with every problem found.
     """
+    axes, problems = read_axes(texts)
+    if problems:
+        raise ScenarioError(problems, "command line")
+    return axes
+
+
+def read_axes(texts: Sequence[str]) -> tuple[tuple[Axis, ...], list[Problem]]:
+    """Those of the texts that are axes, and what is wrong with the others."""
     axes: list[Axis] = []
     problems: list[Problem] = []
     for text in texts:
@@ -78,9 +86,7 @@ def parse_axes(texts: Sequence[str]) -> tuple[Axis, ...]:
             axes.append(axis)
         except _AxisError as wrong:
             problems.append(Problem(wrong.key, wrong.message, VARY.word))
-    if problems:
-        raise ScenarioError(problems, "command line")
-    return tuple(axes)
+    return tuple(axes), problems
 
 
 class _AxisError(Exception):

@@ -7,7 +7,7 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any, Literal, get_args
 
-from barchan.ensembles.axes import Axis
+from barchan.ensembles.axes import Axis, read_axes
 from barchan.ensembles.design import Design, Point, points_of
 from barchan.errors import ArchiveError, BarchanError, Problem, ScenarioError
 from barchan.replacing import replacing
@@ -159,6 +159,26 @@ def make_plan(
     if problems:
         raise ScenarioError(list(dict.fromkeys(problems)), f"{len(points)} points of the ensemble")
     return Plan(base.title, tuple(axes), design, chosen, tuple(members))
+
+
+def make_varied_plan(
+    source: str | Path | Mapping[str, Any], vary: Sequence[str], axes: Sequence[Axis] = (), **design: Any
+) -> Plan:
+    """The plan over ``axes`` and those that texts such as ``model.hop_length=1,3,5`` state.
+
+    ``design`` as in ``make_plan``. Raises ScenarioError with every text that is no axis and every value of
+    the others that is not allowed, and BarchanError where axes and design do not fit.
+    """
+    stated, problems = read_axes(vary)
+    try:
+        plan = make_plan(source, [*axes, *stated], **design)
+    except BarchanError as error:
+        if not problems:
+            raise
+        problems += error.problems if isinstance(error, ScenarioError) else []
+    if problems:
+        raise ScenarioError(problems, "command line")
+    return plan
 
 
 def plan_of_scenarios(

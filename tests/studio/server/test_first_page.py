@@ -10,7 +10,7 @@ import pytest
 
 from barchan.errors import BarchanError
 from barchan.studio.colours import TABLE, drawn
-from barchan.studio.server import launch, workspace
+from barchan.studio.server import gallery, launch, workspace
 from barchan.studio.server.security import HEADERS
 from barchan.studio.server.workspace import Workspace
 
@@ -80,3 +80,10 @@ def test_no_run_takes_the_name_of_the_uploads_or_of_a_device(tmp_path, name):
     with pytest.raises(BarchanError, match="cannot be a run's name"):
         Workspace(tmp_path).run(name)
     assert Workspace(tmp_path).run("console-1").name == "console-1"
+
+
+def test_every_preset_stands_under_one_landform():
+    """In the documentation, where the group of dunes is parted by their forms."""
+    listed = [name for names in gallery.landforms().values() for name in names]
+    assert sorted(listed) == sorted(name for names in gallery.groups().values() for name in names)
+    assert "Dunes" not in gallery.landforms()

@@ -40,6 +40,13 @@ def groups() -> dict[str, list[str]]:
     return {group["title"]: group["presets"] for group in _listing()["group"]}
 
 
+@cache
+def landforms() -> dict[str, list[str]]:
+    """The names of presets by landform: the groups, but dunes by their forms."""
+    forms: dict[str, list[str]] = _listing()["landforms"]
+    return {**forms, **{title: names for title, names in groups().items() if title != "Dunes"}}
+
+
 def showpiece() -> str:
     """The preset that the studio opens with where none is named."""
     return str(_listing()["showpiece"])
