@@ -40,6 +40,7 @@ ABOUT = {
     "lattice": "cells and edges",
     "fields": "fields and layers declared",
     "checked": "arrays of models checked",
+    "missing": "marks of no value",
     "measures": "spacing, crests, slopes",
     "parameters": "declared once",
     "kernels": "compiled loops, by subject",
@@ -47,6 +48,7 @@ ABOUT = {
     "version": "",
     "errors": "",
     "replacing": "",
+    "holding": "",
 }
 
 HOT = {"simulation", "models", "kernels"}

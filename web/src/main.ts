@@ -113,7 +113,6 @@ const tour = new Tour(app, () => {
   side.unfold();
   tabs.choose(1);
 });
-scene.append(tour.element);
 const showGallery = () => void gallery(app, () => tour.begin(), unfinished).catch((error) => app.refused(error));
 
 const turn = Math.PI / 36;
@@ -148,6 +147,7 @@ const looking: Shortcut[] = [
   key("f", "full screen with large type, and back", () => full.toggle(), "F"),
   key("p", "save a picture", () => void files.savePicture(), "P"),
   key("v", "record the scene, and end that", () => recorder.toggle(), "V"),
+  key("Escape", "end a recording and save it", () => recorder.finish(), "Esc"),
   key("n", "panel: fold or draw out", () => side.toggle(), "N"),
   key("?", "this list", () => help(shortcuts)),
 ];
@@ -177,7 +177,7 @@ app.connection.state.watch((state) => {
 });
 page.append(
   bar.element,
-  h("main", {}, h("div", { className: "stage-column" }, scene, timeline.element, dock.element), side.element),
+  h("main", {}, h("div", { className: "stage-column" }, scene, tour.element, timeline.element, dock.element), side.element),
 );
 
 const links = new ArrivingLinks(app, files);

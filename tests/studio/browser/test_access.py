@@ -121,6 +121,94 @@ def test_every_sheet_can_be_read_and_is_named(studio, faults, theme):
     assert {name: list_ for name, list_ in found.items() if list_} == {}
 
 
+@pytest.mark.parametrize("theme", ["light", "dark"])
+def test_two_runs_the_tour_and_every_drawer_can_be_read_and_are_named(studio, faults, theme):
+    page = studio.page
+    page.set_viewport_size({"width": 1280, "height": 720})
+    studio.ask(f"window.barchan.app.view.set({{ theme: '{theme}', field: 'elevation' }})")
+    studio.ask("window.barchan.app.send({ command: 'compare', model: 'momiji' })")
+    studio.until("window.barchan.app.runs.length === 2 && window.barchan.app.runs[1].status?.step > 25")
+    studio.pause()
+    found = {}
+    for view in ("Section", "Measures", "Space–time"):
+        page.get_by_role("tab", name=view).click()
+        found[view] = faults("html")
+        look(page, f"pair-{theme}-{view}")
+    page.get_by_role("tab", name="Space–time").click()
+    studio.ask("window.barchan.tour.begin()")
+    for step in ("1 of 3", "2 of 3", "3 of 3"):
+        page.locator(".tour", has_text=step).wait_for()
+        found[step] = faults(".tour")
+        look(page, f"tour-{theme}-{step[0]}")
+        if step != "3 of 3":
+            studio.ask(f"window.barchan.tour.choose({step[0]})")
+    studio.ask("window.barchan.tour.end()")
+    page.locator("summary", has_text="File").click()
+    page.get_by_role("menuitem", name="Comparison report").click()
+    found["report"] = faults("dialog")
+    page.keyboard.press("Escape")
+    studio.ask("window.barchan.app.send({ command: 'alone' })")
+    studio.until("window.barchan.app.runs.length === 1")
+    studio.ask("window.barchan.app.view.set({ theme: 'system', field: 'natural' })")
+    assert {name: list_ for name, list_ in found.items() if list_} == {}
+
+
+CUT = """[...document.querySelectorAll('button, select, input, summary')].filter((one) => {
+    const box = one.getBoundingClientRect();
+    const style = getComputedStyle(one);
+    if (!box.width || style.visibility === 'hidden') return false;
+    if (one.closest('.page, .unseen, .plots, .sections')) return false;
+    if (box.left < 0 || box.right > innerWidth + 0.5) return true;
+    if (box.top < 0 || box.bottom > innerHeight + 0.5) return true;
+    if (one.matches('button, summary')) return one.scrollWidth > one.clientWidth + 1;
+    if (one.tagName !== 'SELECT') return false;
+    if (style.fieldSizing === 'content' && box.width < parseFloat(style.maxWidth) - 1) return false;
+    const pen = document.createElement('canvas').getContext('2d');
+    pen.font = style.font;
+    return pen.measureText(one.selectedOptions[0]?.text ?? '').width + 36 > one.clientWidth;
+}).map((one) => one.outerHTML.slice(0, 90))"""
+"""Controls that reach out of the window, or whose words do not fit; an arrow and its room take 36 pixels."""
+
+
+@pytest.mark.parametrize("size", [(1280, 720), (1280, 800), (1024, 700), (1600, 1000)])
+def test_no_control_is_cut_off_on_usual_screens(studio, size):
+    page = studio.page
+    page.set_viewport_size({"width": size[0], "height": size[1]})
+    studio.step_beyond(25)
+    studio.pause()
+    found = {"page": studio.ask(CUT)}
+    for number, view in enumerate(("Section", "Measures", "Space–time", "Log"), 1):
+        page.keyboard.press(str(number))
+        found[view] = studio.ask(CUT)
+    page.keyboard.press("4")
+    for name in SHEETS:
+        studio.ask("document.querySelector('.menu').open = true")
+        found[f"menu before {name}"] = studio.ask(CUT)
+        page.get_by_role("menuitem", name=name).evaluate("(item) => item.click()")
+        page.locator("dialog[open]").wait_for()
+        found[name] = studio.ask(CUT)
+        studio.ask("document.querySelector('dialog[open]').close()")
+    studio.ask("window.barchan.app.send({ command: 'compare', model: 'momiji' })")
+    studio.until("window.barchan.app.runs.length === 2 && window.barchan.app.runs[1].ready")
+    found["pair"] = studio.ask(CUT)
+    studio.ask("window.barchan.app.send({ command: 'alone' })")
+    studio.until("window.barchan.app.runs.length === 1")
+    assert {name: list_ for name, list_ in found.items() if list_} == {}
+
+
+def test_the_tour_covers_neither_scale_nor_values_nor_controls(studio):
+    page = studio.page
+    page.set_viewport_size({"width": 1024, "height": 700})
+    studio.ask("window.barchan.app.view.set({ field: 'elevation' })")
+    studio.ask("window.barchan.tour.begin()")
+    tour = box(studio, ".tour")
+    for part in (".scene", ".timeline", ".dock", ".bar"):
+        other = box(studio, part)
+        assert other["y"] + other["height"] <= tour["y"] + 1 or tour["y"] + tour["height"] <= other["y"] + 1
+    studio.ask("window.barchan.tour.end()")
+    studio.ask("window.barchan.app.view.set({ field: 'natural' })")
+
+
 def focused(studio) -> str:
     return studio.ask("document.activeElement.textContent")
 

@@ -128,3 +128,32 @@ def test_reading_a_file_is_broken_off_and_the_run_stays_as_it_was(studio, tmp_pa
     stood = studio.status()["step"]
     studio.step_beyond(stood + 2)
     assert page.locator(".toast").count() == 0
+
+
+@pytest.mark.extended
+def test_escape_ends_a_recording_and_saves_it_and_says_how_long_it_is(studio):
+    page = studio.page
+    page.keyboard.press("v")
+    page.get_by_role("button", name="begin", exact=True).click()
+    page.get_by_text("recording 0:01").wait_for()
+    with page.expect_download() as download:
+        page.keyboard.press("Escape")
+    assert download.value.path().stat().st_size > 0
+    studio.until_logged(f"saved as {download.value.suggested_filename}, 0:0")
+    assert page.get_by_role("group", name="Recording").is_hidden()
+
+
+@pytest.mark.extended
+def test_escape_while_a_film_is_written_breaks_it_off_and_says_so_before_the_sheet_closes(studio):
+    page = studio.page
+    studio.step_beyond(60)
+    studio.pause()
+    sheet = open_sheet(page, "Film of what was just seen")
+    sheet.get_by_label("Name of the file").fill("escaped")
+    sheet.get_by_role("button", name="write the film").click()
+    sheet.get_by_role("button", name="cancel").wait_for()
+    page.keyboard.press("Escape")
+    sheet.get_by_text("nothing was written").wait_for()
+    page.keyboard.press("Escape")
+    sheet.wait_for(state="detached")
+    assert list((studio.folder / "studio-exports").rglob("escaped*")) == []

@@ -1,8 +1,10 @@
 """What the page says where something is refused, and that nothing refused stands in the way."""
 
 import io
+import json
 
 import numpy as np
+import pytest
 from PIL import Image
 
 RUN = "window.barchan.app.runs[0]"
@@ -107,3 +109,62 @@ def test_a_broken_image_is_refused_without_having_been_called_the_ground(studio)
     assert "cannot be read as an image" in toasts(studio).inner_text()
     assert "is the ground" not in studio.log()
     studio.step_beyond(studio.status()["step"])  # the run goes on as it was
+
+
+def changes(studio) -> list[str]:
+    """The list of changes, opened."""
+    studio.ask("void (document.getElementById('group-changes').open = true)")
+    return studio.page.locator("#group-changes li > span").all_inner_texts()
+
+
+@pytest.mark.extended
+def test_a_value_that_was_put_back_is_no_change_in_list_or_title(studio):
+    page = studio.page
+    page.locator("summary", has_text="Sand at the start").click()
+    before = studio.ask(f"{SCENARIO}.sand.mean")
+    title = studio.ask("document.querySelector('.title').textContent")
+    fill(studio, "sand.mean", "4")
+    studio.until(f"{SCENARIO}.sand.mean === 4 && document.getElementById('group-changes').innerText !== ''")
+    assert changes(studio) == [f"from the start: sand › mean {before:g} → 4"]
+    assert "mean 4" in page.locator(".title").inner_text()
+    assert "sand.mean" not in page.locator(".title").inner_text()
+    fill(studio, "sand.mean", f"{before:g}")
+    studio.until(f"{SCENARIO}.sand.mean === {before}")
+    studio.until("!document.getElementById('group-changes').querySelector('li')")
+    assert page.locator(".title").inner_text() == title
+
+
+@pytest.mark.extended
+def test_a_value_put_back_in_mid_run_is_told_as_such(studio):
+    before = studio.ask(f"{SCENARIO}.model.p_s")
+    studio.pause()
+    for value in (0.5, before):
+        fill(studio, "model.p_s", f"{value:g}")
+        studio.until(f"{SCENARIO}.model.p_s === {value}")
+    assert changes(studio)[0].endswith(f"p_s 0.5 → {before:g}, as it was at first")
+
+
+@pytest.mark.extended
+def test_bounds_and_switches_are_told_in_words(studio):
+    rows = studio.page.locator(".panel .row").evaluate_all(
+        "(rows) => rows.map((row) => row.title).filter(Boolean)"
+    )
+    assert any("Allowed: from 0 to 1." in text for text in rows)
+    told = [text.partition("Allowed: ")[2].partition("\n")[0] for text in rows]
+    assert [text for text in told if "–" in text or "null" in text] == []
+    buttons = studio.page.locator(".panel .beside, .panel .reset").evaluate_all(
+        "(all) => all.map((one) => one.title)"
+    )
+    assert [text for text in buttons if "null" in text or "true" in text or "false" in text] == []
+
+
+@pytest.mark.extended
+def test_a_refusal_groups_long_numbers_and_calls_no_value_none(studio):
+    """Of a number of hops at least 1 are allowed, at most a thousand million."""
+    fill(studio, "model.max_hops", "-5")
+    toasts(studio).wait_for()
+    told = toasts(studio).inner_text()
+    assert "1\u202f000\u202f000\u202f000" in told
+    problem = {"key": "run.save_every", "message": "is null; allowed: 1 or null", "place": "scenario"}
+    studio.ask(f"window.barchan.app.handlers.refused({{ text: '', problems: [{json.dumps(problem)}] }})")
+    toasts(studio).filter(has_text="run › save every: is none; allowed: 1 or none").wait_for()

@@ -120,6 +120,23 @@ def test_a_picture_has_the_size_and_the_words_that_are_asked_for(studio):
 
 
 @pytest.mark.extended
+def test_a_picture_has_a_title_of_ones_own_which_the_next_one_keeps(studio):
+    show_plane(studio)
+    page = studio.page
+    sheet = open_sheet(page, "Picture with title")
+    assert sheet.get_by_label("Title", exact=True).input_value() == "A plane"
+    sheet.get_by_label("Title", exact=True).fill("A ramp to the east")
+    studio.ask(LISTEN)
+    saved_picture(page, sheet)
+    words = studio.ask("window.words")
+    assert "A ramp to the east" in words
+    assert "A plane" not in words
+    sheet.wait_for(state="detached")
+    sheet = open_sheet(page, "Picture with title")
+    assert sheet.get_by_label("Title", exact=True).input_value() == "A ramp to the east"
+
+
+@pytest.mark.extended
 def test_the_section_over_time_is_saved_as_table_and_picture(studio):
     studio.step_beyond(45)
     studio.pause()

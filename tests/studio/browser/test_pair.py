@@ -53,3 +53,91 @@ def test_a_wind_changed_in_mid_run_is_an_event_of_the_same_step_in_both(pair):
     pair.until("window.barchan.app.runs.every((run) => run.description.changes.length === 1)")
     first, second = pair.ask("window.barchan.app.runs.map((run) => run.description.changes[0].step)")
     assert first == second > 20
+
+
+LIMITS = "window.barchan.app.runs.map((run) => window.barchan.stage.terrain(run).colouring.limits)"
+
+
+def colour_by(studio, name):
+    studio.ask(f"window.barchan.app.view.set({{ field: '{name}' }})")
+    studio.until(
+        "window.barchan.app.runs.every((run) =>"
+        f" window.barchan.stage.terrain(run).colouring?.title === '{name}')"
+    )
+
+
+@pytest.mark.extended
+def test_both_surfaces_have_one_scale_of_colours_from_the_lowest_to_the_highest_of_both(pair):
+    """Elevations are what the page holds of both runs, whose extremes the limits must be."""
+    pair.pause()
+    colour_by(pair, "elevation")
+    first, second = pair.ask(LIMITS)
+    surfaces = pair.ask(
+        "window.barchan.app.runs.map((run) => [Math.min(...run.surface), Math.max(...run.surface)])"
+    )
+    assert first == second == [min(low for low, _ in surfaces), max(high for _, high in surfaces)]
+    assert "both runs" in pair.page.locator(".colours:visible").inner_text()
+    steep = pair.ask("window.barchan.app.runs.map((run) => window.barchan.stage.terrain(run).exaggeration)")
+    assert steep[0] == steep[1]
+    pair.ask("window.barchan.app.view.set({ field: 'natural' })")
+
+
+@pytest.mark.extended
+def test_a_surface_coloured_by_another_quantity_than_the_one_beside_it_has_a_scale_of_its_own(pair):
+    pair.pause()
+    colour_by(pair, "elevation")
+    pair.ask(
+        """(() => {
+            const { stage, app } = window.barchan;
+            const right = stage.terrain(app.runs[1]);
+            right.colouring = { ...right.colouring, title: "soil", unit: "cm" };
+            stage.painted.send();
+        })()"""
+    )
+    shown = pair.page.locator(".colours:visible").all_inner_texts()
+    assert [text.splitlines()[0] for text in shown] == ["elevation (m)", "soil (cm)"]
+    pair.ask("window.barchan.app.view.set({ field: 'natural' })")
+
+
+@pytest.mark.extended
+def test_measures_and_section_name_both_runs_and_give_the_values_of_both(pair):
+    page = pair.page
+    page.set_viewport_size({"width": 1280, "height": 720})
+    pair.until("window.barchan.app.runs.every((run) => run.measures.length >= 2)")
+    pair.pause()
+    page.keyboard.press("2")
+    names = pair.ask("window.barchan.app.runs.map((run) => run.description.model.title)")
+    assert page.locator(".run-names > span").all_inner_texts() == names
+    last = pair.ask("window.barchan.app.runs.map((run) => run.measures.at(-1).values.highest_stack)")
+    shown = page.locator("figcaption", has_text="highest stack").locator("b").all_inner_texts()
+    assert [float(text.rstrip(" ?")) for text in shown] == last
+    assert f"balance of {names[0]}" in page.locator(".balance").inner_text()
+    page.keyboard.press("1")
+    page.locator(".plot:visible").hover()
+    readout = page.locator(".readout:visible").inner_text()
+    assert all(f"{name}: elevation" in readout for name in names)
+    page.keyboard.press("1")
+
+
+@pytest.mark.extended
+def test_fields_that_were_looked_at_from_elsewhere_stay_whole_beside_one_another(studio):
+    """A camera that was turned is moved back as the views become half as wide."""
+    studio.pause()
+    assert studio.ask("window.barchan.stage.fits")
+    studio.drag((0.5, 0.5), (0.5, 0.5))
+    assert studio.ask("window.barchan.stage.fits")  # a click moves nothing
+    studio.drag((0.5, 0.5), (0.52, 0.5))
+    assert not studio.ask("window.barchan.stage.fits")
+    before = distance(studio)
+    studio.ask("window.barchan.app.send({ command: 'compare', model: 'momiji' })")
+    studio.until("window.barchan.app.runs.length === 2 && window.barchan.app.runs[1].ready")
+    studio.picture()
+    assert distance(studio) == pytest.approx(2 * before, rel=0.01)
+    studio.ask("window.barchan.app.send({ command: 'alone' })")
+    studio.until("window.barchan.app.runs.length === 1")
+    studio.picture()
+    assert distance(studio) == pytest.approx(before, rel=0.01)
+
+
+def distance(studio) -> float:
+    return studio.ask("window.barchan.stage.camera.position.distanceTo(window.barchan.stage.controls.target)")

@@ -88,7 +88,8 @@ def test_exaggeration_is_chosen_from_relief_over_wavelength(studio):
                 run.surface = Float32Array.from(run.depth);
                 terrain.usual = Infinity;
                 window.barchan.app.view.set({{ smoothing: 0, exaggeration: null }});
-                return new Promise((done) => window.barchan.stage.onDrawn = () => done(terrain.exaggeration));
+                return new Promise((done) =>
+                    window.barchan.stage.painted.watch(() => done(terrain.exaggeration)));
             }})()"""
         )
         assert chosen == pytest.approx(expected, abs=0.5)
@@ -98,16 +99,17 @@ def test_the_section_is_a_line_in_the_scene_that_lies_on_the_surface(studio):
     studio.pause()
     studio.page.keyboard.press("1")
     studio.picture()
-    shown = "window.barchan.stage.shown[0]"
-    assert studio.ask(f"{shown}.section.group.visible")
-    ends = studio.ask(f"{shown}.section.group.children.slice(-2).map((knob) => knob.position.toArray())")
+    shown = "window.barchan.stage.surfaces.shown[0]"
+    knobs = f"{shown}.marks.section.group.children.slice(-2)"
+    assert studio.ask(f"{shown}.marks.section.group.visible")
+    ends = studio.ask(f"{knobs}.map((knob) => knob.position.toArray())")
     # The wind is from the west: the line goes from the western to the eastern edge of a block ten units long.
     assert [ends[0][0], ends[1][0]] == pytest.approx([-5, 5], abs=0.2)
     heights = studio.ask(f"[{ends[0]}, {ends[1]}] && {shown}.terrain.box().max.y")
     assert all(0 < y <= heights + 0.1 for _, y, _ in ends)
     studio.page.keyboard.press("1")
     studio.picture()
-    assert not studio.ask(f"{shown}.section.group.visible")
+    assert not studio.ask(f"{shown}.marks.section.group.visible")
 
 
 def test_crests_are_plotted_without_jumps(studio):

@@ -4,20 +4,14 @@ import type { MessageType } from "./commands";
 import { Connection, type ConnectionState, Refused } from "./connection";
 import { type Level, Notices, problemText } from "./notices";
 import { Overlay } from "./overlay";
-import { type Command, type Description, type Json, type JsonObject, type Message, type RunName, readFrame, type Frame } from "./protocol";
+import { type Command, type Description, type JsonObject, type Message, type RunName, readFrame, type Frame } from "./protocol";
+import type { Restart } from "./restarts";
 import { Run } from "./run";
 import { Sharing } from "./sharing";
 import { Signal } from "./signal";
 import { Together } from "./together";
 import { type Schema } from "./schema";
 import { View } from "./view";
-
-/** A change of a value on the page that restarted the run. */
-export interface Restart {
-  path: (string | number)[];
-  before: Json;
-  value: Json;
-}
 
 export class App {
   runs: Run[] = [];

@@ -1,5 +1,6 @@
 /** Two values of one parameter side by side: which other value, and how the two runs differ. */
 
+import { labelOf } from "./labels";
 import type { Json, JsonObject } from "./protocol";
 import { type Entry, bounds } from "./schema";
 
@@ -21,10 +22,12 @@ export function otherValue(entry: Entry, value: Json): Json {
 export function differences(group: JsonObject, other: JsonObject): string[] {
   return Object.keys(group)
     .filter((key) => JSON.stringify(group[key]) !== JSON.stringify(other[key]))
-    .map((key) => `${key.replaceAll("_", " ")} ${shown(group[key] ?? null)}`);
+    .map((key) => `${labelOf(key)} ${shown(group[key] ?? null)}`);
 }
 
 function shown(value: Json): string {
   if (typeof value === "number") return String(Number(value.toPrecision(4)));
-  return typeof value === "string" ? value.replaceAll("_", " ") : JSON.stringify(value);
+  if (value === null) return "none";
+  if (typeof value === "boolean") return value ? "on" : "off";
+  return typeof value === "string" ? labelOf(value) : JSON.stringify(value);
 }

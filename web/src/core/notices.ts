@@ -1,5 +1,6 @@
 /** What the page says to its user: the log of everything, refusals that stay until dismissed, marks at the places they concern. */
 
+import { labelOf } from "./labels";
 import type { Problem } from "./protocol";
 import { Signal } from "./signal";
 
@@ -65,8 +66,14 @@ export class Notices {
 /** A problem: where it stands, then what it is. Of a file the key is named as it is written there, else as on the page. */
 export function problemText({ key, message, place }: Problem): string {
   const ofFile = place !== "" && !OWN_PLACES.has(place);
-  const text = key ? `${ofFile ? key : spokenKey(key)}: ${message}` : message;
+  const said = ofFile ? message : spokenMessage(message);
+  const text = key ? `${ofFile ? key : spokenKey(key)}: ${said}` : said;
   return ofFile ? `${text} (${place})` : text;
+}
+
+/** Why a value is refused, as the page writes it: no value is none, and long numbers are grouped. */
+function spokenMessage(message: string): string {
+  return message.replaceAll(/\bnull\b/g, "none").replaceAll(/(?<=^|[\s(])\d{5,}(?=$|[\s;,)])/g, (digits) => digits.replaceAll(/(?<=\d)(?=(\d{3})+$)/g, "\u202f"));
 }
 
 /** Places that mean the scenario on the page, not a file. */
@@ -81,6 +88,6 @@ function dotted(key: string): string {
 export function spokenKey(key: string): string {
   return dotted(key)
     .split(".")
-    .map((part) => (/^\d+$/.test(part) ? String(Number(part) + 1) : part.replaceAll(/_(?=[a-z0-9]{3})/g, " ")))
+    .map((part) => (/^\d+$/.test(part) ? String(Number(part) + 1) : labelOf(part)))
     .join(" › ");
 }

@@ -1,6 +1,7 @@
 /** One simulation as the browser knows it. */
 
 import { differences } from "./beside";
+import { readable } from "./labels";
 import type { JsonObject } from "./protocol";
 import type { Description, Frame, Row, RunName, Status } from "./protocol";
 
@@ -59,6 +60,11 @@ export class Run {
     const byStep = new Map([...this.measures, ...rows].map((row) => [row.step, row]));
     this.measures = [...byStep.values()].sort((one, other) => one.step - other.step);
   }
+}
+
+/** The title of a scenario as the page shows it. */
+export function titleOf({ scenario }: Description): string {
+  return readable(String(scenario.title || "Untitled scenario"));
 }
 
 /** Steps of which all runs keep a state, from the first on: models whose states are larger keep fewer. */

@@ -91,6 +91,19 @@ export function bounds(schema: Schema): [number | null, number | null] {
   return [schema.minimum ?? schema.exclusiveMinimum ?? null, schema.maximum ?? schema.exclusiveMaximum ?? null];
 }
 
+/** An upper bound from here on guards against overflow; nobody comes near it. */
+const BEYOND = 1e9;
+
+/** The values that bounds allow, in words; empty where there are none. */
+export function allowedIn(schema: Schema, told: (value: number) => string): string {
+  const { minimum, exclusiveMinimum: above } = schema;
+  const [maximum, below] = [schema.maximum, schema.exclusiveMaximum].map((one) => (one !== undefined && one < BEYOND ? one : undefined));
+  const least = minimum !== undefined ? `from ${told(minimum)}` : above !== undefined ? `above ${told(above)}` : "";
+  const most = maximum !== undefined ? `to ${told(maximum)}` : below !== undefined ? `below ${told(below)}` : "";
+  if (least && most) return `${least} ${maximum !== undefined && minimum === undefined ? "up " : ""}${most}`;
+  return least ? (minimum !== undefined ? `${least} on` : least) : most && (maximum !== undefined ? `up ${most}` : most);
+}
+
 /** A first value for something that has no default. */
 export function initial(given: Schema, root: Schema): Json {
   const entry = entryOf(given, root);

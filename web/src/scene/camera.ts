@@ -43,6 +43,8 @@ export class Camera {
   private box = new THREE.Box3(new THREE.Vector3(-5, 0, -5), new THREE.Vector3(5, 1, 5));
   private aspect = 1;
   private touched = false;
+  /** Whether a button or finger is down on the scene, which alone moves nothing. */
+  private held = false;
   private lastTouch = performance.now();
 
   constructor(canvas: HTMLCanvasElement) {
@@ -54,8 +56,12 @@ export class Camera {
     this.controls.maxDistance = 120;
     this.controls.minZoom = 0.3;
     this.controls.maxZoom = 40;
-    this.controls.addEventListener("change", () => this.onMoved());
-    this.controls.addEventListener("start", () => this.touch());
+    this.controls.addEventListener("change", () => {
+      if (this.held) this.touch();
+      this.onMoved();
+    });
+    this.controls.addEventListener("start", () => this.hold(true));
+    this.controls.addEventListener("end", () => this.hold(false));
     canvas.addEventListener("pointermove", () => (this.lastTouch = performance.now()));
   }
 
@@ -156,6 +162,11 @@ export class Camera {
     const ahead = this.perspective.getWorldDirection(new THREE.Vector3());
     const edge = Math.asin(ahead.y) + SKYLINE * (this.perspective.fov / 2) * (Math.PI / 180);
     return Math.sin(Math.min(edge, 0));
+  }
+
+  private hold(held: boolean): void {
+    this.held = held;
+    this.lastTouch = performance.now();
   }
 
   private touch(): void {

@@ -16,28 +16,45 @@ export interface Colouring {
 }
 
 /** The choice that shows a surface in its material's own colour. */
-const NATURAL = "natural";
+export const NATURAL = "natural";
 
 /** Fields that every run has, which the page computes itself. */
 export const plainFields = (material: string): Field[] => [
   { name: NATURAL, unit: "", meaning: `${material}, as it looks`, centre: null, choice: false, of_layers: false },
-  { name: "elevation", unit: "m", meaning: "elevation of the surface", centre: null, choice: false, of_layers: false },
+  { name: "elevation", unit: "m", meaning: "elevation", centre: null, choice: false, of_layers: false },
   { name: "depth", unit: "m", meaning: `depth of the ${material}`, centre: null, choice: false, of_layers: false },
-  { name: "slope", unit: "degrees", meaning: "slope of the surface", centre: null, choice: false, of_layers: false },
+  { name: "slope", unit: "degrees", meaning: "slope", centre: null, choice: false, of_layers: false },
 ];
 
 const OUTLIERS = 0.005;
 
-export function colouring(app: App, run: Run, surface: Float32Array): Colouring {
+/** How a run is coloured. Two that show the same quantity have one scale, so that a colour means the same in both. */
+export function colouring(app: App, run: Run): Colouring {
+  const { side, limits } = app.view.look;
+  const other = app.runs.find((one) => one !== run && one.ready);
+  if (side === "difference" && other?.surface.length === run.surface.length) return difference(run, other, app);
+  const own = alone(app, run);
+  if (!other || limits || own.natural) return own;
+  const second = alone(app, other);
+  return sameQuantity(own, second) ? { ...own, limits: spanning(own.limits, second.limits) } : own;
+}
+
+/** Whether two surfaces are coloured by the same quantity, with the same colours. */
+export function sameQuantity(one: Colouring, other: Colouring): boolean {
+  return one.title === other.title && one.unit === other.unit && one.map === other.map;
+}
+
+function spanning([low, high]: [number, number], [least, most]: [number, number]): [number, number] {
+  return [Math.min(low, least), Math.max(high, most)];
+}
+
+/** How a run is coloured that no other one stands beside. */
+function alone(app: App, run: Run): Colouring {
   const look = app.view.look;
   const { lattice, fields, layers } = run.description!;
-  const other = app.runs.find((one) => one !== run);
-  if (look.side === "difference" && other?.ready && other.surface.length === surface.length) {
-    return difference(run, other, app);
-  }
   const plain = plainFields(run.material);
   const field = [...plain, ...fields].find((one) => one.name === look.field) ?? plain[0]!;
-  const values = valuesOf(field.name, run, surface) ?? surface;
+  const values = valuesOf(field.name) ?? run.surface;
   const layer = layers.find((one) => one.field === field.name);
   const usual = field.centre !== null || field.choice || layer !== undefined;
   const own = field.choice ? "choice" : field.centre !== null ? "centred" : (layer?.colours ?? "perceptual");
@@ -51,11 +68,11 @@ export function colouring(app: App, run: Run, surface: Float32Array): Colouring 
     choice: field.choice,
   };
 
-  function valuesOf(name: string, of: Run, height: Float32Array): Float32Array | undefined {
-    if (name === NATURAL || name === "elevation") return height;
-    if (name === "depth") return of.depth;
-    if (name === "slope") return slopes(height, of.rows, of.columns, lattice.cell_size, lattice.periodic);
-    return of.fields.get(name);
+  function valuesOf(name: string): Float32Array | undefined {
+    if (name === NATURAL || name === "elevation") return run.surface;
+    if (name === "depth") return run.depth;
+    if (name === "slope") return slopes(run.surface, run.rows, run.columns, lattice.cell_size, lattice.periodic);
+    return run.fields.get(name);
   }
 }
 
@@ -63,7 +80,7 @@ function difference(run: Run, other: Run, app: App): Colouring {
   const [first, second] = run.name === "a" ? [run, other] : [other, run];
   const values = new Float32Array(run.surface.length);
   for (let i = 0; i < values.length; i++) values[i] = second.surface[i]! - first.surface[i]!;
-    return {
+  return {
     values,
     limits: app.view.look.limits ?? endsOf(values, { centre: 0 }),
     map: "centred",

@@ -195,7 +195,7 @@ export class FlatStage {
     [picture.width, picture.height] = [run.columns, run.rows];
     const surface = smoothed(run.surface, run.rows, run.columns, look.smoothing, lattice.periodic);
     const exaggeration = look.exaggeration ?? STEEPER;
-    const colours = colouring(this.app, run, surface);
+    const colours = colouring(this.app, run);
     picture.getContext("2d")!.putImageData(hillShade(this.app, run, surface, colours, exaggeration, this.sun(), this.host), 0, 0);
     return { run, picture, exaggeration, colouring: colours, extent: [run.columns * lattice.cell_size, run.rows * lattice.cell_size] };
   }

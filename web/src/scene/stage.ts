@@ -6,12 +6,14 @@ import type { App } from "../core/app";
 import type { Run } from "../core/run";
 import { Signal } from "../core/signal";
 import { Camera, type Standpoint, type Viewpoint } from "./camera";
-import { shine, sunOf } from "./light";
-import { type Place, pick } from "./pick";
+import { NATURAL } from "./colouring";
+import { sunOf } from "./light";
+import type { Place } from "./pick";
 import { Quality } from "./quality";
 import type { Ends } from "./line_mark";
 import { type Shot, type ShotOptions, Tiles, blobOf } from "./shots";
-import { type Lines, type Manner, Shown } from "./shown";
+import type { Lines, Manner } from "./shown";
+import { Surfaces } from "./surfaces";
 import type { Terrain } from "./terrain";
 
 export class Stage {
@@ -25,7 +27,7 @@ export class Stage {
   drawn = 0;
   readonly quality: Quality;
   private readonly renderer: THREE.WebGLRenderer;
-  private shown: Shown[] = [];
+  private readonly surfaces: Surfaces;
   private readonly stale = new Set<Run>();
   private dirty = true;
   private wasDirty = false;
@@ -50,9 +52,10 @@ export class Stage {
     this.canvas.setAttribute("role", "img");
     this.canvas.setAttribute("aria-label", "The surface in three dimensions. Arrow keys turn it, + and − zoom.");
     host.prepend(this.canvas);
+    this.surfaces = new Surfaces(app, this.renderer, host);
     this.view = new Camera(this.canvas);
     this.view.onMoved = () => this.redraw();
-    this.view.mayTurn = () => app.view.look.turning && !this.steady && !this.still.matches && !this.plain && this.shown.some(({ run }) => run.ready);
+    this.view.mayTurn = () => app.view.look.turning && !this.steady && !this.still.matches && !this.plain && this.surfaces.runs.some((run) => run.ready);
     this.resized.observe(host);
     app.framed.watch((run) => this.refresh(run));
     app.changed.watch(() => this.all());
@@ -108,7 +111,7 @@ export class Stage {
 
   /** The surface of a run. */
   terrain(run: Run): Terrain | undefined {
-    return this.shown.find((one) => one.run === run)?.terrain;
+    return this.surfaces.terrain(run);
   }
 
   /** Show the line of a section (shares of the field), or none. */
@@ -125,21 +128,14 @@ export class Stage {
 
   /** Show the brush: its centre as shares of the field, its radius in metres. */
   showBrush(x: number, y: number, radius: number): void {
-    for (const { terrain } of this.shown) terrain.uniforms.brush!.value.set(x, y, radius);
+    this.surfaces.showBrush(x, y, radius);
     this.redraw();
   }
 
   /** The run and the place under the mouse. */
   pick(event: { clientX: number; clientY: number }): { run: Run; place: Place } | null {
     const box = this.canvas.getBoundingClientRect();
-    const part = (event.clientX - box.left) / (box.width / Math.max(this.shown.length, 1));
-    const number = Math.min(Math.max(Math.floor(part), 0), this.shown.length - 1);
-    const shown = this.shown[number];
-    if (!shown || !shown.run.ready) return null;
-    const y = 1 - (2 * (event.clientY - box.top)) / box.height;
-    const point = new THREE.Vector2(2 * (part - number) - 1, y);
-    const place = pick(shown.terrain, shown.run.rows, shown.run.columns, point, this.camera);
-    return place && { run: shown.run, place };
+    return this.surfaces.pick((event.clientX - box.left) / box.width, (event.clientY - box.top) / box.height, this.camera);
   }
 
   /** The picture as it is now, in the size of the page. */
@@ -164,14 +160,14 @@ export class Stage {
     const { width, height, transparent = false } = options;
     this.shooting = options;
     const ratio = this.renderer.getPixelRatio();
-    const count = Math.max(this.shown.length, 1);
+    const { count } = this.surfaces;
     const tiles = new Tiles(this.renderer, this.view.active, width, height, count);
     try {
       this.update(true, undefined, width / count / height);
-      const perPixel = this.view.unitsPerPixel(height) / (this.shown[0]?.terrain.scale ?? Number.NaN);
+      const perPixel = this.view.unitsPerPixel(height) / (this.surfaces.first?.scale ?? Number.NaN);
       const wide = Math.max(height / Math.max(this.host.clientHeight, 1), 1);
-      const statuses = new Map(this.shown.map(({ run }) => [run, run.status!]));
-      await tiles.draw((number, viewport) => this.shown[number]?.draw(this.renderer, viewport, this.manner(transparent, wide)), options.progress);
+      const statuses = new Map(this.surfaces.runs.map((run) => [run, run.status!]));
+      await tiles.draw((number, viewport) => this.surfaces.paintOne(number, viewport, this.manner(transparent, wide)), options.progress);
       if (this.app.graphicsLost) throw new Error("The graphics card was taken away while the picture was drawn.");
       return { canvas: tiles.canvas, metresPerPixel: perPixel, heading: this.heading(), statuses };
     } finally {
@@ -185,13 +181,13 @@ export class Stage {
 
   /** Metres of the field that a pixel of the page covers where the camera looks. */
   metresPerPixel(): number {
-    const terrain = this.shown[0]?.terrain;
+    const terrain = this.surfaces.first;
     return terrain ? this.view.unitsPerPixel(this.canvas.clientHeight) / terrain.scale : Number.NaN;
   }
 
   /** Where the sun stands (degrees): as chosen, or across the crests. */
   sun(): { azimuth: number; height: number } {
-    return sunOf(this.app.view.look, this.shown[0]?.terrain.firstWind ?? 270);
+    return sunOf(this.app.view.look, this.surfaces.first?.firstWind ?? 270);
   }
 
   /** Direction the camera looks at, clockwise from north (radians). */
@@ -212,8 +208,7 @@ export class Stage {
     this.renderer.setAnimationLoop(null);
     this.resized.disconnect();
     this.view.controls.dispose();
-    for (const { terrain } of this.shown) terrain.dispose();
-    this.shown = [];
+    this.surfaces.dispose();
     this.renderer.dispose();
     this.renderer.forceContextLoss();
     this.canvas.remove();
@@ -221,23 +216,22 @@ export class Stage {
 
   private all(): void {
     this.match();
-    for (const { run } of this.shown) this.stale.add(run);
+    for (const run of this.surfaces.runs) this.stale.add(run);
     this.redraw();
   }
 
   private refresh(run: Run): void {
     this.match();
-    this.stale.add(run);
-    if (this.app.view.look.side === "difference") for (const shown of this.shown) this.stale.add(shown.run);
+    const { side, field } = this.app.view.look;
+    const alone = side === "surface" && field === NATURAL; // what colours one may depend on the other
+    for (const one of alone ? [run] : this.surfaces.runs) this.stale.add(one);
     this.redraw();
   }
 
   private match(): void {
-    if (this.shooting || sameRuns(this.shown, this.app.runs)) return;
-    const linear = this.renderer.extensions.has("OES_texture_float_linear");
-    const before = this.shown;
-    this.shown = this.app.runs.map((run) => before.find((one) => one.run === run) ?? new Shown(this.app, run, linear, this.host));
-    for (const one of before) if (!this.shown.includes(one)) one.terrain.dispose();
+    const before = this.surfaces.count;
+    if (this.shooting || !this.surfaces.match()) return;
+    if (!this.view.fits) this.view.turn(0, 0, this.surfaces.count / before); // as much of the field stays in a narrower view
     this.resize();
   }
 
@@ -252,8 +246,7 @@ export class Stage {
     if (this.quality.drawn(performance.now(), moving)) this.resize();
     this.update(this.plain === false, this.stale);
     this.stale.clear();
-    const { clientWidth: width, clientHeight: height } = this.canvas;
-    this.paint(width, height);
+    this.surfaces.paint(this.canvas.clientWidth, this.canvas.clientHeight, this.manner());
     this.app.confirm();
     this.drawn++;
     this.painted.send();
@@ -261,36 +254,8 @@ export class Stage {
 
   /** Bring the surfaces of runs up to date: of all, or of those named. */
   private update(full: boolean, only?: Set<Run>, aspect = this.aspect()): void {
-    for (const { run, terrain, light } of this.shown) {
-      if (!run.ready || (only && !only.has(run))) continue;
-      terrain.begin(run);
-      shine(light, sunOf(this.app.view.look, terrain.firstWind!), this.dark);
-      terrain.update(run, this.renderer, !full);
-    }
-    const ready = this.shown.find(({ run, terrain }) => run.ready && terrain.drawn.length);
-    if (ready) this.view.frame(this.roomy(ready.terrain.box()), aspect);
-  }
-
-  private room = new THREE.Box3();
-
-  /** A box with room to grow in, so that the view does not move with each step. */
-  private roomy(box: THREE.Box3): THREE.Box3 {
-    const { max } = this.room;
-    const same = max.x === box.max.x && max.z === box.max.z;
-    if (!same || box.max.y > max.y || box.max.y < 0.4 * max.y) {
-      this.room = box.clone();
-      this.room.max.y *= 1.3;
-    }
-    return this.room;
-  }
-
-  private paint(width: number, height: number): void {
-    const count = Math.max(this.shown.length, 1);
-    this.renderer.setScissorTest(count > 1);
-    this.renderer.setClearColor(0x000000, 0);
-    this.renderer.setScissor(0, 0, width, height);
-    this.renderer.clear();
-    this.shown.forEach((one, number) => one.draw(this.renderer, [(width / count) * number, 0, width / count, height], this.manner()));
+    this.surfaces.update(full, this.dark, only);
+    this.view.frame(this.surfaces.box(), aspect);
   }
 
   private manner(transparent = false, wide = 1): Manner {
@@ -306,7 +271,7 @@ export class Stage {
 
   private aspect(): number {
     const { clientWidth: width, clientHeight: height } = this.host;
-    return width / Math.max(this.shown.length, 1) / Math.max(height, 1);
+    return width / this.surfaces.count / Math.max(height, 1);
   }
 
   private resize(): void {
@@ -314,12 +279,8 @@ export class Stage {
     if (!width || !height || this.shooting) return;
     this.renderer.setPixelRatio(this.plain ? 1 : Math.min(window.devicePixelRatio, 2));
     this.renderer.setSize(width, height, true);
-    const terrain = this.shown.find(({ terrain }) => terrain.drawn.length)?.terrain;
-    this.view.frame(terrain ? this.roomy(terrain.box()) : new THREE.Box3(new THREE.Vector3(-5, 0, -5), new THREE.Vector3(5, 1, 5)), this.aspect());
+    this.view.frame(this.surfaces.box(), this.aspect());
+    if (!this.app.graphicsLost) this.surfaces.paint(width, height, this.manner()); // else it is empty until the next picture
     this.all();
   }
-}
-
-function sameRuns(shown: Shown[], runs: Run[]): boolean {
-  return shown.length === runs.length && shown.every((one, at) => one.run === runs[at]);
 }

@@ -37,7 +37,8 @@ export class Terrain {
   /** Direction of the wind (degrees) when the run began, by which the sun stands. */
   firstWind: number | null = null;
   readonly uniforms: Record<string, THREE.IUniform>;
-  private usual = Number.POSITIVE_INFINITY;
+  /** The exaggeration that suits the forms. */
+  usual = Number.POSITIVE_INFINITY;
   private lastStep = -1;
   private readonly paths: PathLines;
   private readonly plants: Plants;
@@ -67,15 +68,24 @@ export class Terrain {
     uniforms.relief!.value = this.relief.target.texture;
   }
 
-  /** Show a run as it is now. */
-  update(run: Run, renderer: THREE.WebGLRenderer, plain: boolean): void {
-    const { lattice } = run.description!;
-    const look = this.app.view.look;
+  /** Take the surface of a run as it is to be drawn, and which exaggeration suits it; to be called before `update`. */
+  settle(run: Run, plain: boolean): void {
     this.reshape(run, plain);
-    this.drawn = settled(run.surface, run.rows, run.columns, look.smoothing, lattice.thickness, lattice.periodic);
-    this.exaggeration = look.exaggeration ?? this.usualExaggeration(run);
+    this.drawn = settled(run.surface, run.rows, run.columns, this.app.view.look.smoothing, run.description!.lattice.thickness, run.description!.lattice.periodic);
+    this.usual = this.usualExaggeration(run);
+  }
+
+  /** Whether it is drawn at another exaggeration than the one chosen, or else `usual`. */
+  differsFrom(usual: number): boolean {
+    return this.exaggeration !== (this.app.view.look.exaggeration ?? usual);
+  }
+
+  /** Show a run as it is now, `usual` times as steep unless that is chosen. */
+  update(run: Run, renderer: THREE.WebGLRenderer, plain: boolean, usual: number): void {
+    const { look } = this.app.view;
+    this.exaggeration = look.exaggeration ?? usual;
     this.fillHeights(run);
-    this.colouring = colouring(this.app, run, run.surface);
+    this.colouring = colouring(this.app, run);
     this.textures!.fillValues(this.colouring.values);
     const layers = this.textures!.fillOverlay(run, look.overlays);
     this.plants.mesh.visible = layers > 0 && this.colouring.natural;
@@ -193,8 +203,7 @@ export class Terrain {
     const { cell_size, thickness } = run.description!.lattice;
     const [low, high] = ends(this.drawn);
     const steep = steepness(this.drawn, run.rows, run.columns, cell_size);
-    this.usual = Math.min(this.usual, usualExaggeration(steep, high - low, thickness, Math.max(...this.extent)));
-    return this.usual;
+    return Math.min(this.usual, usualExaggeration(steep, high - low, thickness, Math.max(...this.extent)));
   }
 
   /** Where the block's foot is: below the ground, or within a deep layer, and as long there as it can be. */

@@ -1,6 +1,8 @@
 /** The bar at the top: the scenario, its controls, and the status of the run. */
 
 import type { App } from "../core/app";
+import type { Status } from "../core/protocol";
+import { titleOf } from "../core/run";
 import { button, duration, h, metres, short } from "./dom";
 import { icon } from "./icons";
 import { Speed } from "./speed";
@@ -91,12 +93,18 @@ export class Bar {
     this.play.setAttribute("aria-label", label);
   }
 
+  /** A number of both runs, the left one's first; null where there is one run, or both have the same. */
+  private ofRuns(told: (status: Status) => string): string | null {
+    const [first, second] = this.app.runs.map((run) => run.status && told(run.status));
+    return first && second && first !== second ? `${first} | ${second}` : null;
+  }
+
   private show(): void {
     const run = this.app.current;
     const { description, status } = run ?? {};
     const titles = this.app.runs.map((one) => one.description?.model.title).filter(Boolean);
-    const title = description ? String(description.scenario.title || "Untitled scenario") : "";
-    this.title.textContent = title;
+    const title = description ? titleOf(description) : "";
+    this.title.textContent = this.title.title = title;
     this.model.textContent = titles.join("  ·  ");
     document.title = title ? `${title} – Barchan studio` : "Barchan studio";
     const running = this.app.running;
@@ -108,8 +116,8 @@ export class Bar {
       step: short(status.step, 9),
       rate: running ? short(status.rate, 3) : "paused",
       clock: status.time === null || status.time === undefined ? "" : duration(status.time),
-      highest: `${short(status.highest)} · ${metres(status.deepest, 3)}`,
-      volume: `${short(status.volume)} m³`,
+      highest: this.ofRuns((one) => short(one.highest)) ?? `${short(status.highest)} · ${metres(status.deepest, 3)}`,
+      volume: `${this.ofRuns((one) => short(one.volume)) ?? short(status.volume)} m³`,
     };
     for (const [name, text] of Object.entries(texts)) {
       const value = this.numbers[name]!;

@@ -1,21 +1,27 @@
 /** The changes of parameters and wind, newest first, each of which can be undone. */
 
-import type { App, Restart } from "../core/app";
+import type { App } from "../core/app";
+import { labelOf } from "../core/labels";
 import { spokenKey } from "../core/notices";
 import type { Change, Json } from "../core/protocol";
+import { type Restart, same } from "../core/restarts";
 import { h, short } from "./dom";
-
-export const same = (a: Json | undefined, b: Json | undefined): boolean => JSON.stringify(a) === JSON.stringify(b);
 
 /** The list; ``restart`` puts a value back that restarts the run. */
 export function changeList(app: App, restarts: Restart[], restart: (path: (string | number)[], value: Json) => void): HTMLElement {
   const live = app.current?.description?.changes ?? [];
   const rows = [
-    ...live.toReversed().map((change) => row(`step ${short(change.step, 9)}: ${told(change)}`, change.undo && (() => undo(app, change)))),
+    ...live.toReversed().map((change) => row(`step ${short(change.step, 9)}: ${told(change)}${putBack(live, change)}`, change.undo && (() => undo(app, change)))),
     ...restarts.toReversed().map(({ path, before, value }) => row(`from the start: ${spokenKey(path.join("."))} ${between(before, value)}`, () => restart(path, before))),
   ];
   if (!rows.length) return h("p", { className: "hint" }, "Nothing was changed since the scenario was loaded.");
   return h("ol", { className: "changes", reversed: true }, ...rows);
+}
+
+/** That a change gave a value back which another one had taken away first. */
+function putBack(changes: Change[], { key, value }: Change): string {
+  const first = changes.find((one) => one.key === key)!;
+  return same(first.before, value) ? ", as it was at first" : "";
 }
 
 function row(text: string, act: (() => void) | false): HTMLElement {
@@ -38,6 +44,8 @@ function between(before: Json, value: Json): string {
 
 function shown(value: Json): string {
   if (value === null) return "none";
+  if (typeof value === "boolean") return value ? "on" : "off";
+  if (typeof value === "string") return labelOf(value);
   if (typeof value === "number") return short(value);
   if (typeof value !== "object") return String(value);
   const kind = Array.isArray(value) ? `${value.length} items` : (value.kind ?? value.name ?? "…");

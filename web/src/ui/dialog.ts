@@ -6,15 +6,20 @@ import { h } from "./dom";
 type Content = HTMLElement | false;
 
 export function dialog(title: string, className: string, ...content: Content[]): HTMLDialogElement {
-  const close = h("button", { type: "button", className: "close", "aria-label": "Close", title: "Close (Esc)", onclick: () => element.close() }, "×");
+  const close = h("button", { type: "button", className: "close", "aria-label": "Close", title: "Close (Esc)", onclick: () => leave(element) }, "×");
   const element = h("dialog", { className, "aria-label": title }, h("header", {}, h("h2", {}, title), close), ...content);
   element.addEventListener("click", (event) => {
-    if (event.target === element) element.close();
+    if (event.target === element) leave(element);
   });
   element.addEventListener("close", () => element.remove());
   document.body.append(element);
   element.showModal();
   return element;
+}
+
+/** Close a sheet, unless it does not let go now: as Escape does. */
+function leave(sheet: HTMLDialogElement): void {
+  if (sheet.dispatchEvent(new Event("cancel", { cancelable: true }))) sheet.close();
 }
 
 /** Milliseconds that work may take before a sheet shows how far it is. */
@@ -23,7 +28,7 @@ const SOON = 300;
 /** Does what a sheet asks for; `progress` shows how far it is, `signal` says that it was broken off. */
 export type Submit = (progress: Progress, signal: AbortSignal) => Promise<void>;
 
-/** A sheet with a form, which Enter submits; where that is refused it stays open and says why. Closing it breaks the work off. */
+/** A sheet with a form, which Enter submits; where that is refused it stays open and says why. While it works, Escape breaks that off and leaves the sheet open, which says so. */
 export function formDialog(title: string, action: string, submit: Submit, ...content: Content[]): HTMLDialogElement {
   const trouble = h("output", { className: "trouble", role: "alert" });
   const button = h("button", { type: "submit", className: "primary" }, action);
@@ -43,7 +48,7 @@ export function formDialog(title: string, action: string, submit: Submit, ...con
       await submit(progress, own.signal);
       element.close();
     } catch (error) {
-      trouble.textContent = own.signal.aborted ? "Broken off." : error instanceof Error ? error.message : String(error);
+      trouble.textContent = own.signal.aborted ? "Broken off; nothing was written." : error instanceof Error ? error.message : String(error);
     } finally {
       button.disabled = false;
       bar.hidden = stop.hidden = true;
@@ -52,6 +57,11 @@ export function formDialog(title: string, action: string, submit: Submit, ...con
   };
   const form = h("form", { method: "dialog", onsubmit: (event: Event) => void send(event) }, ...content.filter((one) => one !== false), trouble, bar, h("div", { className: "buttons" }, button, stop));
   const element = dialog(title, "small", form);
+  element.addEventListener("cancel", (event) => {
+    if (!work) return;
+    event.preventDefault();
+    work.abort();
+  });
   element.addEventListener("close", () => work?.abort());
   return element;
 }

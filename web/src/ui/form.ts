@@ -2,11 +2,11 @@
 
 import type { Json, JsonObject } from "../core/protocol";
 import { otherValue } from "../core/beside";
-import { type Entry, type Schema, bounds, entryOf, initial } from "../core/schema";
+import { type Entry, type Schema, allowedIn, entryOf, initial } from "../core/schema";
 import { h, id, short } from "./dom";
 import { numberControl } from "./number";
 import { icon } from "./icons";
-import { labelOf } from "./labels";
+import { labelOf } from "../core/labels";
 import { isCurve, isRamp, rampEditor } from "./ramp";
 
 export type Path = (string | number)[];
@@ -147,14 +147,15 @@ function row(context: FormContext, name: string, given: Schema, value: Json, pat
   const unit = schema.unit && schema.unit !== "-" ? schema.unit : "";
   const controls = control(entry, value, take, label, path);
   const changed = known && JSON.stringify(value) !== JSON.stringify(schema.default);
+  const putBack = `Put the default of ${labelOf(name)} back: ${shown(schema.default ?? null)}`;
   const reset = h(
     "button",
     {
       type: "button",
       className: "reset",
       hidden: !changed,
-      title: `Reset to ${shown(schema.default ?? null)}`,
-      "aria-label": `Reset ${labelOf(name)} to ${shown(schema.default ?? null)}`,
+      title: putBack,
+      "aria-label": putBack,
       onclick: () => take(schema.default ?? null),
     },
     icon("back"),
@@ -234,8 +235,8 @@ function readText(text: string, nullable: boolean, mixed: boolean): Json {
 }
 
 function explained(schema: Schema, live: boolean): string {
-  const [low, high] = bounds(schema);
-  const allowed = low === null && high === null ? "" : `Allowed: ${short(low)} to ${short(high)}. `;
+  const bounds = allowedIn(schema, (value) => short(value, 9));
+  const allowed = bounds && `Allowed: ${bounds}. `;
   const source = schema.source ? `Source: ${schema.source}. ` : "";
   const when = live ? "Changes at once." : "Changing it restarts the run.";
   return `${schema.description ?? ""}\n${allowed}${source}${when}`;
@@ -243,5 +244,6 @@ function explained(schema: Schema, live: boolean): string {
 
 function shown(value: Json): string {
   if (value === null) return "none";
-  return typeof value === "string" ? labelOf(value) : JSON.stringify(value);
+  if (typeof value === "boolean") return value ? "on" : "off";
+  return typeof value === "string" ? labelOf(value) : typeof value === "number" ? short(value, 9) : JSON.stringify(value);
 }

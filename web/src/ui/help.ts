@@ -46,5 +46,5 @@ export function help(shortcuts: Shortcut[]): void {
     ["drop a file", "load a scenario (.json) or use an image, array or elevation model as ground"],
   ];
   const rows = [...shortcuts.map((one) => [one.keys, one.does]), ...mouse];
-  dialog("Keys and mouse", "small", h("dl", { className: "keys" }, ...rows.map(([keys, does]) => h("div", {}, h("dt", {}, keys!), h("dd", {}, does!)))));
+  dialog("Keys and mouse", "small key-sheet", h("dl", { className: "keys" }, ...rows.map(([keys, does]) => h("div", {}, h("dt", {}, keys!), h("dd", {}, does!)))));
 }

@@ -4,8 +4,9 @@ import type { App } from "../core/app";
 import { nameBeside } from "../core/run";
 import type { Stage } from "../scene/stage";
 import { slopes } from "../scene/smooth";
-import { fitCanvas, h, heights, metres, short, svg } from "./dom";
-import { drawBar, legendOf, scaleLength } from "./legend";
+import { h, heights, metres, short, svg } from "./dom";
+import { scaleLength, scalesOf } from "./legend";
+import { LegendBox } from "./legend_box";
 
 const BAR = 110;
 
@@ -16,10 +17,8 @@ export class Hud {
   private readonly windText = h("span", { className: "wind-text" });
   private readonly scale = h("div", { className: "scale" });
   private readonly steeper = h("div", { className: "steeper", title: "Heights are drawn this many times as steep as they are (View, vertical exaggeration)" });
-  private readonly bar = h("canvas", { className: "colour-canvas" });
-  private readonly barTitle = h("div", { className: "bar-title" });
-  private readonly barEnds = h("div", { className: "bar-ends" });
-  private readonly colours: HTMLElement;
+  /** The scales of the left and of the right surface; one that both have is the left one's. */
+  private readonly legends: [LegendBox, LegendBox];
   private readonly under = h("output", { className: "under" });
   private readonly names = h("div", { className: "names" });
 
@@ -33,13 +32,14 @@ export class Hud {
       this.wind,
     );
     const compass = svg("svg", { viewBox: "-50 -52 100 104", width: 92, height: 96, role: "img", "aria-label": "Compass; the arrow shows where the wind blows" }, svg("circle", { r: 36, class: "face" }), this.rose);
-    this.colours = h("div", { className: "colours" }, this.barTitle, this.bar, this.barEnds);
+    this.legends = [new LegendBox(app), new LegendBox(app, "right")];
     this.element = h(
       "div",
       { className: "hud", hidden: true },
       this.names,
       h("div", { className: "compass" }, compass as unknown as HTMLElement, this.windText),
-      h("div", { className: "corner" }, this.colours, h("div", { className: "measure" }, this.scale, this.steeper)),
+      h("div", { className: "corner" }, this.legends[0].element, h("div", { className: "measure" }, this.scale, this.steeper)),
+      this.legends[1].element,
       this.under,
     );
     stage.painted.watch(() => this.draw());
@@ -96,22 +96,9 @@ export class Hud {
     if (this.steeper.textContent !== times) this.steeper.textContent = times;
   }
 
-  private drawn = "";
-
   private drawColours(): void {
-    const colouring = this.stage.terrain(this.app.current!)?.colouring;
-    const hidden = !colouring || colouring.natural;
-    this.colours.hidden = hidden;
-    if (hidden) return;
-    const [low, high] = colouring.limits;
-    const key = `${colouring.map} ${low} ${high} ${colouring.title}`;
-    if (key === this.drawn) return;
-    this.drawn = key;
-    const { context, width, height } = fitCanvas(this.bar);
-    drawBar(context, this.app.colours[colouring.map] ?? [], 0, 0, width, height);
-    const { title, marks } = legendOf(colouring);
-    this.barTitle.textContent = title;
-    this.barEnds.replaceChildren(...marks.map((text) => h("span", {}, text)));
+    const scales = scalesOf(this.app.runs, (run) => this.stage.terrain(run)?.colouring);
+    this.legends.forEach((legend, at) => legend.show(scales.find((scale) => scale.at === at)));
   }
 }
 

@@ -1,6 +1,7 @@
 /** Scale bars and colour bars: what stands on them, wherever they are drawn. */
 
-import type { Colouring } from "../scene/colouring";
+import type { Run } from "../core/run";
+import { type Colouring, sameQuantity } from "../scene/colouring";
 import { lengthUnit, short } from "./dom";
 
 type Colour = [number, number, number];
@@ -17,6 +18,27 @@ export function legendOf({ title, unit, limits, choice }: Pick<Colouring, "title
   const [name, factor] = unit === "m" ? lengthUnit(Math.max(Math.abs(low), Math.abs(high))) : [unit, 1];
   const marks = choice ? ["no", "yes"] : [low, (low + high) / 2, high].map((mark) => short(factor * mark, 3));
   return { title: title + (name ? ` (${name})` : ""), marks };
+}
+
+/** The scale of a surface: which of the runs it belongs to, and what its title says of that. */
+export interface Scale {
+  colouring: Colouring;
+  /** The number of the run, from the left. */
+  at: number;
+  /** Stands behind the title. */
+  of: string;
+}
+
+/** The scales that the surfaces of runs need: one for both where it is the same, none where a surface has its material's colour. */
+export function scalesOf(runs: Run[], colouringOf: (run: Run) => Colouring | null | undefined): Scale[] {
+  const found = runs.flatMap((run, at): Scale[] => {
+    const colouring = colouringOf(run);
+    return colouring && !colouring.natural ? [{ colouring, at, of: "" }] : [];
+  });
+  const [first, second] = found;
+  if (!first || !second) return found;
+  const one = sameQuantity(first.colouring, second.colouring) && String(first.colouring.limits) === String(second.colouring.limits);
+  return one ? [{ ...first, of: ", both runs" }] : found;
 }
 
 /** Draw the colours of a scale from left to right, or where it is higher than wide from the foot to the top. */

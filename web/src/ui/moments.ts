@@ -3,8 +3,9 @@
 import type { App } from "../core/app";
 import { type Bookmark, Bookmarks } from "../core/bookmarks";
 import type { JsonObject } from "../core/protocol";
-import { labelOf } from "./labels";
+import { labelOf } from "../core/labels";
 import type { Standpoint } from "../scene/camera";
+import { plainFields } from "../scene/colouring";
 import type { Stage } from "../scene/stage";
 import { formDialog } from "./dialog";
 import { button, h, short } from "./dom";
@@ -66,7 +67,8 @@ export class Moments {
 
   /** What coloured the surface, in words: fields have short names of their own. */
   private colours(name: string): string {
-    return this.app.current?.description?.fields.find((field) => field.name === name)?.meaning ?? labelOf(name);
+    const run = this.app.current!;
+    return [...plainFields(run.material), ...run.description!.fields].find((field) => field.name === name)?.meaning ?? labelOf(name);
   }
 
   private row(bookmark: Bookmark): HTMLElement {

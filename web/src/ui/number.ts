@@ -3,7 +3,7 @@
 import type { Json } from "../core/protocol";
 import { type Entry, type Schema, bounds } from "../core/schema";
 import { h, later } from "./dom";
-import { labelOf } from "./labels";
+import { labelOf } from "../core/labels";
 
 export function numberControl(
   entry: Entry,

@@ -4,10 +4,12 @@ import type { App } from "../core/app";
 import type { Json, JsonObject } from "../core/protocol";
 import { compare } from "./compare";
 import { type Schema, at, entryOf, replaced } from "../core/schema";
+import { readable } from "../core/labels";
+import { remaining } from "../core/restarts";
 import { nameBeside } from "../core/run";
 import { h, id, later } from "./dom";
 import { type FormContext, type Path, field, group, restartMark, variantField } from "./form";
-import { changeList, same } from "./changes";
+import { changeList } from "./changes";
 import { RefreshGuard } from "./refresh_guard";
 
 /** The key of the loose layer at the start, which is named after the model's material. */
@@ -83,7 +85,7 @@ export class Panel {
       { className: "about" },
       look && h("p", {}, look),
       question && h("p", { className: "question" }, question),
-      h("p", { className: "source" }, String(this.scenario.citation ?? "")),
+      h("p", { className: "source" }, readable(String(this.scenario.citation ?? ""))),
     );
     return [
       ...this.whose(),
@@ -211,7 +213,7 @@ export class Panel {
       this.unsent.push([path, value]);
       this.submit();
     };
-    const list = changeList(this.app, this.app.restarts.filter(({ path, value }) => same(at(this.scenario, path), value)), restart);
+    const list = changeList(this.app, remaining(this.app.restarts, this.scenario), restart);
     return details("changes", "Changes", list);
   }
 

@@ -5,11 +5,13 @@ import { nameBeside } from "../core/run";
 import type { Shot } from "../scene/shots";
 import type { Stage } from "../scene/stage";
 import { duration, heights, metres, short } from "./dom";
-import { drawBar, legendOf, scaleLength } from "./legend";
+import { type Scale, drawBar, legendOf, scaleLength, scalesOf } from "./legend";
 
 /** What a picture may have over its scene. */
 export interface Words {
   title: boolean;
+  /** The first line of the title block; none where it is empty. */
+  heading: string;
   scale: boolean;
   legend: boolean;
 }
@@ -20,8 +22,8 @@ const SIZES = { margin: 36, title: 34, text: 19, bar: 260, legend: 340 };
 const FONT = '"Inter", system-ui, -apple-system, "Segoe UI", "Noto Sans", sans-serif';
 const INKS = { light: { ink: "#2b2620", card: "rgb(251 248 242 / 74%)" }, dark: { ink: "#ece4d6", card: "rgb(38 35 32 / 74%)" } };
 
-/** The lines of the title block: the scenario's title; model, step and time; seed and version. */
-export function titleLines(app: App, { statuses }: Pick<Shot, "statuses">): string[] {
+/** The lines of the title block: its heading; model, step and time; seed and version. */
+export function titleLines(app: App, { statuses }: Pick<Shot, "statuses">, heading: string): string[] {
   const run = app.current;
   const [description, status] = [run?.description, run && statuses.get(run)];
   if (!description || !status) return [];
@@ -30,7 +32,7 @@ export function titleLines(app: App, { statuses }: Pick<Shot, "statuses">): stri
   const time = status.time === null ? "" : ` · ${duration(status.time)}`;
   const seed = (description.scenario.run as { seed?: number }).seed;
   return [
-    String(description.scenario.title || "Untitled scenario"),
+    ...(heading ? [heading] : []),
     models,
     `step ${short(status.step, 9)}${time} · seed ${seed ?? "–"} · Barchan ${app.version}`,
   ];
@@ -60,9 +62,9 @@ class Writer {
   }
 
   draw(words: Words): void {
-    if (words.title) this.title();
+    if (words.title) this.title(words.heading.trim());
     const above = words.scale ? this.scale() : this.shot.canvas.height - this.margin;
-    if (words.legend) this.legend(above);
+    if (words.legend) this.legends(above);
   }
 
   private font(size: number, weight = 400): void {
@@ -77,9 +79,9 @@ class Writer {
     this.c.fillStyle = this.c.strokeStyle = this.inks.ink;
   }
 
-  private title(): void {
+  private title(heading: string): void {
     const { c, u, margin } = this;
-    const lines = titleLines(this.app, this.shot).map((line, at) => ({ line, size: at ? SIZES.text : SIZES.title, weight: at ? 400 : 600 }));
+    const lines = titleLines(this.app, this.shot, heading).map((line, at) => (heading && !at ? { line, size: SIZES.title, weight: 600 } : { line, size: SIZES.text, weight: 400 }));
     const room = this.shot.canvas.width - 2 * margin - 160 * u;
     const fitted = lines.map(({ line, size, weight }) => {
       this.font(size, weight);
@@ -154,17 +156,20 @@ class Writer {
     c.restore();
   }
 
-  /** Draw the colours of the field, their card's foot at a height. */
-  private legend(foot: number): void {
-    const colouring = this.stage.terrain(this.app.current!)?.colouring;
-    if (!colouring || colouring.natural) return;
+  /** Draw the scales of the surfaces' colours, the feet of their cards at a height. */
+  private legends(foot: number): void {
+    const { runs } = this.app;
+    for (const scale of scalesOf(runs, (run) => this.stage.terrain(run)?.colouring)) this.legend(scale, foot, (scale.at * this.shot.canvas.width) / runs.length);
+  }
+
+  private legend({ colouring, of }: Scale, foot: number, from: number): void {
     const { c, u, margin } = this;
     const { title, marks } = legendOf(colouring);
     const [wide, high] = [SIZES.legend * u, 84 * u];
-    const [left, top] = [margin + 16 * u, foot - high];
-    this.card(margin, top, wide + 32 * u, high);
+    const [left, top] = [from + margin + 16 * u, foot - high];
+    this.card(from + margin, top, wide + 32 * u, high);
     this.font(SIZES.text);
-    c.fillText(title, left, top + 25 * u, wide);
+    c.fillText(title + of, left, top + 25 * u, wide);
     drawBar(c, this.app.colours[colouring.map] ?? [], left, top + 34 * u, wide, 16 * u);
     c.fillStyle = this.inks.ink;
     this.font(16);

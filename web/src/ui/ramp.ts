@@ -4,7 +4,7 @@ import type { Json, JsonObject } from "../core/protocol";
 import type { Entry } from "../core/schema";
 import { CurveEditor, type Ramp, STRAIGHT } from "./curve";
 import { h } from "./dom";
-import { labelOf } from "./labels";
+import { labelOf } from "../core/labels";
 
 const SUFFIX = "_ramp";
 

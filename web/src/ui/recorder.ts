@@ -29,7 +29,7 @@ export class Recorder {
   private readonly time = h("span", {});
   private readonly canvas = document.createElement("canvas");
   private recorder: MediaRecorder | null = null;
-  private words: Words = { title: false, scale: false, legend: false };
+  private words: Words = { title: false, heading: "", scale: false, legend: false };
   private began = 0;
   private drawnAt = 0;
 
@@ -52,7 +52,12 @@ export class Recorder {
     }
     const words = wordsRows(this.app, this.stage, () => {});
     const begin: Submit = async () => this.begin(kind, words.chosen());
-    formDialog("Record the scene", "begin", begin, h("p", {}, `From now on the scene is recorded as you see it, turns of the camera included, in its present size, as .${kind[0]}. Press V or ‘stop and save’ to end it.`), words.element);
+    formDialog("Record the scene", "begin", begin, h("p", {}, `From now on the scene is recorded as you see it, turns of the camera included, in its present size, as .${kind[0]}. V, Esc or ‘stop and save’ ends it and saves the film.`), words.element);
+  }
+
+  /** End a recording and save it, where there is one. */
+  finish(): void {
+    if (this.recorder) this.end(true);
   }
 
   private begin([suffix, type]: [string, string], words: Words): void {
@@ -66,7 +71,7 @@ export class Recorder {
     recorder.onerror = () => this.fail();
     recorder.onstop = () => {
       for (const track of recorder.stream.getTracks()) track.stop();
-      if (this.saving) this.save(`barchan.${suffix}`, new Blob(parts, { type: type.split(";")[0]! }));
+      if (this.saving) this.save(`barchan.${suffix}`, new Blob(parts, { type: type.split(";")[0]! }), length(performance.now() - this.began));
     };
     this.began = performance.now();
     recorder.start(1000);
@@ -83,10 +88,10 @@ export class Recorder {
     this.element.hidden = true;
   }
 
-  private save(name: string, film: Blob): void {
+  private save(name: string, film: Blob, long: string): void {
     if (!film.size) return this.fail();
     download(name, film);
-    this.app.note("info", "The film of the scene is saved.");
+    this.app.note("info", `The film of the scene is saved as ${name}, ${long} long.`);
   }
 
   private fail(): void {
@@ -112,7 +117,12 @@ export class Recorder {
       statuses: new Map(app.runs.filter((run) => run.status).map((run) => [run, run.status!])),
     };
     drawWords(app, stage, shot, this.words, dark);
-    const seconds = Math.floor((now - this.began) / 1000);
-    this.time.textContent = `recording ${Math.floor(seconds / 60)}:${String(seconds % 60).padStart(2, "0")}`;
+    this.time.textContent = `recording ${length(now - this.began)}`;
   }
+}
+
+/** A length of time (ms) as minutes and seconds. */
+function length(milliseconds: number): string {
+  const seconds = Math.floor(milliseconds / 1000);
+  return `${Math.floor(seconds / 60)}:${String(seconds % 60).padStart(2, "0")}`;
 }

@@ -63,7 +63,7 @@ export class StateNotice {
       replaced: { text: "The studio is in use in another window; only one can show it.", way: again("use it here") },
       "too much": { text: "The page sent more messages than the server takes, and the connection was closed.", way: again("connect again") },
       full: { text: "No more windows may watch this studio at once.", way: again("try again") },
-      "other version": { text: "This page was built from another version of Barchan than the one that serves it. Load it again; if that does not help, the page in this checkout is out of date: run `pip install .` (or `npm run build` in web/), then start the studio again.", way: () => action("load the page again", () => location.reload()) },
+      "other version": { text: "This page was built from another version of Barchan than the one that serves it. Load it again. If this message comes back, end the studio in its terminal and start it again: the terminal then says how the page is brought up to date.", way: () => action("load the page again", () => location.reload()) },
       "no answer": { text: "The studio’s server does not answer: it has ended, or the network is down. Start the studio again if it has ended; this page tries to reach it every second.", way: again("try now") },
     };
     return states[state];

@@ -44,7 +44,7 @@ export class Tour {
     const status = () => this.app.current?.status;
     return [
       {
-        text: `Wait until dunes stand: sand that the wind moves gathers in heaps with a steep side in the lee. The arrow shows where the wind blows; it comes from two sides in turn.`,
+        text: `Wait until dunes stand: sand that the wind moves gathers in heaps with a steep side in the lee. The arrow shows where the wind blows${this.steady ? "" : "; it comes from several sides in turn"}.`,
         label: "go on",
         act: () => this.choose(1),
         done: () => (status()?.step ?? 0) >= GROWN,

@@ -5,7 +5,7 @@ import { LOOK, type Look } from "../core/view";
 import { plainFields } from "../scene/colouring";
 import type { Stage } from "../scene/stage";
 import { h, id } from "./dom";
-import { labelOf } from "./labels";
+import { labelOf } from "../core/labels";
 import { OverlayPanel } from "./overlay";
 
 export class ViewPanel {

@@ -9,7 +9,7 @@ import { type FormContext, group } from "./form";
 import { type Icon, icon } from "./icons";
 import { RefreshGuard } from "./refresh_guard";
 import { roses } from "./rose";
-import { labelOf } from "./labels";
+import { labelOf } from "../core/labels";
 import { lasting } from "./ramp";
 
 export class WindPanel {

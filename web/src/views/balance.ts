@@ -1,6 +1,7 @@
 /** The balance of what the wind can move: what was, came, went and is, to the last unit. */
 
 import type { App } from "../core/app";
+import { nameBeside } from "../core/run";
 import { h } from "../ui/dom";
 
 export class BalanceTable {
@@ -12,11 +13,13 @@ export class BalanceTable {
   }
 
   private show(): void {
-    const balance = this.app.current?.status?.balance;
+    const { runs, current } = this.app;
+    const balance = current?.status?.balance;
     if (!balance) return;
+    const whose = runs.length > 1 ? ` of ${nameBeside(current!, runs.find((run) => run !== current))}` : "";
     const mass = balance.mass === null ? "" : ` of ${balance.mass} kg/m²`;
     const rows = Object.entries(balance.parts).map(([name, count]) => h("div", {}, h("dt", {}, name), h("dd", {}, whole(count))));
-    this.element.replaceChildren(h("div", {}, h("dt", {}, `balance, ${balance.unit}${mass}`)), ...rows);
+    this.element.replaceChildren(h("div", {}, h("dt", {}, `balance${whose}, ${balance.unit}${mass}`)), ...rows);
   }
 }
 

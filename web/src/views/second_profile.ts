@@ -2,9 +2,9 @@
 
 import type { App } from "../core/app";
 import { type Profile, ends, profile } from "../core/profile";
-import type { Run } from "../core/run";
+import { type Run, nameBeside } from "../core/run";
 import type { SectionLine } from "../core/section";
-import { themeColour } from "../ui/dom";
+import { metres, themeColour } from "../ui/dom";
 
 export interface Second {
   run: Run;
@@ -30,6 +30,12 @@ export function drawSecond(c: CanvasRenderingContext2D, second: Second, x: (d: n
   distance.forEach((d, i) => c.lineTo(x(d), y(surface[i]!)));
   c.stroke();
   c.restore();
+}
+
+/** What the other profile is at a point, in words, named beside the first run. */
+export function placed({ run, profile: p }: Second, first: Run, at: number): string {
+  const lee = p.shadow && p.shadow[at]! > 0.5 ? ", in shadow" : "";
+  return `${nameBeside(run, first)}: elevation ${metres(p.surface[at])}, slope ${p.slope[at]!.toFixed(1)}°${lee}`;
 }
 
 /** The profiles of one run, or of two along the same line, as a table of text. */

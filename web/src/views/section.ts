@@ -1,12 +1,13 @@
 /** The cross-section along a line: profile, shadow zones, slopes; it follows the run. */
 
 import type { App } from "../core/app";
-import type { Description } from "../core/protocol";
 import type { Run } from "../core/run";
 import { type Profile, ends, profile } from "../core/profile";
 import { type SectionLine, alongWind } from "../core/section";
 import type { Stage } from "../scene/stage";
-import { drawSecond, secondProfile, sectionCsv } from "./second_profile";
+import { nameBeside } from "../core/run";
+import { SectionLegend } from "./section_legend";
+import { type Second, drawSecond, placed, secondProfile, sectionCsv } from "./second_profile";
 import { SectionLayers } from "./strata";
 import { button, download, fitCanvas, h, heights, lengthUnit, metres, short, themeColour, ticks } from "../ui/dom";
 
@@ -132,9 +133,9 @@ export class SectionView {
     area(p.ground, themeColour("rock"));
     if (!layered) this.crest(c, p, x, y, run.description!.repose);
     if (second) drawSecond(c, second, x, y);
-    this.legend(c, width, p.shadow !== null, run.description!, second?.run.description!.model.title);
+    new SectionLegend(c, MARGIN, width).draw(run, second?.run, p.shadow !== null);
     if (layered) this.layers.legend(c, run, MARGIN.left + 60, MARGIN.top);
-    this.point(c, p, x, y, length, width, run);
+    this.point(c, p, x, y, length, width, run, second);
   }
 
   private axes(
@@ -205,28 +206,6 @@ export class SectionView {
     if (repose !== null) stroke(themeColour("steep"), 3, (i) => Math.abs(p.slope[i]!) >= 0.85 * repose);
   }
 
-  private legend(c: CanvasRenderingContext2D, width: number, shadow: boolean, { repose, repose_slabs: slabs }: Description, second?: string): void {
-    const items: [string, string][] = [];
-    if (second) items.push(["second", second]);
-    if (shadow) items.push(["shadow", "shadow zone"]);
-    if (repose !== null) items.push(["steep", `near the effective angle of repose, ${repose.toFixed(1)}°${slabs === null ? "" : ` (${short(slabs, 3)} slabs a cell)`}`]);
-    let right = width - MARGIN.right - 4;
-    const wide = items.reduce((sum, [, text]) => sum + c.measureText(text).width + 30, 0);
-    c.globalAlpha = 0.85;
-    c.fillStyle = themeColour("card");
-    c.fillRect(right - wide + 8, MARGIN.top - 10, wide - 4, 20);
-    c.globalAlpha = 1;
-    c.textAlign = "right";
-    for (const [colour, text] of items) {
-      c.fillStyle = themeColour("ink");
-      c.fillText(text, right, MARGIN.top + 4);
-      right -= c.measureText(text).width + 8;
-      c.fillStyle = themeColour(colour);
-      c.fillRect(right - 10, MARGIN.top - 4, 10, 8);
-      right -= 22;
-    }
-  }
-
   private point(
     c: CanvasRenderingContext2D,
     p: Profile,
@@ -235,21 +214,29 @@ export class SectionView {
     length: number,
     width: number,
     run: Run,
+    second: Second | null,
   ): void {
-    const cells = `${short(length)} m long, step ${run.status!.step}`;
+    const cells = `${short(length)} m long, step ${short(run.status!.step, 9)}`;
     if (this.hover === null) {
       this.readout.textContent = cells;
       return;
     }
     const share = (this.hover - MARGIN.left) / (width - MARGIN.left - MARGIN.right);
     const i = Math.min(Math.max(Math.round(share * (p.distance.length - 1)), 0), p.distance.length - 1);
-    c.fillStyle = themeColour("ink");
-    c.beginPath();
-    c.arc(x(p.distance[i]!), y(p.surface[i]!), 4, 0, 7);
-    c.fill();
+    drawPoint(c, x(p.distance[i]!), y(p.surface[i]!), "ink");
     const lee = p.shadow && p.shadow[i]! > 0.5 ? ", in shadow" : "";
-    this.readout.textContent =
-      `${short(p.distance[i])} m: elevation ${metres(p.surface[i])}, ` +
-      `${run.material} ${metres(p.surface[i]! - p.ground[i]!)}, slope ${p.slope[i]!.toFixed(1)}°${lee}${this.layers.under(p.distance[i]!, run)}`;
+    const own =
+      `elevation ${metres(p.surface[i])}, ${run.material} ${metres(p.surface[i]! - p.ground[i]!)}, ` +
+      `slope ${p.slope[i]!.toFixed(1)}°${lee}${this.layers.under(p.distance[i]!, run)}`;
+    if (second) drawPoint(c, x(p.distance[i]!), y(second.profile.surface[i]!), "second");
+    const both = second ? `${nameBeside(run, second.run)}: ${own} · ${placed(second, run, i)}` : own;
+    this.readout.textContent = `${short(p.distance[i])} m: ${both}`;
   }
+}
+
+function drawPoint(c: CanvasRenderingContext2D, x: number, y: number, colour: string): void {
+  c.fillStyle = themeColour(colour);
+  c.beginPath();
+  c.arc(x, y, 4, 0, 7);
+  c.fill();
 }

@@ -6,6 +6,7 @@ import type { App } from "../core/app";
 import { centreOf, named, nearest } from "../core/crests";
 import { type MeasuresTable, measuresCsv } from "../core/measures_csv";
 import type { Measure } from "../core/protocol";
+import { type Run, nameBeside } from "../core/run";
 import { BalanceTable } from "./balance";
 import { download, button, h, short, themeColour } from "../ui/dom";
 
@@ -20,6 +21,8 @@ export class SeriesView {
   readonly element: HTMLElement;
   private readonly plots = h("div", { className: "plots", tabIndex: 0, role: "group", "aria-label": "Measures over the steps" });
   private readonly choice = h("div", { className: "choices", role: "group", "aria-label": "Measures shown" });
+  /** Which line is which run's, where there are two. */
+  private readonly names = h("div", { className: "run-names" });
   private readonly when = h("span", { className: "readout" });
   private chosen = new Set(FIRST);
   private charts: { measure: Measure; chart: uPlot; box: HTMLElement; value: HTMLElement }[] = [];
@@ -31,7 +34,7 @@ export class SeriesView {
     this.element = h(
       "div",
       { className: "view series" },
-      h("div", { className: "tools" }, h("details", { className: "picker" }, h("summary", {}, "measures shown"), this.choice), !app.watching && button("Save the measures as CSV", "save CSV", () => void this.save()), this.when),
+      h("div", { className: "tools" }, h("details", { className: "picker" }, h("summary", {}, "measures shown"), this.choice), !app.watching && button("Save the measures as CSV", "save CSV", () => void this.save()), this.names, this.when),
       new BalanceTable(app).element,
       this.plots,
     );
@@ -60,11 +63,12 @@ export class SeriesView {
     download("measures.csv", measuresCsv(tables));
   }
 
-  /** At which steps the measures are taken. */
-  private intervals(): string {
+  /** At which steps the measures are taken: in short, and in full where one points at it. */
+  private intervals(): void {
     const { measured_every: every = 0, measured_rows: rows = 0 } = this.app.current?.description ?? {};
     const from = every * rows;
-    return every ? `every ${every} steps; from step ${short(from, 9)} every ${2 * every}, from ${short(2 * from, 9)} every ${4 * every}, and so on` : "";
+    this.when.textContent = every ? `every ${every} steps; from step ${short(from, 9)} fewer` : "";
+    this.when.title = every ? `From step ${short(from, 9)} every ${2 * every} steps, from ${short(2 * from, 9)} every ${4 * every}, and so on` : "";
   }
 
   private update(at_once = false): void {
@@ -75,17 +79,18 @@ export class SeriesView {
       this.choices();
       this.rebuild();
     }
-    this.when.textContent = this.intervals();
+    this.intervals();
+    this.plots.classList.toggle("two", this.app.runs.length > 1);
     if (!at_once && performance.now() - this.drawnAt < PAUSE) return;
     this.drawnAt = performance.now();
     this.centreCrests();
+    this.names.replaceChildren(...namesOf(this.app.runs));
     for (const { measure, chart, value } of this.charts) {
       chart.setData(this.data(measure.name));
-      const rows = this.app.current?.measures ?? [];
-      const last = rows.findLast((row) => row.values[measure.name] != null)?.values[measure.name];
-      const doubt = rows.at(-1)?.doubts[measure.name] ?? "";
-      value.textContent = `${short(last ?? null, 3)}${measure.unit === "-" ? "" : ` ${measure.unit}`}${doubt && " ?"}`;
-      value.title = [measure.reference, doubt].filter(Boolean).join("; ");
+      const found = this.app.runs.map((run) => lastOf(run, measure.name));
+      const parts = found.map(({ text }, at) => h("b", { className: this.app.runs.length > 1 ? `run-${at}` : "" }, text));
+      value.replaceChildren(...parts.flatMap((part, at) => (at ? [" | ", part] : [part])), measure.unit === "-" ? "" : ` ${measure.unit}`);
+      value.title = [measure.reference, ...found.map(({ doubt }) => doubt)].filter(Boolean).join("; ");
     }
   }
 
@@ -133,7 +138,7 @@ export class SeriesView {
     this.charts = this.measures()
       .filter((measure) => this.chosen.has(measure.name))
       .map((measure) => {
-        const value = h("b", {});
+        const value = h("span", { className: "values" });
         const box = h("figure", {}, h("figcaption", {}, `${measure.title} `, value));
         this.plots.append(box);
         return { measure, box, value, chart: new uPlot(this.options(measure), this.data(measure.name), box) };
@@ -161,6 +166,7 @@ export class SeriesView {
         ...this.app.runs.map((_, at) => ({
           stroke: colours[at] ?? "",
           width: 1.5,
+          ...(at ? { dash: [6, 3] } : {}),
           spanGaps: true,
           ...(dots ? { paths: () => null, points: { show: true, size: 3, fill: colours[at] ?? "" } } : { points: { show: false } }),
         })),
@@ -179,4 +185,17 @@ export class SeriesView {
       chart.setSize({ width: Math.floor(clientWidth / across) - 12, height: Math.max(LEAST, Math.floor(clientHeight / down) - 26) });
     }
   }
+}
+
+/** The last value of a measure of a run, and why it should not be quoted. */
+function lastOf(run: Run, name: string): { text: string; doubt: string } {
+  const last = run.measures.findLast((row) => row.values[name] != null)?.values[name];
+  const doubt = run.measures.at(-1)?.doubts[name] ?? "";
+  return { text: `${short(last ?? null, 3)}${doubt && " ?"}`, doubt };
+}
+
+/** The names of two runs, each with the line that its measures have; none where there is one run. */
+function namesOf(runs: Run[]): HTMLElement[] {
+  if (runs.length < 2) return [];
+  return runs.map((run, at) => h("span", { className: `run-${at}` }, h("i", {}), nameBeside(run, runs[1 - at])));
 }

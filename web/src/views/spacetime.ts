@@ -1,7 +1,7 @@
 /** The section over time: every step a row of the picture, crests that travel are slanted lines. */
 
 import type { App } from "../core/app";
-import type { Run } from "../core/run";
+import { type Run, nameBeside } from "../core/run";
 import { type SectionLine, along, samples } from "../core/section";
 import { button, fitCanvas, h, lengthUnit, metres, short, themeColour, ticks } from "../ui/dom";
 import { fetchFile } from "../ui/exports";
@@ -25,6 +25,7 @@ export class SpaceTimeView {
   readonly title = "Space–time";
   readonly element: HTMLElement;
   private readonly canvas = h("canvas", { className: "plot", role: "img", "aria-label": "The section over time" });
+  private readonly caption = h("span", {});
   private readonly readout = h("output", { className: "readout" });
   private bands: Band[] = [];
   private every = 1;
@@ -42,7 +43,7 @@ export class SpaceTimeView {
       h(
         "div",
         { className: "tools" },
-        h("span", {}, "Elevation along the section; time runs upwards."),
+        this.caption,
         button("Save a picture with colour bar, of the kept states (PNG)", "save picture", () => this.save(".png")),
         button("Save the elevations of the kept states as CSV", "save CSV", () => this.save(".csv")),
         this.readout,
@@ -117,6 +118,7 @@ export class SpaceTimeView {
 
   private draw(): void {
     if (!this.visible || !this.canvas.clientWidth || !this.bands.length) return;
+    this.caption.textContent = `Elevation along the section${this.whose()}; time runs upwards.`;
     const { context: c, width, height } = fitCanvas(this.canvas);
     const [first, last] = [this.bands[0]!.step, this.bands.at(-1)!.step];
     const colours = this.app.colours.perceptual ?? [[0, 0, 0], [255, 255, 255]];
@@ -144,6 +146,12 @@ export class SpaceTimeView {
     this.axes(c, first, last, width, height, w, d);
     this.colourBar(c, colours, [low, high], width, d);
     this.readout.textContent = `${this.bands.length} sections, ${metres(low)} to ${metres(high)}`;
+  }
+
+  /** Of which of two runs it is: the one whose parameters the panel shows. */
+  private whose(): string {
+    const { runs, current } = this.app;
+    return runs.length > 1 && current ? ` of ${nameBeside(current, runs.find((run) => run !== current))}, which the panel shows` : "";
   }
 
   private axes(c: CanvasRenderingContext2D, first: number, last: number, width: number, height: number, w: number, d: number): void {

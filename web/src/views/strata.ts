@@ -5,7 +5,7 @@ import type { Strata } from "../core/protocol";
 import type { Run } from "../core/run";
 import type { SectionLine } from "../core/section";
 import { h, short, themeColour } from "../ui/dom";
-import { labelOf } from "../ui/labels";
+import { labelOf } from "../core/labels";
 
 /** Milliseconds from one request to the next, at least. */
 const PAUSE = 150;

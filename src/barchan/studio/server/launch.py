@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 from barchan.errors import BarchanError
 from barchan.scenario import Scenario
 from barchan.studio.protocol import LARGEST_MESSAGE
+from barchan.studio.server.page_version import check_page
 from barchan.studio.server.security import EVERYWHERE, LOOPBACK, Guard
 from barchan.studio.server.session import Session
 from barchan.studio.server.unfinished import Found
@@ -56,14 +57,13 @@ def serve(
     """Serve until interrupted; ``ready`` is called with the address. All workers end with the server.
 
     ``left`` is called with the runs that earlier studios have left because they ended unexpectedly.
-    Raises BarchanError where the address is taken or the client was not built.
+    Raises BarchanError where the address is taken, or the page was not built or speaks another protocol.
     """
     import uvicorn
 
     from barchan.studio.server.app import CLIENT, application
 
-    if not (CLIENT / "index.html").is_file():
-        raise BarchanError(f"the client is not built in {CLIENT}; install the package again")
+    check_page(CLIENT)
     sock = usual_listener(studio.host) if studio.port is None else listener(studio.host, studio.port)
     port = sock.getsockname()[1]
     guard = Guard(port, tuple({*LOOPBACK, studio.host, *names_of(studio.host)}))
