@@ -1,6 +1,9 @@
 """``barchan wind``: what a wind does to sand."""
 
+import csv
+import io
 import json
+import math
 
 import pytest
 from PIL import Image
@@ -206,3 +209,67 @@ def test_a_joined_record_is_saved_with_its_weather(here, barchan, ridge):
 def test_a_second_record_that_cannot_be_joined_is_refused(barchan, ridge, words, said):
     result = barchan("wind", *words)
     assert (result.code, said in " ".join(result.err.split())) == (1, True)
+
+
+MIXED = "time,speed (m/s),direction,temperature (°C),snowfall (mm/h)\n" + "".join(
+    f"2024-01-0{1 + n // 24}T{n % 24:02d}:00,{speed},{way},{warmth},{snow}\n"
+    for n, (speed, way, warmth, snow) in enumerate([(10, 270, -5, 1.0)] * 22 + [(10, 190, 2, 0)] * 3)
+)
+"""22 hours from the west, 3 from the south at 10 m/s: 88 % of the sand and 12 %, a peak 14 % as high."""
+
+
+def numbers_in(text):
+    """Values of the measures of a CSV text, by name."""
+    rows = list(csv.DictReader(io.StringIO(text)))
+    return {row["name"]: row for row in rows}
+
+
+def test_the_numbers_of_a_wind_are_printed_as_csv_with_their_doubts(here, barchan):
+    """DP of 10 m/s: U is 19.438 kn, U² (U - 12) is 2810.4; RDP² is 22² + 3² + 2 22 3 cos 80° of 25²."""
+    (here / "mixed.csv").write_text(MIXED, "utf-8")
+    result = barchan("wind", "mixed.csv", "--csv", "--height", "10", "--supply", "2.5")
+    assert (result.code, result.err) == (0, "")
+    found = numbers_in(result.out)
+    assert float(found["drift_potential"]["value"]) == pytest.approx(2810.4, rel=1e-4)
+    assert found["drift_potential"]["doubt"] == "not that of a year"
+    resultant = math.sqrt(22**2 + 3**2 + 2 * 22 * 3 * math.cos(math.radians(80))) / 25
+    assert float(found["steadiness"]["value"]) == pytest.approx(resultant)
+    assert "nearly narrow unimodal" in found["directions"]["doubt"]
+    assert (found["dunes"]["value"], found["directions"]["value"]) == ("barchans", "wide unimodal")
+    assert "near 3 m; with more sand: transverse dunes" in found["dunes"]["doubt"]
+    assert not (here / "wind-roses.png").exists()
+
+
+def test_the_numbers_of_a_wind_are_printed_as_json_with_roses_and_remarks(here, barchan):
+    (here / "mixed.csv").write_text(MIXED, "utf-8")
+    result = barchan(
+        "wind", "mixed.csv", "--json", "--by", "month", "--out", "r.png", "--save-record", "c.csv"
+    )
+    found = json.loads(result.out)
+    names = {measure["name"]: measure for measure in found["measures"]}
+    assert names["drift_potential_january"]["values"][0]["unit"] == "VU"
+    assert names["days_january"]["values"][0]["value"] == pytest.approx(25 / 24)
+    rose = [row[found["rose"]["columns"].index("drift potential (VU)")] for row in found["rose"]["rows"]]
+    total = names["drift_potential"]["values"][0]["value"]
+    assert (len(rose), rose[12]) == (16, pytest.approx(0.88 * total))
+    said = " ".join(found["remarks"])
+    assert "those of dry sand" in said
+    assert "above 0 °C for 12 % of the time" in said
+    assert (here / "r.png").exists()
+    assert (here / "c.csv").exists()
+
+
+def test_roses_are_written_as_a_table(here, barchan):
+    (here / "mixed.csv").write_text(MIXED, "utf-8")
+    assert (
+        "36 directions written"
+        in barchan("wind", "mixed.csv", "--save-rose", "rose.csv", "--sectors", "36").out
+    )
+    rows = list(csv.reader((here / "rose.csv").read_text("utf-8").splitlines()))
+    assert rows[0][:2] == ["from (degrees)", "sand moved (m²/yr)"]
+    assert [row[0] for row in rows[1:] if float(row[1]) > 0] == ["190.0", "270.0"]
+
+
+def test_json_and_csv_together_are_refused(here, barchan):
+    assert "give one of them" in barchan("wind", "sample", "--json", "--csv").err
+    assert "is a picture" in barchan("wind", "sample", "--json", "--view", "laws").err

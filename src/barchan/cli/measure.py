@@ -7,14 +7,11 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 from cyclopts import Parameter
 
+from barchan.cli.options import option
 from barchan.errors import BarchanError, SurveyError
 
 if TYPE_CHECKING:
     from barchan.survey import HeightField, Survey
-
-
-def _option(text: str, name: str | None = None) -> Parameter:
-    return Parameter(name=name, help=text, negative=())
 
 
 @Parameter(name="*")
@@ -23,23 +20,23 @@ class File:
     """How a file is read."""
 
     cell_size: Annotated[
-        float | None, _option("Side of a cell (m), of files without coordinates: .npy, images.")
+        float | None, option("Side of a cell (m), of files without coordinates: .npy, images.")
     ] = None
     crs: Annotated[
-        str | None, _option("Reference system of a file that states none: EPSG:32633, or metres.")
+        str | None, option("Reference system of a file that states none: EPSG:32633, or metres.")
     ] = None
-    variable: Annotated[str | None, _option("Variable to read in a NetCDF file of several.")] = None
+    variable: Annotated[str | None, option("Variable to read in a NetCDF file of several.")] = None
     missing: Annotated[
         str | None,
-        _option("Numbers for cells without a height, with commas between; none if all are heights."),
+        option("Numbers for cells without a height, with commas between; none if all are heights."),
     ] = None
     limits: Annotated[
-        tuple[float, float] | None, _option("Heights (m) of black and white, of an image.", "--range")
+        tuple[float, float] | None, option("Heights (m) of black and white, of an image.", "--range")
     ] = None
-    periodic: Annotated[bool, _option("Opposite edges of the file are joined.")] = False
+    periodic: Annotated[bool, option("Opposite edges of the file are joined.")] = False
     flatten: Annotated[
         float | None,
-        _option(
+        option(
             "Subtract the mean over squares of this width (m): relief of the ground wider than the bedforms."
         ),
     ] = None
@@ -51,13 +48,13 @@ class Output:
     """What is written."""
 
     crests: Annotated[
-        Path | None, _option("Write the crest lines: .geojson, in the coordinates of the file.")
+        Path | None, option("Write the crest lines: .geojson, in the coordinates of the file.")
     ] = None
     dunes: Annotated[
-        Path | None, _option("Write the dunes one by one: .csv, or .geojson with their outlines.")
+        Path | None, option("Write the dunes one by one: .csv, or .geojson with their outlines.")
     ] = None
-    as_json: Annotated[bool, _option("Print as JSON, in SI units.", "--json")] = False
-    as_csv: Annotated[bool, _option("Print as CSV, in SI units.", "--csv")] = False
+    as_json: Annotated[bool, option("Print as JSON, in SI units.", "--json")] = False
+    as_csv: Annotated[bool, option("Print as CSV, in SI units.", "--csv")] = False
 
 
 @Parameter(name="*")
@@ -65,14 +62,14 @@ class Output:
 class Dates:
     """What is known of two dates of one place."""
 
-    years: Annotated[float | None, _option("Time between two surfaces, for speeds.")] = None
+    years: Annotated[float | None, option("Time between two surfaces, for speeds.")] = None
     noise: Annotated[
         float | None,
-        _option("Random error (m, one standard deviation) of a cell's change; estimated without it."),
+        option("Random error (m, one standard deviation) of a cell's change; estimated without it."),
     ] = None
     offset: Annotated[
         float | None,
-        _option("Standard error (m) of the level of one survey against the other; 0 without it."),
+        option("Standard error (m) of the level of one survey against the other; 0 without it."),
     ] = None
 
 
@@ -186,8 +183,8 @@ def _print(survey: "Survey", output: Output) -> None:
         console.out(json.dumps(data, indent=2, ensure_ascii=False))
         return
     if output.as_csv:
-        console.out(measure_table.as_csv(values), end="")
-        console.out(f"class,class of the field,{form.name},,,")
+        words = [("class", "class of the field", form.name, "")]
+        console.out(measure_table.as_csv(values, words), end="")
         return
     console.out(survey.field.spoken())
     console.out(f"class: {form.name} ({form.reason})")

@@ -3,12 +3,16 @@
 import csv
 import io
 import math
+from collections.abc import Sequence
 from itertools import zip_longest
 from typing import Any
 
 from barchan.analysis.declared_measures import Value, in_rows
 from barchan.analysis.suited_units import spoken
 from barchan.cli.terminal import console
+
+Words = tuple[str, str, str, str]
+"""Name, title, text and doubt of a finding that is no number."""
 
 MARK = "?"
 """Stands before the reason why a value should not be quoted."""
@@ -48,8 +52,11 @@ def as_data(values: list[Value]) -> list[dict[str, Any]]:
     ]
 
 
-def as_csv(values: list[Value]) -> str:
-    """A row for each measure, its values and their units side by side; empty where there is none."""
+def as_csv(values: list[Value], words: Sequence[Words] = ()) -> str:
+    """A row for each measure, its values and their units side by side; empty where there is none.
+
+    Findings in ``words`` follow, the text in place of the value.
+    """
     rows = in_rows(values)
     most = max(map(len, rows), default=1)
     heading = ["name", "title", "value", "unit"]
@@ -63,6 +70,8 @@ def as_csv(values: list[Value]) -> str:
         for _, value in zip_longest(range(most), row):
             cells += ["", ""] if value is None else [_text(value.value), value.measure.unit]
         table.writerow([*cells, measure.reference, row[0].doubt])
+    for name, title, said, doubt in words:
+        table.writerow([name, title, said, *[""] * (2 * most), doubt])
     return text.getvalue()
 
 

@@ -13,6 +13,12 @@ from barchan.parameters import Parameters, declarations
 Threads = Annotated[int | None, Parameter(validator=Number(gte=1, lte=1024))]
 """The option that states the number of threads."""
 
+
+def option(text: str, name: str | None = None) -> Parameter:
+    """An option with its help, of a group of options; ``name`` where it is not that of the field."""
+    return Parameter(name=name, help=text, negative=())
+
+
 Group = TypeVar("Group", bound=Parameters)
 
 

@@ -42,8 +42,8 @@ def print_warning(text: str) -> None:
     console.print(Text.assemble(("warning:", "bold red"), " ", text))
 
 
-def save_picture(figure: "Figure", path: Path, dpi: float | None = None) -> None:
-    """Write a picture, at the figure's dots per inch or ``dpi``, and print its name.
+def save_picture(figure: "Figure", path: Path, dpi: float | None = None, quiet: bool = False) -> None:
+    """Write a picture, at the figure's dots per inch or ``dpi``, and print its name unless ``quiet``.
 
     Raises BarchanError where it cannot be written, and for a suffix that promises numbers instead.
     """
@@ -58,7 +58,8 @@ def save_picture(figure: "Figure", path: Path, dpi: float | None = None) -> None
         figure.savefig(path, dpi=figure.dpi if dpi is None else dpi)
     except (OSError, ValueError) as error:
         raise BarchanError(f"cannot write {path}: {error}") from None
-    console.print(str(path))
+    if not quiet:
+        console.print(str(path))
 
 
 PATIENCE = 0.7

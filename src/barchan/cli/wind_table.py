@@ -7,6 +7,7 @@ from barchan.aeolian.saltation import Saltation
 if TYPE_CHECKING:
     from barchan.theory.assessment import Assessment
     from barchan.theory.drift import Drift
+    from barchan.theory.seasons import PartOfYear
     from barchan.wind.records import WindRecord
 
 Rows = list[tuple[str, str, str]]
@@ -55,18 +56,24 @@ def potential_rows(potential: "Drift | None", threshold: float, annual: bool) ->
     ]
 
 
-def part_rows(
+def parts_of(
     record: "WindRecord", sand: Saltation, threshold: float, by: Literal["month", "season"]
-) -> Rows:
-    """Drift potential by month or by season; raises BarchanError where the record has no dates."""
+) -> "list[PartOfYear]":
+    """The months or seasons of a record; raises BarchanError where it has no dates."""
     from barchan.errors import BarchanError
     from barchan.theory.assessment import at_ten_metres
     from barchan.theory.seasons import by_part_of_year
 
     try:
-        parts = by_part_of_year(at_ten_metres(record, sand), by, threshold)
+        return by_part_of_year(at_ten_metres(record, sand), by, threshold)
     except ValueError as error:
         raise BarchanError(f"--by {by}: {error}") from None
+
+
+def part_rows(
+    record: "WindRecord", sand: Saltation, threshold: float, by: Literal["month", "season"]
+) -> Rows:
+    """Drift potential by month or by season; raises BarchanError where the record has no dates."""
     return [
         (
             part.name,
@@ -76,7 +83,7 @@ def part_rows(
             ),
             "",
         )
-        for part in parts
+        for part in parts_of(record, sand, threshold, by)
     ]
 
 

@@ -4,7 +4,6 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.signal import find_peaks
 
 from barchan.directions import downwind
 from barchan.measures.crest_to_toe import profiles
@@ -65,6 +64,8 @@ def _gaps(lines: Field, prominence: float, extent: int) -> Field:
     flat = np.pad(lines, ((0, 0), (0, 1)), constant_values=np.nan).ravel()
     gone = np.isnan(flat)
     sunk = np.where(gone, np.nanmin(lines) - prominence if not gone.all() else 0.0, flat)
+    from scipy.signal import find_peaks  # takes a second to load, which a first picture does without
+
     peaks, _ = find_peaks(sunk, prominence=prominence)
     peaks = peaks[~(gone[peaks - 1] | gone[peaks + 1])]
     if len(peaks) < 2:

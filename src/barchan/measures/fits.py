@@ -5,7 +5,6 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy import stats
 
 from barchan.measures.filters import Field
 
@@ -70,7 +69,7 @@ def _fitted_power_law(x: Field, y: Field, in_order: bool) -> PowerLaw:
     if count < FEWEST:
         return PowerLaw(factor, Fitted(exponent, float("nan"), float("nan")), float(rest.std()), count)
     scatter = float(np.sqrt((rest**2).mean() * count / (count - 2)))
-    error = scatter / float(np.sqrt((about**2).mean() * count)) * float(stats.t.ppf(0.975, count - 2))
+    error = scatter / float(np.sqrt((about**2).mean() * count)) * _student(count - 2)
     return PowerLaw(factor, Fitted(exponent, exponent - error, exponent + error), scatter, count)
 
 
@@ -114,10 +113,17 @@ def speed_size(heights: NDArray, speeds: NDArray) -> SpeedSizeLaw:
             best, covariance = curve_fit(_log_speed, h, np.log(c), start)
         except (RuntimeError, OptimizeWarning):
             return SpeedSizeLaw(NOT_FITTED, NOT_FITTED)
-    errors = np.sqrt(np.diag(covariance)) * float(stats.t.ppf(0.975, len(h) - 2))
+    errors = np.sqrt(np.diag(covariance)) * _student(len(h) - 2)
     flux, offset = (Fitted(float(v), float(v - e), float(v + e)) for v, e in zip(best, errors, strict=True))
     return SpeedSizeLaw(flux, offset)
 
 
 def _log_speed(height: Field, flux: float, offset: float) -> Field:
     return np.asarray(np.log(np.maximum(flux, 1e-300) / np.maximum(height + offset, 1e-300)))
+
+
+def _student(freedom: float) -> float:
+    """Standard errors on either side that hold 95 % of Student's distribution, by its degrees of freedom."""
+    from scipy import stats  # takes most of a second to load
+
+    return float(stats.t.ppf(0.975, freedom))

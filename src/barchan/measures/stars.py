@@ -5,7 +5,6 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 from scipy import ndimage
-from scipy.signal import find_peaks
 
 from barchan.measures.filters import Field, Periodic, gradient, smoothed
 
@@ -90,6 +89,8 @@ def _arms(surface: Field, row: int, column: int, reach: float, height: float) ->
     distance = np.linspace(reach / 2, reach, max(int(reach), 2))
     places = np.stack([row + np.outer(np.sin(angle), distance), column + np.outer(np.cos(angle), distance)])
     mean = ndimage.map_coordinates(surface, places, order=1, mode="grid-wrap").mean(axis=1)
+    from scipy.signal import find_peaks  # takes a second to load
+
     turned = np.roll(mean, -int(np.argmin(mean)))
     return len(find_peaks(np.append(turned, turned[0]), prominence=PROMINENCE * height)[0])
 

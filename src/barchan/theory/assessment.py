@@ -19,6 +19,7 @@ from barchan.theory.drift import (
     sand_flux,
 )
 from barchan.theory.dune_types import dune_type
+from barchan.theory.limits_nearby import class_nearby, dunes_nearby
 from barchan.theory.record_remarks import doubts_of, is_annual, record_remarks, undirected_drift_remarks
 from barchan.theory.variability import Variability, variability
 from barchan.wind.clock import YEAR
@@ -52,6 +53,15 @@ class Assessment:
     """What the record cannot tell."""
     warnings: tuple[str, ...] = ()
     """What makes the wind implausible."""
+    supply: float | None = None
+    """Equivalent sand thickness (m), where it is known."""
+
+    @property
+    def nearby(self) -> tuple[str, ...]:
+        """Limits of classes that are near, and the class or dune beyond; none where nothing moves."""
+        if not self.moves:
+            return ()
+        return (*class_nearby(self.drift), *dunes_nearby(self.drift.steadiness, self.supply))
 
     @property
     def moves(self) -> bool:
@@ -72,6 +82,7 @@ def assess(drift: Drift, potential: Drift | None = None, supply: float | None = 
         bed_instability(drift),
         elongation(drift),
         dune_type(drift.steadiness, supply),
+        supply=supply,
     )
 
 

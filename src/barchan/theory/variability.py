@@ -7,8 +7,8 @@ from numpy.typing import NDArray
 
 from barchan.theory.drift import Drift
 
-NARROW = (45, 0.9)
-"""Degrees within which a narrow wind has at least this share of its drift."""
+WITHIN = 45
+"""Degrees within which a narrow wind has most of its drift."""
 
 SMOOTHING = 12.0
 """Standard deviation (degrees) over which directions are smoothed before modes are counted; ours.
@@ -16,11 +16,22 @@ SMOOTHING = 12.0
 Wide enough for winds that are known by sectors of 30 degrees.
 """
 
-PROMINENCE = 0.2
-"""A mode rises above the saddles beside it by at least this share of its own height; ours."""
 
-LEAST = 0.2
-"""A mode is at least this share as high as the highest one; ours."""
+@dataclass(frozen=True)
+class Limits:
+    """The limits between the classes; those of modes are ours."""
+
+    narrow: float = 0.9
+    """Least share of the drift that a narrow wind has within 45°."""
+    acute: float = 90.0
+    """Degrees up to which two modes are acute."""
+    prominence: float = 0.2
+    """A mode rises above the saddles beside it by at least this share of its own height."""
+    least: float = 0.2
+    """A mode is at least this share as high as the highest one."""
+
+
+LIMITS = Limits()
 
 
 @dataclass(frozen=True)
@@ -33,7 +44,7 @@ class Variability:
     """Directions that the modes come from (degrees), the strongest first."""
 
 
-def variability(drift: Drift) -> Variability:
+def variability(drift: Drift, limits: Limits = LIMITS) -> Variability:
     """The directional class of a drift, and its modes.
 
     Narrow unimodal: 90 % of the drift within 45°. Otherwise by the number of modes of the smoothed
@@ -43,15 +54,14 @@ def variability(drift: Drift) -> Variability:
     if not drift.total > 0:
         return Variability("still")
     amount = drift.by_degree().amount
-    modes = _modes(_smoothed(amount))
-    width, share = NARROW
-    if _most_within(amount, width) >= share * amount.sum():
+    modes = _modes(_smoothed(amount), limits)
+    if _most_within(amount, WITHIN) >= limits.narrow * amount.sum():
         return Variability("narrow unimodal", modes[:1])
     if len(modes) == 1:
         return Variability("wide unimodal", modes)
     if len(modes) == 2:
         apart = abs((modes[0] - modes[1] + 180.0) % 360.0 - 180.0)
-        return Variability("acute bimodal" if apart <= 90.0 else "obtuse bimodal", modes)
+        return Variability("acute bimodal" if apart <= limits.acute else "obtuse bimodal", modes)
     return Variability("complex", modes)
 
 
@@ -67,13 +77,15 @@ def _smoothed(amount: NDArray) -> NDArray[np.float64]:
     return gaussian_filter1d(amount, SMOOTHING, mode="wrap")
 
 
-def _modes(density: NDArray) -> tuple[float, ...]:
+def _modes(density: NDArray, limits: Limits) -> tuple[float, ...]:
     """Directions (degrees) of the modes of a distribution by whole degrees, the strongest first."""
     from scipy.signal import find_peaks
 
     lowest = int(np.argmin(density))
     turned = np.roll(density, -lowest)
-    peaks, found = find_peaks(np.append(turned, turned[0]), height=LEAST * density.max(), prominence=0.0)
-    peaks = peaks[found["prominences"] >= PROMINENCE * turned[peaks]]
+    peaks, found = find_peaks(
+        np.append(turned, turned[0]), height=limits.least * density.max(), prominence=0.0
+    )
+    peaks = peaks[found["prominences"] >= limits.prominence * turned[peaks]]
     strongest = peaks[np.argsort(-turned[peaks], kind="stable")]
     return tuple(float((peak + lowest) % 360) for peak in strongest)

@@ -14,8 +14,7 @@ from PIL import Image
 from barchan.errors import BarchanError, ExportError
 from barchan.export.options import WORDING, Options, options_of
 from barchan.studio.worker.exporting import export_states
-from barchan.studio.worker.run import started
-from barchan.studio.worker.saved_runs import states_of
+from barchan.studio.worker.run import started, states_of
 from tests.studio.worker.test_run import run_to
 
 

@@ -32,6 +32,13 @@ def test_the_first_page_needs_neither_scipy_nor_matplotlib():
     assert run.stdout.split() == []
 
 
+@pytest.mark.extended
+def test_a_worker_draws_its_first_picture_without_what_takes_seconds_to_load():
+    text = "import sys, barchan.studio.worker.commands; print(*sys.modules)"
+    run = subprocess.run([sys.executable, "-c", text], capture_output=True, text=True, check=True)
+    assert not {"scipy.signal", "scipy.stats", "zarr", "xarray", "matplotlib"} & set(run.stdout.split())
+
+
 def test_the_colours_that_are_shipped_are_those_of_the_figures():
     shipped = json.loads(TABLE.read_text("utf-8"))
     found = drawn()

@@ -12,8 +12,8 @@ from barchan.studio.worker import history as history_module
 from barchan.studio.worker.bookmarks import Bookmark, Bookmarks, bookmark_from, identity
 from barchan.studio.worker.history import History
 from barchan.studio.worker.rescue import from_bytes, to_bytes
-from barchan.studio.worker.run import started
-from barchan.studio.worker.saved_runs import open_saved_run, save_run, states_of
+from barchan.studio.worker.run import started, states_of
+from barchan.studio.worker.saved_runs import open_saved_run, save_run
 from tests.studio.conftest import small
 from tests.studio.worker.test_run import run_to
 

@@ -2,8 +2,8 @@ import numpy as np
 
 from barchan.archive import open_run, resume
 from barchan.simulation import SetParameter, Simulation
-from barchan.studio.worker.run import started
-from barchan.studio.worker.saved_runs import open_saved_run, save_run, states_of
+from barchan.studio.worker.run import started, states_of
+from barchan.studio.worker.saved_runs import open_saved_run, save_run
 from tests.studio.worker.test_run import run_to
 
 

@@ -5,8 +5,7 @@ import pytest
 
 from barchan.errors import BarchanError
 from barchan.figures.space_time import section_over_time, suited_times
-from barchan.studio.worker.run import started
-from barchan.studio.worker.saved_runs import states_of
+from barchan.studio.worker.run import started, states_of
 from barchan.studio.worker.spacetime import COLUMNS, space_time
 from barchan.studio.worker.spacetime_files import write_space_time
 from tests.studio.conftest import small

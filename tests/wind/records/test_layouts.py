@@ -310,3 +310,43 @@ def test_a_row_of_units_below_the_heading_is_read(tmp_path):
     record = read_record(table(tmp_path, text))
     np.testing.assert_allclose(record.speed, [10, 5])
     assert not record.remarks
+
+
+SENSORS = "time,WS2 (m/s),WS1 (m/s),WD1,WD2\n2024-01-01T00:00,9,5,270,90\n2024-01-01T01:00,9,6,280,100\n"
+
+
+def test_a_speed_goes_with_the_direction_of_its_own_sensor(tmp_path):
+    """WS2 blows from 90 and 100 degrees, WS1 from 270 and 280."""
+    record = read_record(table(tmp_path, SENSORS))
+    assert (record.speed.tolist(), record.direction.tolist()) == ([9, 9], [90, 100])
+    assert "not from 'WS1 (m/s)', 'WD1'" in " ".join(record.remarks)
+    chosen = read_record(table(tmp_path, SENSORS), RecordFormat(speed="WS1 (m/s)"))
+    assert (chosen.speed.tolist(), chosen.direction.tolist()) == ([5, 6], [270, 280])
+
+
+def test_a_direction_of_another_sensor_is_taken_with_a_word_only(tmp_path):
+    form = RecordFormat(speed="WS1 (m/s)", direction="WD2")
+    assert "which has none of its own" in read_record(table(tmp_path, SENSORS), form).remarks[0]
+
+
+def commas(folder, *speeds):
+    rows = "".join(f"2024-01-01T{n:02d}:00;{speed};270\n" for n, speed in enumerate(speeds))
+    return table(folder, "time;wind_speed (cm/s);wd\n" + rows)
+
+
+def test_a_comma_that_may_part_thousands_is_refused(tmp_path):
+    with pytest.raises(RecordError, match=r"row 3, .*is '1,234', whose comma may part"):
+        read_record(commas(tmp_path, "940", "1,234", "310"))
+
+
+@pytest.mark.parametrize(
+    ("speeds", "right"),
+    [
+        (("940,5", "1,234", "310"), [9.405, 0.01234, 3.1]),
+        (("0,125", "1,234", "3"), [0.00125, 0.01234, 0.03]),
+        (("940,125", "123,250"), [9.40125, 1.2325]),
+        (("940,125", "-999", "123,250"), [9.40125, 1.2325]),
+    ],
+)
+def test_commas_that_can_only_part_decimals_are_read_so(tmp_path, speeds, right):
+    assert read_record(commas(tmp_path, *speeds)).speed.tolist() == pytest.approx(right)

@@ -1,16 +1,37 @@
 """Data that a page requests once: presets with their pictures, the schema, kinds of files."""
 
+import threading
 import tomllib
-from functools import cache
+from collections.abc import Callable
+from functools import cache, wraps
 from importlib.resources import files
-from typing import Any
+from typing import Any, TypeVar
 
 from barchan.models import models
 from barchan.scenario import Scenario, load_scenario, preset_names
 from barchan.studio.server.workspace import HEIGHTS, RECORDS
 
+Content = TypeVar("Content")
 
-@cache
+
+def _made_once(make: Callable[[], Content]) -> Callable[[], Content]:
+    """A function whose result is made once; who asks meanwhile waits for it and makes no second one."""
+    kept, making = cache(make), threading.Lock()
+
+    @wraps(make)
+    def content() -> Content:
+        with making:
+            return kept()
+
+    return content
+
+
+def prepare() -> None:
+    """Make in a thread what every page asks for first, while the browser still starts."""
+    threading.Thread(target=lambda: (presets(), schema()), daemon=True, name="barchan-gallery").start()
+
+
+@_made_once
 def presets() -> list[dict[str, Any]]:
     """Every preset, by groups: name, group, title, source, what to look for, a question, model, size."""
     found = []
@@ -72,7 +93,7 @@ def thumbnail(name: str) -> bytes | None:
     return file.read_bytes() if file.is_file() else None
 
 
-@cache
+@_made_once
 def schema() -> dict[str, Any]:
     """The JSON schema of scenarios, from which the panel is generated."""
     return Scenario.model_json_schema()

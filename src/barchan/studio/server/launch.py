@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 from barchan.errors import BarchanError
 from barchan.scenario import Scenario
 from barchan.studio.protocol import LARGEST_MESSAGE
+from barchan.studio.server import gallery
 from barchan.studio.server.page_version import check_page
 from barchan.studio.server.security import EVERYWHERE, LOOPBACK, Guard
 from barchan.studio.server.session import Session
@@ -73,6 +74,7 @@ def serve(
     address = f"{guard.address(shown)}/?token={guard.token}"
     address += "#gallery" if studio.gallery else ""
     ready(address)
+    gallery.prepare()
     if open_browser:
         webbrowser.open(address)
     threading.Thread(target=lambda: left(session.unfinished.look()), daemon=True, name="unfinished").start()

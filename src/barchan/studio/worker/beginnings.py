@@ -10,7 +10,6 @@ from barchan.studio.protocol import Request
 from barchan.studio.worker.handlers import WORKER, Answer
 from barchan.studio.worker.rescue import from_bytes
 from barchan.studio.worker.run import started
-from barchan.studio.worker.saved_runs import open_saved_run
 from barchan.studio.worker.state_folder import holds_newest, open_newest
 
 if TYPE_CHECKING:
@@ -67,6 +66,8 @@ def restart(commands: "RunCommands", request: Request) -> None:
 @WORKER.handles("open_folder")
 def open_folder(commands: "RunCommands", request: Request) -> Answer:
     """Continue the run in an archive, or from the state in a folder, paused where it ended."""
+    from barchan.studio.worker.saved_runs import open_saved_run  # brings zarr, which a new run does without
+
     folder = Path(request["folder"])
     run = (open_newest if holds_newest(folder) else open_saved_run)(folder, commands.desk)
     commands.aside = None

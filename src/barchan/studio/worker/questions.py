@@ -11,13 +11,12 @@ from barchan.export.options import options_of
 from barchan.simulation import State
 from barchan.studio.protocol import Request
 from barchan.studio.worker.background import AllMeasured, Background, Count, Reading
-from barchan.studio.worker.exporting import export_states
 from barchan.studio.worker.file_content import file_content
 from barchan.studio.worker.handlers import WORKER, Answer
 from barchan.studio.worker.overlay import read_overlay
 from barchan.studio.worker.rescue import to_bytes
 from barchan.studio.worker.rose import rose_of
-from barchan.studio.worker.saved_runs import save_run, states_of
+from barchan.studio.worker.run import states_of
 from barchan.studio.worker.spacetime import space_time as section_over_time
 from barchan.studio.worker.spacetime_files import write_space_time
 from barchan.studio.worker.state_folder import fingerprint, newest_of, write_newest
@@ -52,6 +51,8 @@ def keep_in(commands: "RunCommands", request: Request) -> Answer:
 @WORKER.handles("save_folder")
 def save_folder(commands: "RunCommands", request: Request) -> Answer:
     """Save the run as an archive, while it goes on; up to step ``until`` where that is stated."""
+    from barchan.studio.worker.saved_runs import save_run  # brings zarr, which a first picture does without
+
     folder = Path(request["folder"])
     states = _up_to(states_of(commands.current), request.get("until"))
     step = states[-1].step
@@ -66,6 +67,8 @@ def save_folder(commands: "RunCommands", request: Request) -> Answer:
 @WORKER.handles("export_to")
 def export_to(commands: "RunCommands", request: Request) -> Answer:
     """Write the run for another program, while it goes on; what is looked at is the last frame of it."""
+    from barchan.studio.worker.exporting import export_states  # brings zarr, too
+
     target, options = Path(request["target"]), options_of(dict(request["options"]))
     chosen = {key: request[key] for key in ("format", "fields") if request.get(key) is not None}
     states = _up_to(states_of(commands.current), commands.current.shown.steps_done)

@@ -230,3 +230,9 @@ def resumed(state: State, history: History, desk: Desk | None = None) -> StudioR
     run.measures.begin_after(state.step)
     run.branches = Branches(run.live, history, run.measures)
     return run
+
+
+def states_of(run: StudioRun) -> tuple[State, ...]:
+    """The kept states of a run and its newest one, which later steps leave as they are."""
+    now = run.live.state()
+    return (*(state for state in run.history.states if state.step < now.step), now)

@@ -25,12 +25,6 @@ if TYPE_CHECKING:
     import xarray as xr
 
 
-def states_of(run: StudioRun) -> tuple[State, ...]:
-    """The kept states of a run and its newest one, which later steps leave as they are."""
-    now = run.live.state()
-    return (*(state for state in run.history.states if state.step < now.step), now)
-
-
 def save_run(
     states: tuple[State, ...],
     folder: Path,

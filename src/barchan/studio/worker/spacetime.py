@@ -14,8 +14,7 @@ from barchan.lattice import Lattice
 from barchan.simulation import Simulation, State
 from barchan.squares import Squares
 from barchan.studio.worker.background import Count
-from barchan.studio.worker.run import StudioRun
-from barchan.studio.worker.saved_runs import states_of
+from barchan.studio.worker.run import StudioRun, states_of
 
 COLUMNS = 512
 """Places along the line."""

@@ -5,8 +5,6 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from barchan.archive.checkpoint import read_checkpoint, write_checkpoint
-from barchan.archive.folder import CHECKPOINT, SCENARIO
 from barchan.errors import ArchiveError, BarchanError
 from barchan.scenario.definition import text_of
 from barchan.simulation import State
@@ -54,6 +52,9 @@ def fingerprint(commands: "RunCommands") -> str | None:
 
 def write_newest(newest: Newest, folder: Path) -> dict[str, Any]:
     """Write it into a new folder; returns title, model, step and steps of the run."""
+    from barchan.archive.checkpoint import write_checkpoint  # brings zarr, which a first picture does without
+    from barchan.archive.folder import CHECKPOINT, SCENARIO
+
     scenario = newest.state.data["scenario"]
     folder.mkdir(parents=True)
     (folder / SCENARIO).write_text(text_of(scenario), "utf-8")
@@ -79,6 +80,9 @@ def open_newest(folder: Path, desk: Desk | None = None) -> StudioRun:
 
     Raises ArchiveError where a file is damaged.
     """
+    from barchan.archive.checkpoint import read_checkpoint
+    from barchan.archive.folder import CHECKPOINT
+
     state = read_checkpoint(folder / CHECKPOINT)
     try:
         beside = json.loads((folder / BESIDE).read_text("utf-8"))

@@ -42,9 +42,9 @@ def choose(
 ) -> Choice:
     """The columns (or variables, ``kind``) to read as the wind.
 
-    Speed and direction of one height come before others, then 10 m or the stated height, then speed and
-    direction before components, then the likeliest name. Raises RecordError where there is no wind, none at a
-    stated height, or only one that is known not to be of use.
+    Speed and direction of one height and one number of sensor come before others, then 10 m or the stated
+    height, then speed and direction before components, then the likeliest name. Raises RecordError where
+    there is no wind, none at a stated height, or only one that is known not to be of use.
     """
     pairs = [(rank, *pair) for rank, (x, y) in enumerate(_KINDS) for pair in product(claims[x], claims[y])]
     if not pairs:
@@ -64,7 +64,9 @@ _KINDS = (("speed", "direction"), ("eastward", "northward"))
 
 
 def _mismatch(first: Claim, second: Claim) -> bool:
-    return None not in (first.height, second.height) and first.height != second.height
+    """Whether two columns are of different heights, or of sensors with different numbers."""
+    sides = ((first.height, second.height), (first.sensor, second.sensor))
+    return any(None not in side and side[0] != side[1] for side in sides)
 
 
 def _far(claim: Claim, wanted: float) -> float:
@@ -102,9 +104,7 @@ def _words(quantity: str) -> str:
 def _remarks(claims: dict[str, list[Claim]], first: Claim, second: Claim) -> list[str]:
     said = []
     if _mismatch(first, second):
-        said.append(
-            f"the direction {second} is taken with the speed {first}, which has none at its own height"
-        )
+        said.append(f"the direction {second} is taken with the speed {first}, which has none of its own")
     chosen = {first.column, second.column}
     left = [c for kind in claims.values() for c in kind if c.column not in chosen]
     if left:

@@ -60,6 +60,8 @@ class Claim:
     stated: Stated | None = None
     refusal: str = ""
     """Why it cannot be used though it is known; empty where it can."""
+    sensor: int | None = None
+    """Number of the sensor by its heading, as in WS2."""
 
     def __str__(self) -> str:
         tall = "" if self.height is None else f" at {self.height:g} m"
@@ -129,12 +131,13 @@ def _claim(column: Column, quantity: str, documented: Documented) -> Claim:
     heading, described = read_heading(column.name), read_heading(column.description)
     known = next((k for k in documented.get(quantity, ()) if k.column == column.name), None)
     if known is not None:
-        return Claim(column.name, quantity, known.unit, known.height, "from", known)
+        return Claim(column.name, quantity, known.unit, known.height, "from", known, sensor=heading.sensor)
     unit = column.unit or heading.unit or UNIT_OF_NAME.get(heading.name, "")
     heights = (column.height, heading.height, described.height)
     height = next((h for h in heights if h is not None), None)
     refusal = column.sideways if quantity in ("eastward", "northward") else ""
-    return Claim(column.name, quantity, unit, height, _way(column, heading, described), refusal=refusal)
+    way = _way(column, heading, described)
+    return Claim(column.name, quantity, unit, height, way, refusal=refusal, sensor=heading.sensor)
 
 
 def _way(column: Column, heading: Heading, described: Heading) -> str:

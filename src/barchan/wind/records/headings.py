@@ -1,7 +1,7 @@
 """Reading a heading: the name, unit, height, convention and kind of mean that its words state."""
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 
 from barchan.wind.records.units import ANGLE, SPEED, TIME
@@ -44,6 +44,8 @@ class Heading:
     """Whether a direction is where the wind comes ``from`` or goes ``to``."""
     plain: bool = True
     """Whether it is the wind itself, neither a gust, an extreme, a deviation nor a mark of quality."""
+    sensor: int | None = None
+    """Number of the sensor, as in WS2."""
 
 
 @lru_cache(maxsize=4096)
@@ -63,7 +65,7 @@ def read_heading(text: str) -> Heading:
         words = _read_words(piece)
         said = _joined(said, words)
         strange = strange or (piece if words.name else "")
-    return said if said.unit else Heading(said.name, strange, said.height, said.way, said.plain)
+    return said if said.unit else replace(said, unit=strange)
 
 
 def _is_unit(text: str) -> bool:
@@ -73,8 +75,12 @@ def _is_unit(text: str) -> bool:
 def _joined(first: Heading, other: Heading) -> Heading:
     """The name of the first, and what either states."""
     height = other.height if first.height is None else first.height
-    return Heading(
-        first.name, first.unit or other.unit, height, first.way or other.way, first.plain and other.plain
+    return replace(
+        first,
+        unit=first.unit or other.unit,
+        height=height,
+        way=first.way or other.way,
+        plain=first.plain and other.plain,
     )
 
 
@@ -86,7 +92,7 @@ def _read_words(text: str) -> Heading:
     joined = re.sub(r"\bdeg t\b", "deg", joined)
     words = re.sub(r"\bsd \d+ (?=wvt)", "sd ", joined).split()
     name: list[str] = []
-    unit, height, way, plain = "", None, "", True
+    unit, height, way, plain, sensor = "", None, "", True, None
     for at, word in enumerate(words):
         before, after = (words[k] if 0 <= k < len(words) else "" for k in (at - 1, at + 1))
         if word[0].isdigit():
@@ -94,6 +100,8 @@ def _read_words(text: str) -> Heading:
                 height = float(word) * _LENGTHS[after]
             elif after not in _PERIODS and float(word) >= _LEAST_HEIGHT:
                 height = float(word)
+            elif after not in _PERIODS and word.isdigit():
+                sensor = int(word)
         elif before[:1].isdigit() and (word in _LENGTHS or word in _PERIODS):
             continue
         elif word in _UNIT_WORDS and name:
@@ -104,4 +112,4 @@ def _read_words(text: str) -> Heading:
             plain = False
         elif word not in _FILLING or len(words) == 1:
             name.append(word)
-    return Heading("_".join(name), unit, height, way, plain)
+    return Heading("_".join(name), unit, height, way, plain, sensor)

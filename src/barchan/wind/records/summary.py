@@ -55,6 +55,22 @@ def weather_facts(record: WindRecord) -> dict[str, str]:
     return found
 
 
+def weather_remarks(record: WindRecord) -> list[str]:
+    """What a record's weather does that drift, crests, dunes and the models of snow leave out."""
+    rows, said = all_rows(record), []
+    if rows.snowfall is not None and np.nan_to_num(rows.snowfall).any():
+        said.append("drift, crests and dunes are those of dry sand, not of the snow that falls")
+    if rows.temperature is not None:
+        known = ~np.isnan(rows.temperature)
+        thaw = known & (rows.temperature > 0.0)
+        if thaw.any():
+            share = float(rows.duration[thaw].sum()) / float(rows.duration[known].sum())
+            said.append(
+                f"the air is above 0 °C for {100 * share:.2g} % of the time; melt of snow is left out"
+            )
+    return said
+
+
 def _snow_facts(rows: WindRecord, rate: NDArray[np.float64]) -> dict[str, str]:
     """Mass, time and greatest rate of snowfall (kg/m²/s), and the measured wind that it falls in."""
     mass = rate * rows.duration

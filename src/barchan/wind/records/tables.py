@@ -14,6 +14,7 @@ from barchan.errors import Problem, RecordError
 from barchan.wind.records.boom import boom_of, brought_to_ten_metres
 from barchan.wind.records.choice import Choice, choose
 from barchan.wind.records.claims import Claim, Column, claims_of
+from barchan.wind.records.commas import with_points
 from barchan.wind.records.format import RecordFormat
 from barchan.wind.records.headed import headed
 from barchan.wind.records.layout import BLANKS, Layout, laid_out
@@ -173,8 +174,8 @@ def column_values(
     words, stated = table[claim.column], claim.stated
     if stated is not None and stated.part is not None:
         words = _part(words, stated.part)
-    elif words.str.fullmatch(r"\s*-?\d+,\d+\s*").any():
-        words = words.str.replace(",", ".")
+    else:
+        words = with_points(words, claim.column, numbers, form.codes, source)
     values, calm = numbers_of(words.rename(claim.column), claim, unit, numbers, source, form.texts)
     values = without_codes(values, claim, form)
     if stated is not None and stated.doubt is not None:
