@@ -111,7 +111,7 @@ def test_an_unknown_field_is_answered_with_those_there_are():
     with pytest.raises(BarchanError) as error:
         field_of(frame, scenario, "hopp")
     assert str(error.value) == (
-        "no field 'hopp'; this run has depth, elevation, ground, hop, sand, shadow, slope, speedup; "
+        "no field 'hopp'; this run has depth, elevation, flux, ground, hop, sand, shadow, slope, speedup; "
         "did you mean 'hop'?"
     )
 

@@ -84,7 +84,7 @@ def test_how_a_picture_is_drawn_can_be_chosen(here, finished, barchan, words):
         (["--limits", "3", "1"], "--limits"),
         (
             ["--field", "hop"],
-            "no field 'hop'; this run has depth, elevation, ground, sand, shadow, slope",
+            "no field 'hop'; this run has depth, elevation, flux, ground, sand, shadow, slope",
         ),
         (["--field", "slope", "--view", "series"], "--field slope"),
         (["--interval", "2"], "--interval: --view map does not take it; it takes --step, --colours"),
