@@ -76,6 +76,7 @@ def test_forced_erosion_gives_a_slab_a_poll():
     np.testing.assert_allclose(forced, 2.0 * plain, rtol=1e-12)
 
 
+@pytest.mark.extended
 def test_its_mean_is_the_flux_of_the_next_step():
     """Over dunes, against the way that slabs really went: the mean of 8 seeds has an error of about 1 %."""
     expected, found = [], []

@@ -26,7 +26,13 @@ from tests.kernels.slabs.test_step import (
 WINDS = [270.0, 240.0, 300.0, 210.0, 262.0, 225.0, 200.0, 330.0, 181.0, 359.0, 315.0]
 
 
-@pytest.mark.parametrize("number", range(0, len(EVERY_COMBINATION), 3))
+@pytest.mark.parametrize(
+    "number",
+    [
+        pytest.param(number, marks=pytest.mark.extended if number % 2 else ())
+        for number in range(0, len(EVERY_COMBINATION), 3)
+    ],
+)
 def test_kernel_equals_reference_on_hexagons_for_combinations_of_variants(number):
     variants = EVERY_COMBINATION[number]
     parameters = SlabParameters(

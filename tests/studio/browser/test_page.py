@@ -53,6 +53,7 @@ def test_a_live_parameter_changes_at_once_and_another_restarts(studio):
     assert studio.ask("window.barchan.app.runs[0].description.scenario.model.hop_length") == 3
 
 
+@pytest.mark.extended
 def test_the_page_names_the_material_that_the_model_declares(studio):
     studio.step_beyond(0)
     studio.pause()
@@ -163,6 +164,7 @@ def test_snow_shows_its_layers_its_balance_its_brushes_and_a_curve_of_its_temper
     studio.until(f"{run}.description.scenario.wind.regimes[0].temperature_ramp.kind === 'bezier'")
 
 
+@pytest.mark.extended
 def test_a_recorded_wind_shows_its_roses(studio):
     scenario = load_scenario("recorded-wind", list(SMALL.items())).data()
     studio.ask(f"window.barchan.app.create({json.dumps(scenario)}, false)")
@@ -234,6 +236,7 @@ def test_paths_of_grains_are_drawn_over_the_bed(studio):
     assert np.abs(studio.picture() - drawn).max() > 60
 
 
+@pytest.mark.extended
 def test_a_broken_file_names_each_bad_key_and_the_rest_is_loaded_when_asked(studio):
     text = json.dumps({"barchan": 3, "title": "Half good", "model": {"name": "werner", "p_s": 7, "hop": 2}})
     studio.ask(f"window.barchan.files.load('mine.json', {json.dumps(text)})")
@@ -303,6 +306,7 @@ def test_saving_and_opening_a_run(studio):
     studio.until(f"window.barchan.app.runs[0].status.step === {step}")
 
 
+@pytest.mark.extended
 def test_looking_back_and_going_on_from_there(studio):
     studio.step_beyond(60)
     studio.pause()
@@ -322,6 +326,7 @@ def test_looking_back_and_going_on_from_there(studio):
     studio.until("window.barchan.app.runs[0].status.live === 0")
 
 
+@pytest.mark.extended
 def test_views_and_keys(studio):
     page = studio.page
     studio.step_beyond(50)
@@ -363,6 +368,7 @@ def test_an_image_dropped_onto_the_scene_is_the_ground(studio):
     assert (studio.folder / "studio-uploads" / "plateau.png").is_file()
 
 
+@pytest.mark.extended
 def test_an_elevation_model_brings_its_own_lattice_and_its_holes_are_reported(studio):
     """Heights of 0.05 m a column; the hole of -9999 in the middle of the slope is filled with the slope."""
     rows = [[f"{0.05 * column:.2f}" for column in range(40)] for _ in range(20)]
@@ -399,6 +405,7 @@ def test_a_wind_record_dropped_onto_the_scene_blows(studio):
     studio.until(f"{wind}.path?.endsWith('east.csv')")
 
 
+@pytest.mark.extended
 def test_a_preset_from_the_gallery(studio):
     studio.page.keyboard.press("g")
     studio.page.get_by_label("Search the presets").fill("three rocks")
