@@ -80,14 +80,19 @@ def test_a_film_that_is_broken_off_leaves_nothing_and_the_run_as_it_was(studio):
     assert not studio.ask("window.barchan.stage.steady")
 
 
+def begin_recording(studio):
+    """Record the scene until some pictures of it were drawn."""
+    studio.page.keyboard.press("v")
+    studio.page.get_by_role("button", name="begin", exact=True).click()
+    studio.page.get_by_text("recording 0:").wait_for()
+    drawn = studio.ask("window.barchan.stage.drawn")
+    studio.until(f"window.barchan.stage.drawn > {drawn + 8}")
+
+
 @pytest.mark.extended
 def test_the_scene_is_recorded_while_it_runs(studio):
     page = studio.page
-    page.keyboard.press("v")
-    page.get_by_role("button", name="begin", exact=True).click()
-    page.get_by_text("recording 0:").wait_for()
-    drawn = studio.ask("window.barchan.stage.drawn")
-    studio.until(f"window.barchan.stage.drawn > {drawn + 8}")
+    begin_recording(studio)
     with page.expect_download() as download:
         page.get_by_role("button", name="stop and save").click()
     suffix = Path(download.value.suggested_filename).suffix
@@ -133,11 +138,7 @@ def test_reading_a_file_is_broken_off_and_the_run_stays_as_it_was(studio, tmp_pa
 @pytest.mark.extended
 def test_escape_ends_a_recording_and_saves_it_and_says_how_long_it_is(studio):
     page = studio.page
-    page.keyboard.press("v")
-    page.get_by_role("button", name="begin", exact=True).click()
-    page.get_by_text("recording 0:").wait_for()
-    drawn = studio.ask("window.barchan.stage.drawn")
-    studio.until(f"window.barchan.stage.drawn > {drawn + 8}")
+    begin_recording(studio)
     with page.expect_download() as download:
         page.keyboard.press("Escape")
     assert download.value.path().stat().st_size > 0

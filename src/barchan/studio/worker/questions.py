@@ -5,7 +5,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from barchan.errors import ArchiveError
+from barchan.errors import ArchiveError, BarchanError
 from barchan.export.formats import format_of
 from barchan.export.options import options_of
 from barchan.simulation import State
@@ -14,12 +14,12 @@ from barchan.studio.worker.background import AllMeasured, Background, Count, Rea
 from barchan.studio.worker.file_content import file_content
 from barchan.studio.worker.handlers import WORKER, Answer
 from barchan.studio.worker.overlay import read_overlay
-from barchan.studio.worker.rescue import to_bytes
+from barchan.studio.worker.rescue import MOST, newest_of, to_bytes
 from barchan.studio.worker.rose import rose_of
 from barchan.studio.worker.run import states_of
 from barchan.studio.worker.spacetime import space_time as section_over_time
 from barchan.studio.worker.spacetime_files import write_space_time
-from barchan.studio.worker.state_folder import fingerprint, newest_of, write_newest
+from barchan.studio.worker.state_folder import fingerprint, write_newest
 from barchan.studio.worker.strata import layers_along
 
 if TYPE_CHECKING:
@@ -44,6 +44,8 @@ def keep_in(commands: "RunCommands", request: Request) -> Answer:
     if found is None or found == request.get("known"):
         return {"fingerprint": found, "written": False}
     newest, folder = newest_of(commands.current), Path(request["folder"])
+    if newest is None:
+        raise BarchanError(f"the run's state has more than the {MOST >> 20} MB that are kept by themselves")
     written = {"fingerprint": found, "written": True}
     return _written(folder, lambda _: {**written, "member": write_newest(newest, folder)})
 

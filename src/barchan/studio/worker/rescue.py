@@ -17,11 +17,21 @@ MOST = 256 << 20
 
 
 @dataclass(frozen=True)
-class _Saved:
+class Newest:
+    """All that a run goes on from, as it was at one moment."""
+
     state: State
     every: int
     rows: list[dict[str, Any]]
     bookmarks: list[Bookmark]
+
+
+def newest_of(run: StudioRun) -> Newest | None:
+    """What a run goes on from; None where its state is larger than ``MOST``."""
+    state = run.live.state()
+    if sum(array.nbytes for array in state.arrays.values()) > MOST:
+        return None
+    return Newest(state, run.history.every, list(run.measures.rows), run.bookmarks_here())
 
 
 def to_bytes(run: StudioRun, number: int) -> bytes | None:
@@ -29,30 +39,24 @@ def to_bytes(run: StudioRun, number: int) -> bytes | None:
 
     None where it is larger than ``MOST``.
     """
-    state = run.live.state()
-    if sum(array.nbytes for array in state.arrays.values()) > MOST:
+    newest = newest_of(run)
+    if newest is None:
         return None
-    saved = _Saved(state, run.history.every, run.measures.rows, run.bookmarks_here())
-    content = pickle.dumps(saved, pickle.HIGHEST_PROTOCOL)
-    return STATE_MAGIC + struct.pack(STATE_HEAD, number, state.step) + content
+    content = pickle.dumps(newest, pickle.HIGHEST_PROTOCOL)
+    return STATE_MAGIC + struct.pack(STATE_HEAD, number, newest.state.step) + content
 
 
 def from_bytes(data: bytes, desk: Desk | None = None) -> StudioRun:
     """The run whose state ``to_bytes`` gave, paused; of its past only the measures are left."""
     head = len(STATE_MAGIC) + struct.calcsize(STATE_HEAD)
-    saved: _Saved = pickle.loads(memoryview(data)[head:])  # noqa: S301 - a worker of this session wrote it
-    return continued(saved.state, saved.every, saved.rows, saved.bookmarks, desk)
+    newest: Newest = pickle.loads(memoryview(data)[head:])  # noqa: S301 - a worker of this session wrote it
+    return continued(newest, desk)
 
 
-def continued(
-    state: State, every: int, rows: list[dict[str, Any]], bookmarks: list[Bookmark], desk: Desk | None = None
-) -> StudioRun:
-    """A run that goes on from a state, paused; of its past the measures ``rows`` are left.
-
-    States are kept every ``every`` steps from there on.
-    """
-    run = resumed(state, History(every, marks=marks_of(bookmarks)), desk)
-    run.measures.rows = rows
-    run.bookmarks = Bookmarks(bookmarks)
+def continued(newest: Newest, desk: Desk | None = None) -> StudioRun:
+    """The run that goes on from its newest state, paused; of its past only the measures are left."""
+    run = resumed(newest.state, History(newest.every, marks=marks_of(newest.bookmarks)), desk)
+    run.measures.rows = newest.rows
+    run.bookmarks = Bookmarks(newest.bookmarks)
     run.measures.resend()
     return run

@@ -1,16 +1,15 @@
 """The newest state of a run in a folder, from which it goes on after the studio itself has ended."""
 
 import json
-from dataclasses import asdict, dataclass
+from dataclasses import asdict
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from barchan.errors import ArchiveError, BarchanError
 from barchan.scenario.definition import text_of
-from barchan.simulation import State
-from barchan.studio.worker.bookmarks import Bookmark, bookmark_from
+from barchan.studio.worker.bookmarks import bookmark_from
 from barchan.studio.worker.desk import Desk
-from barchan.studio.worker.rescue import MOST, continued
+from barchan.studio.worker.rescue import Newest, continued
 from barchan.studio.worker.run import StudioRun
 
 if TYPE_CHECKING:
@@ -18,27 +17,6 @@ if TYPE_CHECKING:
 
 BESIDE = "studio.json"
 """The file beside the state: bookmarks, measures, and how often states are kept."""
-
-
-@dataclass(frozen=True)
-class Newest:
-    """All that a run goes on from, as it was at one moment."""
-
-    state: State
-    every: int
-    rows: list[dict[str, Any]]
-    bookmarks: list[Bookmark]
-
-
-def newest_of(run: StudioRun) -> Newest:
-    """What a run goes on from; raises BarchanError where that is larger than is kept by itself."""
-    state = run.live.state()
-    size = sum(array.nbytes for array in state.arrays.values())
-    if size > MOST:
-        raise BarchanError(
-            f"the run's state has {size >> 20} MB; what is kept by itself has {MOST >> 20} at most"
-        )
-    return Newest(state, run.history.every, list(run.measures.rows), run.bookmarks_here())
 
 
 def fingerprint(commands: "RunCommands") -> str | None:
@@ -90,4 +68,4 @@ def open_newest(folder: Path, desk: Desk | None = None) -> StudioRun:
         bookmarks = [bookmark_from(data) for data in beside["bookmarks"]]
     except (OSError, ValueError, KeyError, TypeError, BarchanError) as error:
         raise ArchiveError(f"{folder / BESIDE}: damaged ({error})") from None
-    return continued(state, every, rows, bookmarks, desk)
+    return continued(Newest(state, every, rows, bookmarks), desk)
