@@ -21,7 +21,7 @@ def class_at(classes, at):
     """The size class at a place of ``classes``; 0 for sand of one size."""
     if classes is not None:
         return np.int64(classes[at])
-    return 0
+    return np.int64(0)
 
 
 @njit(cache=True, nogil=True, error_model="numpy")

@@ -40,7 +40,7 @@ def _find_steep(level, rows, cols, repose, grid, steep):
             _mark_steps(row * cols + low, other * cols + low + step_col, high - low, limit, level, steep)
             if step_col and grid.wrap_along:
                 col = cols - 1 if step_col > 0 else 0
-                _mark_steps(row * cols + col, other * cols + cols - 1 - col, 1, limit, level, steep)
+                _mark_steps(row * cols + col, other * cols + cols - 1 - col, np.int64(1), limit, level, steep)
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
@@ -63,7 +63,7 @@ def settle_steep(ground, slopes, key):
     ground, slopes = borrowed((ground, slopes))
     queue, waiting = slopes.unstable.queue, slopes.unstable.waiting
     _find_steep(ground.level, ground.grid.rows, ground.grid.cols, slopes.repose, ground.grid, waiting)
-    length = 0
+    length = np.int64(0)
     for cell in range(waiting.size):
         if waiting[cell]:
             queue[length] = cell
@@ -84,7 +84,7 @@ def settle_about(cell, other, ground, slopes, key):
     """Let slopes slide where only one grain was taken from a cell and laid on another."""
     ground, slopes = borrowed((ground, slopes))
     grid = ground.grid
-    length = 0
+    length = np.int64(0)
     for changed in (cell, other):
         length = _upset_about(changed, grid, slopes, length)
         if ground.scale.carried > 1:

@@ -86,7 +86,7 @@ def _abundance(by_size, size_class, cell, layer):
 def _random_class(by_size, size_class, cell, layer, part):
     """Size class of the next ejectum; -1 where none can be thrown out any more."""
     if by_size is None:
-        return 0
+        return np.int64(0)
     rest = part * _abundance(by_size, size_class, cell, layer) * parcels_of(layer.surface, cell)
     found = -1
     for other in range(by_size.number.shape[1]):
@@ -165,7 +165,7 @@ def eject(found, piece, grains, ground, rule, landings, ejecta, counts):
     found, grains, ground, rule = borrowed((found, grains, ground, rule))
     landings, ejecta, counts = borrowed((landings, ejecta, counts))
     hits, free = _gather(found, piece, grains, landings, ejecta)
-    taken = 0
+    taken = np.int64(0)
     for at in range(hits):
         k = ejecta.hits[at]
         cell = nearest_cell(landings.x[k], landings.y[k], ground.grid)
