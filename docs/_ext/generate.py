@@ -1,7 +1,8 @@
 """Pages made from the code's own declarations while the documentation is built.
 
 Models, keys, presets, measures, events and commands are declared once, in the code. These pages are
-written into ``_generated`` (not kept in git); what a page of prose includes is in ``_generated/parts``.
+written into ``_generated``; what a page of prose includes is in ``_generated/parts``. They are kept in git,
+so that links to them work where the source is read, and a test holds them against the code.
 """
 
 import inspect
@@ -11,7 +12,7 @@ from itertools import groupby
 from pathlib import Path
 from typing import Any
 
-from presets import copy_pictures, presets_page
+from presets import presets_page
 from references import linked, references_page
 from sphinx.application import Sphinx
 
@@ -27,7 +28,6 @@ def setup(app: Sphinx) -> dict[str, Any]:
 def generate(app: Sphinx) -> None:
     """Write all pages; one whose text is unchanged is left alone, so that it is not built again."""
     folder = Path(app.srcdir) / "_generated"
-    copy_pictures(Path(app.srcdir) / "_static" / "presets")
     pages = dict(all_pages())
     for path in folder.rglob("*.md"):
         if str(path.relative_to(folder)) not in pages:

@@ -1,18 +1,9 @@
 """The page of presets: a gallery by landform, then each preset with its picture."""
 
-from html import escape
-from importlib import resources
-from pathlib import Path
 from typing import Any
 
-
-def copy_pictures(folder: Path) -> None:
-    """Bring the presets' pictures, which ship with the package, to where pages can show them."""
-    folder.mkdir(parents=True, exist_ok=True)
-    for picture in (resources.files("barchan.presets") / "pictures").iterdir():
-        copy, data = folder / picture.name, picture.read_bytes()
-        if not copy.is_file() or copy.read_bytes() != data:
-            copy.write_bytes(data)
+PICTURES = "src/barchan/presets/pictures"
+"""Where the package keeps the presets' pictures, seen from the top of the source."""
 
 
 def presets_page() -> str:
@@ -27,16 +18,15 @@ def presets_page() -> str:
     )
     parts = ["# Presets", lead]
     for landform, names in landforms().items():
-        cards = "\n".join(_card(name, scenarios[name]) for name in names)
-        parts += [f"**{landform}**", f'```{{raw}} html\n<div class="gallery">\n{cards}\n</div>\n```']
+        cards = [_card(name, scenarios[name]) for name in names]
+        parts += [f"**{landform}**", ":::{container} gallery", *cards, ":::"]
     parts += [_preset(name, scenario) for name, scenario in scenarios.items()]
     return "\n\n".join(parts) + "\n"
 
 
 def _card(name: str, scenario: Any) -> str:
-    picture = f'<img src="../_static/presets/{name}.webp" alt="" width="320" height="200" loading="lazy">'
-    words = f"<span>{escape(scenario.title)}<br><small>{_time(scenario)}</small></span>"
-    return f'<a href="#preset-{name.replace(".", "-")}">{picture}{words}</a>'
+    picture = f"![](../../{PICTURES}/{name}.webp)"
+    return f"[{picture} {scenario.title}, {_time(scenario)}](#preset-{name.replace('.', '-')})"
 
 
 def _time(scenario: Any) -> str:
@@ -54,6 +44,6 @@ def _preset(name: str, scenario: Any) -> str:
     lines = [f"Source\n: {scenario.citation or '–'}", f"Look for\n: {scenario.look_for or '–'}"]
     lines += [f"Model\n: [`{scenario.model.name}`](models/{scenario.model.name}.md)", f"Size\n: {field}"]
     lines += [f"{fact.capitalize()}\n: {value}" for fact, value in facts.items()]
-    picture = f"![{scenario.title}](../_static/presets/{name}.webp)"
+    picture = f"![{scenario.title}](../../{PICTURES}/{name}.webp)"
     head = f"(preset-{name.replace('.', '-')})=\n## {name}: {scenario.title}"
     return "\n\n".join([head, picture, *lines, f"```sh\nbarchan run {name}\n```"])

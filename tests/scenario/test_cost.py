@@ -53,3 +53,7 @@ def test_grains_below_the_threshold_are_no_work() -> None:
 )
 def test_times_are_told_in_one_figure(seconds: float, words: str) -> None:
     assert spoken_estimate(seconds) == words
+
+
+def test_the_estimate_of_storms_without_a_seed_is_the_same_each_time():
+    assert len({expected_seconds(load_scenario("snow-season")) for _ in range(3)}) == 1

@@ -247,11 +247,12 @@ class Scenario(Parameters):
             clock.at_own_height,
         )
 
-    def seeded(self) -> Self:
-        """The same scenario with a seed: its own, or a random one."""
+    def seeded(self, seed: int | None = None) -> Self:
+        """The same scenario with a seed: its own, else this ``seed`` or a random one."""
         if self.run.seed is not None:
             return self
-        seed = secrets.randbelow(2**32)
+        if seed is None:
+            seed = secrets.randbelow(2**32)
         return self.model_copy(update={"run": self.run.model_copy(update={"seed": seed})})
 
     @property

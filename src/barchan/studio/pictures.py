@@ -86,8 +86,10 @@ def wait_for(page: "Page", expression: str, seconds: float) -> None:
 def run_preset(page: "Page", name: str, patience: float) -> int:
     """Run a preset to its end, or for so many seconds; returns the step where it stands."""
     data: dict[str, Any] = load_scenario(name, [("run.seed", str(SEED))]).data()
+    if not page.evaluate("(scenario) => window.barchan.app.create(scenario, true)", data):
+        raise SystemExit(f"the studio does not begin {name}")
+    # Once the studio has begun the run it says no more of the one before.
     page.evaluate(f"void ({RUN}.status = null)")
-    page.evaluate("(scenario) => void window.barchan.app.create(scenario, true)", data)
     page.evaluate("void window.barchan.app.send({ command: 'limit', rate: null })")
     there = f"{RUN}.fits && ({RUN}.status?.step >= {data['run']['steps']} || {RUN}.status?.finished)"
     wait_for(page, f"{RUN}.fits && {RUN}.status?.step > 0", 300.0)
