@@ -71,6 +71,10 @@ def test_a_run_in_memory_and_one_on_disk_are_read_in_the_same_way(tmp_path):
         assert set(read.variables) == set(dataset.variables)
     assert isinstance(barchan.load(outcome.path), Scenario)
     assert barchan.resume(outcome.path).reason == "all steps done"
+    for number, what in enumerate((scenario, scenario.data())):
+        same = barchan.run(what, tmp_path / f"same-{number}")
+        with barchan.open_run(same.path) as read:
+            assert read["sand"].equals(dataset["sand"])
 
 
 def test_events_are_public():

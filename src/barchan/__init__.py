@@ -12,9 +12,9 @@ from typing import TYPE_CHECKING, Any
 from barchan.version import __version__
 
 if TYPE_CHECKING:
-    from barchan.archive import branch, open_run, resume, run
+    from barchan.archive import branch, open_run, resume
     from barchan.ensembles.results import open_ensemble
-    from barchan.entry import load, simulate
+    from barchan.entry import load, run, simulate
     from barchan.errors import ArchiveError, BarchanError, ScenarioError
     from barchan.models import model_names
     from barchan.scenario import Scenario, preset_names
@@ -51,7 +51,7 @@ _HOMES = {
     "open_run": "archive",
     "preset_names": "scenario",
     "resume": "archive",
-    "run": "archive",
+    "run": "entry",
     "simulate": "entry",
 }
 

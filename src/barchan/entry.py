@@ -1,11 +1,12 @@
-"""The two shortest ways in: a scenario from anything that names one, and a run in memory."""
+"""The shortest ways in: a scenario from anything that names one, a run in memory, a run on disk."""
 
 import json
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from barchan.archive import dataset_of, source_at
+from barchan.archive import Outcome, dataset_of, source_at
+from barchan.archive import run as run_into
 from barchan.scenario import Scenario, load_scenario
 from barchan.scenario.overrides import ARGUMENT
 from barchan.simulation import Simulation
@@ -43,3 +44,22 @@ def simulate(scenario: Scenario | str | Path | Mapping[str, Any], **overrides: A
     dataset = dataset_of(simulation, list(simulation))
     dataset.attrs["stopped"] = simulation.finished or "all steps done"
     return dataset
+
+
+def run(
+    scenario: Simulation | Scenario | str | Path | Mapping[str, Any],
+    path: str | Path,
+    *,
+    overwrite: bool = False,
+    progress: Callable[[Simulation], None] | None = None,
+    stop: Callable[[], bool] = lambda: False,
+) -> Outcome:
+    """Run a simulation, or anything that ``load`` takes, to its end into a new folder.
+
+    ``progress`` is called about ten times a second; when ``stop`` says so the run is saved where it is and
+    ends, to be resumed. Raises ScenarioError with every problem found, and ArchiveError where the folder is
+    not empty or cannot be written; what was saved stays good.
+    """
+    if not isinstance(scenario, Simulation):
+        scenario = Simulation(scenario if isinstance(scenario, Scenario) else load(scenario))
+    return run_into(scenario, path, overwrite=overwrite, progress=progress, stop=stop)

@@ -56,4 +56,4 @@ def test_times_are_told_in_one_figure(seconds: float, words: str) -> None:
 
 
 def test_the_estimate_of_storms_without_a_seed_is_the_same_each_time():
-    assert len({expected_seconds(load_scenario("snow-season")) for _ in range(3)}) == 1
+    assert len({expected_seconds(load("snow-season")) for _ in range(3)}) == 1
