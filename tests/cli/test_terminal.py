@@ -101,7 +101,7 @@ def test_compilation_is_announced_once_and_not_when_quiet(printed):
     for quiet, said in ((False, 1), (True, 0)):
         text = printed(is_terminal=False)
         with terminal.compilation_announced(quiet):
-            for _ in range(2):
+            for _ in range(3):
                 event.broadcast(event.Event("numba:compile", event.EventStatus.START))
                 event.broadcast(event.Event("numba:compile", event.EventStatus.END))
         assert text.getvalue().count("compiling kernels") == said

@@ -195,8 +195,8 @@ def compilation_announced(quiet: bool) -> Iterator[None]:
     """Say so when a kernel is compiled instead of loaded, once."""
     from barchan.kernels.core.compile_notice import told_of_compilation
 
-    def tell() -> None:
-        if not quiet:
+    def tell(done: int) -> None:
+        if not quiet and done == 0:
             console.print("compiling kernels (first run only) …")
 
     with told_of_compilation(tell):

@@ -27,7 +27,7 @@ MESSAGES = {
     "lockstep": "Two runs that are compared started or stopped.",
     "scenario": "What a run consists of: scenario, lattice, fields, measures, branches.",
     "begun": "A run has begun, or its start was refused; only for the server.",
-    "compiling": "Kernels are being compiled.",
+    "compiling": "Kernels are being compiled, and how many functions of theirs have been.",
     "arrived": "A run has done the steps that it was asked for.",
     "watchers": "How many browsers watch; only for the one that commands.",
     "look": "How the browser that commands shows the surface; only for those that watch.",

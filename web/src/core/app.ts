@@ -41,7 +41,7 @@ export class App {
   readonly described = new Signal<Run>();
   readonly framed = new Signal<Run>();
   readonly changed = new Signal<void>();
-  readonly compiling = new Signal<void>();
+  readonly compiling = new Signal<number>();
   private readonly unconfirmed: RunName[] = [];
 
   /** A window that is ``watching`` commands nothing. */
@@ -173,9 +173,10 @@ export class App {
       this.changed.send();
     },
     look: (message) => this.sharing.follow(message),
-    compiling: () => {
-      this.note("info", "Compiling kernels; only the first run of a model does.");
-      this.compiling.send();
+    compiling: (message) => {
+      const functions = Number(message.functions);
+      if (functions === 0) this.note("info", "Compiling kernels; only the first run of a model does.");
+      this.compiling.send(functions);
     },
     scenario: (message, run) => {
       if (run) this.describe(run, message as unknown as Description);

@@ -97,7 +97,7 @@ export type MessageType =
   | "scenario"
   /** A run has begun, or its start was refused; only for the server. */
   | "begun"
-  /** Kernels are being compiled. */
+  /** Kernels are being compiled, and how many functions of theirs have been. */
   | "compiling"
   /** A run has done the steps that it was asked for. */
   | "arrived"

@@ -15,7 +15,8 @@ interface State {
 export class StateNotice {
   readonly element = h("div", { className: "notice", role: "alert", hidden: true });
   private connection: ConnectionState = "connecting";
-  private compiling = false;
+  /** Functions that have been compiled; null where none is being. */
+  private compiling: number | null = null;
   private shown = "";
   /** Whether it was read that there is no WebGL. */
   private read = false;
@@ -25,12 +26,12 @@ export class StateNotice {
       this.connection = state;
       this.show();
     });
-    app.compiling.watch(() => {
-      this.compiling = true;
+    app.compiling.watch((functions) => {
+      this.compiling = functions;
       this.show();
     });
     app.framed.watch(() => {
-      this.compiling = false;
+      this.compiling = null;
       this.show();
     });
     app.changed.watch(() => this.show());
@@ -81,7 +82,10 @@ export class StateNotice {
         way: () => action("load the page again", () => location.reload()),
       };
     }
-    if (this.compiling) return { text: "Translating the model into machine code; that is kept, so it happens once …", calm: true };
+    if (this.compiling !== null) {
+      const done = this.compiling > 1 ? `: ${this.compiling} functions so far` : "";
+      return { text: `Translating the model into machine code, once, for it is kept${done} …`, calm: true };
+    }
     if (!runs.some((run) => run.ready)) return { text: "Starting …", calm: true };
     const finished = current?.status?.finished;
     if (this.app.flat && !this.read) {

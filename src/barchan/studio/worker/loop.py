@@ -78,13 +78,16 @@ class Worker:
         from barchan.kernels.core.threads import asked_for, thread_count
 
         one_for_the_browser = asked_for(max(1, thread_count() - 1))
-        with one_for_the_browser, told_of_compilation(lambda: self.send("compiling")):
+        with one_for_the_browser, told_of_compilation(self._tell_of_compilation):
             try:
                 while True:
                     self.receive()
                     self.work()
             except (EOFError, BrokenPipeError, ConnectionResetError):
                 return
+
+    def _tell_of_compilation(self, functions: int) -> None:
+        self.send("compiling", functions=functions)
 
     def send(self, kind: str, **content: Any) -> None:
         """Send a control message."""
