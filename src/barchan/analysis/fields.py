@@ -4,6 +4,7 @@ Derived fields follow the parameters and the wind's speed in force when the fram
 """
 
 import json
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -104,18 +105,30 @@ def centre_of(model: Model, derived: Derived, wind: Segment) -> float | None:
 
 def bed_in(frame: "xr.Dataset", scenario: Scenario) -> Bed:
     """Ground and layers of a frame."""
-    return Bed.from_fields(scenario.lattice, _carried(frame), (), scenario.layers)
+    return Bed.from_fields(scenario.lattice, _Carried(frame), (), scenario.layers)
 
 
-def _carried(frame: "xr.Dataset") -> dict[str, NDArray]:
-    return {str(name): values.values for name, values in frame.data_vars.items()}
+class _Carried(Mapping[str, NDArray]):
+    """The fields of a frame, each of which is read when it is asked for."""
+
+    def __init__(self, frame: "xr.Dataset") -> None:
+        self._frame = frame
+
+    def __getitem__(self, name: str) -> NDArray:
+        return np.asarray(self._frame.data_vars[name].values)
+
+    def __iter__(self) -> Iterator[str]:
+        return map(str, self._frame.data_vars)
+
+    def __len__(self) -> int:
+        return len(self._frame.data_vars)
 
 
 def as_modelled(frame: "xr.Dataset", scenario: Scenario) -> tuple[Model, Bed, Segment]:
     """The model, the bed and the wind of a frame, as they were when it was taken."""
     scenario = scenario_at(frame, scenario)
     model = scenario.new_model()
-    bed = Bed.from_fields(scenario.lattice, _carried(frame), model.fields, model.layers)
+    bed = Bed.from_fields(scenario.lattice, _Carried(frame), model.fields, model.layers)
     return model, bed, wind_over(frame, scenario)
 
 

@@ -26,6 +26,7 @@ def measured_frames(
     measurer = FrameMeasurer(scenario, wind)
     steps = dataset["step"].values
     travelled = np.stack([dataset["travel_x"].values, dataset["travel_y"].values], axis=1)
+    winds = dataset["wind_direction"].values
     for at in range(max(0, first - MOST_KEPT), len(steps)):
         frame = dataset.isel(step=at)
         forcing = scenario_at(frame, scenario).forcing()
@@ -37,7 +38,7 @@ def measured_frames(
             int(steps[at]),
             bed,
             forcing,
-            float(frame["wind_direction"]),
+            float(winds[at]),
             travelled[at],
             partial(as_modelled, frame, scenario),
         )
