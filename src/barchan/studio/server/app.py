@@ -135,7 +135,7 @@ async def _connect(websocket: WebSocket, session: Session, guard: Guard) -> None
             if not limiter.allows() or len(text) > LARGEST_MESSAGE:
                 await websocket.close(TOO_MUCH)
                 return
-            session.on_message(viewer, text)
+            session.requests.carry_out(viewer, text)
     except (WebSocketDisconnect, KeyError, RuntimeError):
         pass
     finally:
