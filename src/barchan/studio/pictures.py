@@ -1,26 +1,30 @@
 """The small pictures of presets in the gallery: ``python -m barchan.studio.pictures [NAME …]`` draws them.
 
-Each preset runs in a studio to its end, or for some seconds at most; the picture is the studio's own. It
-takes the built client, a Chromium and Playwright (extra ``dev``).
+Each preset runs to its end, or for some seconds at most, and is opened in a studio, whose own picture it is.
+It takes the built client, a Chromium and Playwright (extra ``dev``).
 """
 
 import argparse
 import base64
 import io
+import json
 import re
 import shutil
 import signal
 import subprocess
 import sys
+import tempfile
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from PIL import Image
 
+from barchan.archive import run
 from barchan.scenario import load_scenario, preset_names
+from barchan.simulation import Simulation
 from barchan.studio.server.gallery import showpiece
 
 if TYPE_CHECKING:
@@ -34,7 +38,7 @@ LARGEST = 15_000
 """Bytes of a picture at most: it is saved with less quality where it would be larger."""
 SEED = 1
 PATIENCE = 20.0
-"""Seconds that a preset may run, at most, on a machine that does nothing else."""
+"""Seconds that a preset may run, at most."""
 
 FLAGS = ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
 RUN = "window.barchan.app.runs[0]"
@@ -49,13 +53,13 @@ TITLE = {"width": 3840, "height": 2160}
 
 
 @contextmanager
-def studio_page() -> Iterator["Page"]:
-    """The page of a studio of its own."""
+def studio_page(folder: Path) -> Iterator["Page"]:
+    """The page of a studio of its own, which opens the runs in a folder."""
     from playwright.sync_api import sync_playwright
 
     start = [sys.executable, "-c", "from barchan.cli import main; main()", "studio", showpiece()]
     server = subprocess.Popen(  # noqa: S603
-        [*start, "--no-browser", "--port", "0"],
+        [*start, "--no-browser", "--port", "0", "--folder", str(folder)],
         stdout=subprocess.PIPE,
         text=True,
     )
@@ -83,21 +87,18 @@ def wait_for(page: "Page", expression: str, seconds: float) -> None:
         time.sleep(0.1)
 
 
-def run_preset(page: "Page", name: str, patience: float) -> int:
-    """Run a preset to its end, or for so many seconds; returns the step where it stands."""
-    data: dict[str, Any] = load_scenario(name, [("run.seed", str(SEED))]).data()
-    if not page.evaluate("(scenario) => window.barchan.app.create(scenario, true)", data):
-        raise SystemExit(f"the studio does not begin {name}")
-    # Once the studio has begun the run it says no more of the one before.
-    page.evaluate(f"void ({RUN}.status = null)")
-    page.evaluate("void window.barchan.app.send({ command: 'limit', rate: null })")
-    there = f"{RUN}.fits && ({RUN}.status?.step >= {data['run']['steps']} || {RUN}.status?.finished)"
-    wait_for(page, f"{RUN}.fits && {RUN}.status?.step > 0", 300.0)
-    wait_for(page, there, patience)
-    page.evaluate("void window.barchan.app.send({ command: 'pause' })")
-    wait_for(page, "!window.barchan.app.running", 60.0)
+def run_preset(page: "Page", folder: Path, name: str, patience: float) -> int:
+    """Run a preset to its end, or for so many seconds, and look at it; returns the step where it stands."""
+    end = time.monotonic() + patience
+    simulation = Simulation(load_scenario(name, [("run.seed", str(SEED))]))
+    run(simulation, folder / name, stop=lambda: time.monotonic() > end)
+    if not page.evaluate("(name) => window.barchan.app.ask({ command: 'open', name })", name):
+        raise SystemExit(f"the studio does not open the run of {name}")
+    title, step = json.dumps(simulation.scenario.title), simulation.steps_done
+    own = f"{RUN}.description?.scenario.title === {title} && {RUN}.status?.step === {step}"
+    wait_for(page, f"{RUN}.fits && {own}", 60.0)
     page.evaluate("window.barchan.stage.look('oblique')")
-    return int(page.evaluate(f"{RUN}.status.step"))
+    return step
 
 
 def rendered(page: "Page", width: int, height: int) -> Image.Image:
@@ -117,9 +118,9 @@ def save(image: Image.Image, path: Path, largest: int) -> None:
 def draw(names: list[str], patience: float) -> None:
     """Draw the pictures of these presets, or of all, that run for so many seconds at most."""
     FOLDER.mkdir(exist_ok=True)
-    with studio_page() as page:
+    with tempfile.TemporaryDirectory() as folder, studio_page(Path(folder)) as page:
         for name in names or preset_names():
-            step = run_preset(page, name, patience)
+            step = run_preset(page, Path(folder), name, patience)
             image = rendered(page, FINER * WIDTH, FINER * HEIGHT)
             small = image.resize((WIDTH, HEIGHT), Image.Resampling.LANCZOS)
             save(small, FOLDER / f"{name}.webp", LARGEST)
@@ -129,8 +130,8 @@ def draw(names: list[str], patience: float) -> None:
 
 def draw_title(path: Path) -> None:
     """Draw the title picture, at most half a megabyte."""
-    with studio_page() as page:
-        run_preset(page, showpiece(), 300.0)
+    with tempfile.TemporaryDirectory() as folder, studio_page(Path(folder)) as page:
+        run_preset(page, Path(folder), showpiece(), 300.0)
         save(rendered(page, TITLE["width"], TITLE["height"]), path, 500_000)
 
 
@@ -138,7 +139,7 @@ def main() -> None:
     """Draw what the command line asks for."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("names", nargs="*", metavar="NAME", help="preset; all where none is given")
-    seconds = "seconds that each may run at most; more where the machine is busy"
+    seconds = "seconds that each may run at most"
     parser.add_argument("--patience", type=float, default=PATIENCE, help=seconds)
     parser.add_argument("--title", type=Path, metavar="FILE", help="draw the README's title picture instead")
     asked = parser.parse_args()
