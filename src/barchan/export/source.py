@@ -6,8 +6,8 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Literal
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy import ndimage
 
 from barchan.analysis.fields import field_of
 from barchan.export.grid import Grid
@@ -137,7 +137,7 @@ def _smoothed(values: NDArray[np.float64], width: float, periodic: tuple[bool, b
     if not np.isfinite(values).all():
         return smoothed(values, width, periodic)
     modes: list[Literal["wrap", "reflect"]] = ["wrap" if joined else "reflect" for joined in periodic]
-    return np.asarray(ndimage.gaussian_filter(values, width, mode=modes))
+    return np.asarray(scipy.ndimage.gaussian_filter(values, width, mode=modes))
 
 
 def _nearest(values: NDArray, shape: tuple[int, int]) -> NDArray:

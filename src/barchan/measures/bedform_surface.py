@@ -3,8 +3,8 @@
 import math
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy import ndimage
 
 from barchan.measures.dunes import bodies_of
 from barchan.measures.filters import Field, Periodic
@@ -61,7 +61,7 @@ def _rock(
         (min(REACH, size),) * 2 if p else (0, 0) for size, p in zip(sandy.shape, periodic, strict=True)
     ]
     wide = np.pad(sandy, margins, mode="wrap")
-    distance, nearest = ndimage.distance_transform_edt(~wide, return_indices=True)
+    distance, nearest = scipy.ndimage.distance_transform_edt(~wide, return_indices=True)
     inside = tuple(slice(first, first + size) for (first, _), size in zip(margins, sandy.shape, strict=True))
     rows, columns = (
         (at[inside] - first) % size

@@ -4,8 +4,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy import ndimage
 
 from barchan.measures.displacement import displacement
 from barchan.measures.filters import Field, Periodic, smoothed
@@ -189,7 +189,7 @@ def difference_noise(change: NDArray) -> float:
     so that brinks and slip faces do not count. Noise that neighbours share is not seen: of resampled surveys
     the true error is larger. NaN where fewer than nine cells are known.
     """
-    passed = ndimage.convolve(np.asarray(change, float), _MASK, mode="nearest")
+    passed = scipy.ndimage.convolve(np.asarray(change, float), _MASK, mode="nearest")
     inner = passed[1:-1, 1:-1]
     inner = inner[np.isfinite(inner)]
     return float(np.median(np.abs(inner)) / 0.674490 / 6.0) if inner.size else float("nan")

@@ -3,8 +3,8 @@
 from typing import Literal
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy import ndimage
 
 from barchan.measures.filters import Field, Periodic, smoothed
 
@@ -55,10 +55,10 @@ def local_mean(field: Field, reach: float, periodic: Periodic) -> Field:
     modes: list[Literal["wrap", "nearest"]] = ["wrap" if joined else "nearest" for joined in periodic]
     size = [min(2 * round(reach) + 1, max(extent - (1 - extent % 2), 1)) for extent in field.shape]
     known = np.isfinite(field)
-    total = ndimage.uniform_filter(np.where(known, field, 0.0), size, mode=modes)
+    total = scipy.ndimage.uniform_filter(np.where(known, field, 0.0), size, mode=modes)
     if known.all():
         return total
-    weight = ndimage.uniform_filter(known.astype(float), size, mode=modes)
+    weight = scipy.ndimage.uniform_filter(known.astype(float), size, mode=modes)
     return np.where(known, total / np.where(known, weight, 1.0), np.nan)
 
 

@@ -1,8 +1,8 @@
 """How high dunes stand, from the crest to the toe of the lee side."""
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy import ndimage
 
 from barchan.directions import downwind
 from barchan.measures.filters import Field, Periodic, smoothed, without_trend
@@ -47,7 +47,7 @@ def profiles(field: Field, direction: float, periodic: Periodic) -> Field:
     north = (rows - 1) / 2 + np.add.outer(across * x, along * y)
     east = (columns - 1) / 2 + np.add.outer(-across * y, along * x)
     places = np.stack([north, east])
-    values = ndimage.map_coordinates(field, places, order=1, mode="grid-wrap")
+    values = scipy.ndimage.map_coordinates(field, places, order=1, mode="grid-wrap")
     for at, size, joined in zip(places, field.shape, periodic, strict=True):
         if not joined:
             values[(at < -1e-9) | (at > size - 1 + 1e-9)] = np.nan

@@ -1,7 +1,7 @@
 """How far one surface lies from another, by cross-correlation."""
 
 import numpy as np
-from scipy import fft
+import scipy
 
 from barchan.measures.filters import Field, Periodic, tapered
 
@@ -39,7 +39,7 @@ def _correlations(first: Field, second: Field, known: Field, known_after: Field)
 
 
 def _crossed(first: Field, second: Field) -> Field:
-    return fft.irfft2(np.conj(fft.rfft2(first)) * fft.rfft2(second), first.shape)
+    return scipy.fft.irfft2(np.conj(scipy.fft.rfft2(first)) * scipy.fft.rfft2(second), first.shape)
 
 
 def _peak(correlations: Field, guess: Field | None) -> tuple[Field, float]:

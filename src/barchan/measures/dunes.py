@@ -3,10 +3,8 @@
 from dataclasses import dataclass
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy import ndimage
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
 
 from barchan.measures.filters import Field, Periodic, smoothed
 
@@ -85,13 +83,15 @@ def bodies_of(raised: NDArray[np.bool_], periodic: Periodic) -> NDArray[np.int64
     for axis, joined in enumerate(periodic):
         margin = [(int(axis == other),) * 2 for other in (0, 1)]
         wide = np.pad(wide, margin, mode="wrap") if joined else np.pad(wide, margin)
-    numbers, count = ndimage.label(wide, np.ones((3, 3)))
+    numbers, count = scipy.ndimage.label(wide, np.ones((3, 3)))
     joins = [(axis, copy, own) for axis in (0, 1) if periodic[axis] for copy, own in ((0, -2), (-1, 1))]
     empty = np.zeros((2, 0), np.int64)
     pairs = [np.stack([numbers.take(copy, axis), numbers.take(own, axis)]) for axis, copy, own in joins]
     first, last = np.concatenate([empty, *pairs], axis=1)
-    links = coo_array((np.ones(len(first)), (first, last)), (count + 1, count + 1))
-    return connected_components(links, directed=False)[1][numbers][1:-1, 1:-1].astype(np.int64)
+    links = scipy.sparse.coo_array((np.ones(len(first)), (first, last)), (count + 1, count + 1))
+    return scipy.sparse.csgraph.connected_components(links, directed=False)[1][numbers][1:-1, 1:-1].astype(
+        np.int64
+    )
 
 
 def _unrolled(at: NDArray[np.intp], size: int, joined: bool) -> NDArray[np.int64] | None:

@@ -7,8 +7,8 @@ from collections.abc import Sequence
 from typing import Literal
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy import ndimage
 
 Field = NDArray[np.float64]
 Periodic = tuple[bool, bool]
@@ -21,9 +21,9 @@ def smoothed(field: NDArray, width: float, periodic: Periodic) -> Field:
     values = np.asarray(field, float)
     known = np.isfinite(values)
     if known.all():
-        return ndimage.gaussian_filter(values, width, mode=modes)
-    total = ndimage.gaussian_filter(np.where(known, values, 0.0), width, mode=modes)
-    weight = ndimage.gaussian_filter(known.astype(float), width, mode=modes)
+        return scipy.ndimage.gaussian_filter(values, width, mode=modes)
+    total = scipy.ndimage.gaussian_filter(np.where(known, values, 0.0), width, mode=modes)
+    weight = scipy.ndimage.gaussian_filter(known.astype(float), width, mode=modes)
     return np.where(known, total / np.where(known, weight, 1.0), np.nan)
 
 

@@ -3,8 +3,8 @@
 from typing import Literal
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy import ndimage
 
 from barchan.measures.dunes import Dune, find_dunes
 from barchan.measures.filters import Field, Periodic, smoothed
@@ -27,8 +27,8 @@ def _opened(smooth: Field, reach: float, periodic: Periodic) -> Field:
     modes: list[Literal["wrap", "nearest"]] = ["wrap" if joined else "nearest" for joined in periodic]
     size = 2 * round(reach) + 1
     known = np.isfinite(smooth)
-    lowest = ndimage.minimum_filter(np.where(known, smooth, np.inf), size, mode=modes)
-    opened = ndimage.maximum_filter(np.where(np.isinf(lowest), -np.inf, lowest), size, mode=modes)
+    lowest = scipy.ndimage.minimum_filter(np.where(known, smooth, np.inf), size, mode=modes)
+    opened = scipy.ndimage.maximum_filter(np.where(np.isinf(lowest), -np.inf, lowest), size, mode=modes)
     return np.where(known, opened, np.nan)
 
 

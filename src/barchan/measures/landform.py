@@ -9,8 +9,8 @@ from functools import cached_property
 from typing import Literal
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy import ndimage
 
 from barchan.directions import downwind
 from barchan.measures.dune_shapes import DuneShape, dune_shape
@@ -152,7 +152,7 @@ class _Traits:
         """Single dunes above the floor; without those that a void cuts, whose outlines are not theirs."""
         wind = 0.0 if math.isnan(self.wind) else self.wind
         found = dunes_on_floor(self.elevation, self.reach, self.periodic)
-        cut = ndimage.binary_dilation(~np.isfinite(self.elevation), np.ones((3, 3), bool))
+        cut = scipy.ndimage.binary_dilation(~np.isfinite(self.elevation), np.ones((3, 3), bool))
         rows, columns = self.elevation.shape
         whole = [dune for dune in found if not cut[dune.rows % rows, dune.columns % columns].any()]
         return [dune_shape(dune, wind, self.cell_size) for dune in whole]

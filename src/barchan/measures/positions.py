@@ -4,8 +4,8 @@ from enum import IntEnum
 from typing import Literal
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy import ndimage
 
 from barchan.directions import downwind
 from barchan.measures.filters import Periodic, gradient, smoothed
@@ -67,4 +67,4 @@ def mean_by_position(field: NDArray, found: NDArray[np.int8]) -> dict[Position, 
 def _highest_near(above: NDArray, reach: float, periodic: Periodic) -> NDArray:
     modes: list[Literal["wrap", "nearest"]] = ["wrap" if joined else "nearest" for joined in periodic]
     known = np.where(np.isfinite(above), above, -np.inf)
-    return np.asarray(ndimage.maximum_filter(known, 2 * round(reach) + 1, mode=modes))
+    return np.asarray(scipy.ndimage.maximum_filter(known, 2 * round(reach) + 1, mode=modes))

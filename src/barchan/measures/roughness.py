@@ -1,8 +1,8 @@
 """How rough a surface is: heights about its smoothed self, and the area that it turns to the wind."""
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy import ndimage
 
 from barchan.directions import downwind
 from barchan.measures.filters import Periodic, smoothed
@@ -33,7 +33,7 @@ def frontal_area_index(
     """
     surface, (x, y) = smoothed(elevation, width, periodic), downwind(direction)
     x, y = round(x, 12), round(y, 12)
-    ahead = ndimage.shift(surface, (-y, -x), order=1, mode="grid-wrap")
+    ahead = scipy.ndimage.shift(surface, (-y, -x), order=1, mode="grid-wrap")
     if y and not periodic[0]:
         ahead[-1 if y > 0 else 0] = np.nan
     if x and not periodic[1]:

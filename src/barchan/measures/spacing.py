@@ -1,8 +1,8 @@
 """How far bedforms stand apart."""
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy import fft
 
 from barchan.directions import downwind
 from barchan.measures.filters import Field, Periodic, smoothed, tapered, without_trend
@@ -40,10 +40,12 @@ def streamwise_spectrum(
     out.
     """
     field = tapered(np.asarray(elevation, float), periodic)
-    power = np.abs(fft.fft2(field)) ** 2
+    power = np.abs(scipy.fft.fft2(field)) ** 2
     rows, cols = field.shape
     x, y = downwind(direction)
-    along = np.abs(np.add.outer(fft.fftfreq(rows, cell_size) * y, fft.fftfreq(cols, cell_size) * x)).ravel()
+    along = np.abs(
+        np.add.outer(scipy.fft.fftfreq(rows, cell_size) * y, scipy.fft.fftfreq(cols, cell_size) * x)
+    ).ravel()
     step = 1.0 / (abs(x) * cols + abs(y) * rows) / cell_size
     place = np.rint(along / step).astype(np.int64)
     total = np.bincount(place, power.ravel()).astype(np.float64)

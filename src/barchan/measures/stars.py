@@ -3,8 +3,8 @@
 from dataclasses import dataclass
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy import ndimage
 
 from barchan.measures.filters import Field, Periodic, gradient, smoothed
 
@@ -57,7 +57,7 @@ def summits(
     least = float(surface.std(where=known))
     surface = np.where(known, surface, -np.inf)
     found: list[Summit] = []
-    peaks = (surface >= ndimage.maximum_filter(surface, 3, mode="wrap")) & (surface > max(least, 1e-9))
+    peaks = (surface >= scipy.ndimage.maximum_filter(surface, 3, mode="wrap")) & (surface > max(least, 1e-9))
     for row, column in sorted(np.argwhere(peaks).tolist(), key=lambda at: -surface[at[0], at[1]]):
         height = float(surface[row, column])
         reach = REACH * height / cell_size
@@ -88,7 +88,7 @@ def _arms(surface: Field, row: int, column: int, reach: float, height: float) ->
     angle = np.arange(DIRECTIONS) * (2 * np.pi / DIRECTIONS)
     distance = np.linspace(reach / 2, reach, max(int(reach), 2))
     places = np.stack([row + np.outer(np.sin(angle), distance), column + np.outer(np.cos(angle), distance)])
-    mean = ndimage.map_coordinates(surface, places, order=1, mode="grid-wrap").mean(axis=1)
+    mean = scipy.ndimage.map_coordinates(surface, places, order=1, mode="grid-wrap").mean(axis=1)
     from scipy.signal import find_peaks  # takes a second to load
 
     turned = np.roll(mean, -int(np.argmin(mean)))
