@@ -133,7 +133,7 @@ def rows():
 
 READING = """
 Both predictions come out, in every seed. Until the first bonds the runs are the same to the bit. After eight
-minutes, four bonding times, nine tenths of the snow have bonded, and ripples are 0.84 times as high as
+minutes, four bonding times, nine tenths of the snow have bonded, and ripples are 0.83 times as high as
 without, where they had been as high before: they shrink while the others grow. They stand as far apart, and
 travel faster: over hard snow grains lose little speed, and more of them fly. They do not turn into sastrugi.
 
