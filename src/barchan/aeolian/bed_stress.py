@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from barchan.aeolian.edges import ramped_to_mean
 from barchan.aeolian.flow_over_relief import stress_coefficients
+from barchan.aeolian.transforms import sum_of_waves, waves_of
 from barchan.directions import downwind
 from barchan.lattice import Lattice
 
@@ -29,13 +30,11 @@ def bed_stress(
     proportion. The surface is smoothed over ``smoothing`` cells first; over open edges it is continued to its
     mean.
     """
-    from scipy.fft import irfft2, rfft2
-
     surface, inside = ramped_to_mean(elevation, lattice)
     response, slope = _response(surface.shape, lattice.cell_size, direction, roughness, smoothing)
-    spectrum = rfft2(surface)
-    change = irfft2(spectrum * response, s=surface.shape)[inside]
-    rise = irfft2(spectrum * slope, s=surface.shape)[inside]
+    waves = waves_of(surface)
+    change = sum_of_waves(waves * response, surface.shape)[inside]
+    rise = sum_of_waves(waves * slope, surface.shape)[inside]
     steepest = math.tan(math.radians(saturation_angle))
     stress: NDArray[np.float64] = 1.0 + change * steepest / np.maximum(rise, steepest)
     return np.maximum(stress, 0.0, out=stress)

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from barchan.aeolian.edges import mirrored
 from barchan.aeolian.mesh import following, over_mesh
+from barchan.aeolian.transforms import sum_of_waves, waves_of
 from barchan.directions import downwind
 from barchan.lattice import Lattice
 
@@ -109,17 +110,13 @@ class LinearFlow:
         """Take the ``surface`` apart."""
         self.lattice, self.direction = lattice, direction
         self.numbers = _wave_numbers(lattice, direction)
-        from scipy.fft import rfft2  # at the first step of a model that needs it, not with the first page
-
-        self.waves = rfft2(mirrored(np.asarray(surface, np.float64), lattice))
+        self.waves = waves_of(mirrored(np.asarray(surface, np.float64), lattice))
 
     def field(self, factor: NDArray) -> NDArray[np.float64]:
         """The sum over all waves, each times its ``factor``."""
         rows, columns = self.lattice.shape
-        from scipy.fft import irfft2
-
-        whole = irfft2(factor * self.waves, s=(self.numbers.rows, self.numbers.columns))
-        return np.asarray(whole[:rows, :columns])
+        whole = sum_of_waves(factor * self.waves, (self.numbers.rows, self.numbers.columns))
+        return whole[:rows, :columns]
 
     def slope(self, height: float) -> NDArray[np.float64]:
         """Rise over run of streamlines at a ``height`` (m): they follow waves by the share exp(-k height)."""
