@@ -232,6 +232,10 @@ def test_folders_that_are_no_ensembles_are_refused(tmp_path):
     (tmp_path / PLAN).write_text('{"format": 99}')
     with pytest.raises(ArchiveError, match="format 99"):
         load_plan(tmp_path)
+    file = tmp_path / "file"
+    file.touch()
+    with pytest.raises(ArchiveError, match="is a file, not a folder"):
+        plan_of().save(file)
 
 
 LONG = {**DATA, "run": {"steps": 40_000, "save_every": 4_000, "seed": 7}}

@@ -99,6 +99,8 @@ class Plan:
             with replacing(folder / PLAN) as partial:
                 data = {"format": PLAN_FORMAT, **asdict(self)}
                 partial.write_text(json.dumps(data, indent=1, ensure_ascii=False) + "\n", "utf-8")
+        except FileExistsError:
+            raise ArchiveError(f"{folder} is a file, not a folder") from None
         except OSError as error:
             raise ArchiveError(f"cannot write to {folder}: {error.strerror or error}") from error
 

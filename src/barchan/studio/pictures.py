@@ -8,6 +8,7 @@ import argparse
 import base64
 import io
 import json
+import math
 import re
 import shutil
 import signal
@@ -89,9 +90,16 @@ def wait_for(page: "Page", expression: str, seconds: float) -> None:
 
 def run_preset(page: "Page", folder: Path, name: str, patience: float) -> int:
     """Run a preset to its end, or for so many seconds, and look at it; returns the step where it stands."""
-    end = time.monotonic() + patience
     simulation = Simulation(load_scenario(name, [("run.seed", str(SEED))]))
-    run(simulation, folder / name, stop=lambda: time.monotonic() > end)
+    end = math.inf
+
+    def stop() -> bool:
+        nonlocal end
+        if end == math.inf and simulation.steps_done > 0:  # kernels are compiled
+            end = time.monotonic() + patience
+        return time.monotonic() > end
+
+    run(simulation, folder / name, stop=stop)
     if not page.evaluate("(name) => window.barchan.app.ask({ command: 'open', name })", name):
         raise SystemExit(f"the studio does not open the run of {name}")
     title, step = json.dumps(simulation.scenario.title), simulation.steps_done
