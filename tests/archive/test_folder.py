@@ -53,7 +53,7 @@ def test_an_empty_folder_may_be_used(tmp_path):
 
 def test_a_folder_that_is_not_empty_is_refused_and_left_alone(tmp_path):
     (tmp_path / "letter.txt").write_text("dear")
-    with pytest.raises(ArchiveError, match="is not empty; choose another folder, or add --overwrite"):
+    with pytest.raises(ArchiveError, match="is not empty; choose another folder, or add overwrite=True"):
         run(Simulation(tiny()), tmp_path)
     assert names_in(tmp_path) == {"letter.txt"}
 

@@ -183,8 +183,8 @@ def _entries(path: Path) -> list[dict[str, Any]]:
     return entries
 
 
-def check_room(path: Path, overwrite: bool) -> None:
-    """Raise ArchiveError unless a new run may be written to ``path``."""
+def check_room(path: Path, overwrite: bool, how: str = "overwrite=True") -> None:
+    """Raise ArchiveError unless a new run may be written to ``path``; ``how`` is how one asks to overwrite."""
     with writing(path):
         if path.exists() and not path.is_dir():
             raise ArchiveError(f"{path} is a file, not a folder")
@@ -192,7 +192,7 @@ def check_room(path: Path, overwrite: bool) -> None:
     if not names:
         return
     if not overwrite:
-        raise ArchiveError(f"{path} is not empty; choose another folder, or add --overwrite to replace it")
+        raise ArchiveError(f"{path} is not empty; choose another folder, or add {how} to replace it")
     if SCENARIO not in names and not names <= FIRST:
         raise ArchiveError(f"{path} is not empty and holds no run; it is not overwritten")
 

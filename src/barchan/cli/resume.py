@@ -94,7 +94,7 @@ def _branch(
     from barchan.archive import branch, check_room
 
     asked = pairs(values, resume)
-    check_room(out, overwrite)
+    check_room(out, overwrite, "--overwrite")
     going = branch(run, at, stop=stop)
     if going.remark and not quiet:
         print_note(going.remark)

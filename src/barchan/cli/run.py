@@ -50,7 +50,7 @@ def run(
     state_threads(threads)
     chosen = load_scenario(source_at(scenario), pairs(values, run))
     folder = out or _new_folder(scenario)
-    check_room(folder, overwrite)
+    check_room(folder, overwrite, "--overwrite")
     random_seed = chosen.run.seed is None
     with work_announced(quiet), Interrupts().watched() as stop, saved_when_broken_off(folder):
         simulation = Simulation(chosen)
