@@ -184,7 +184,7 @@ def _entries(path: Path) -> list[dict[str, Any]]:
 
 
 def check_room(path: Path, overwrite: bool, how: str = "overwrite=True") -> None:
-    """Raise ArchiveError unless a new run may be written to ``path``; ``how`` is how one asks to overwrite."""
+    """Raise ArchiveError unless a new run may be written to ``path``; ``how`` is how one asks for it."""
     with writing(path):
         if path.exists() and not path.is_dir():
             raise ArchiveError(f"{path} is a file, not a folder")
