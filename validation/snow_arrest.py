@@ -14,7 +14,7 @@ from scipy.optimize import brentq
 
 from barchan.snow.conditions import Conditions
 from validation.snow_scenes import dome, field
-from validation.study import Row, over_seeds
+from validation.study import Row, over_seeds, spread
 
 TITLE = "The greatest dune of snow that moves"
 
@@ -44,12 +44,6 @@ def bracket(shares):
     return (LENGTHS[at - 1] if at else 0.0), (LENGTHS[at] if at < len(LENGTHS) else math.inf)
 
 
-def percent(shares):
-    """Mean and standard deviation of several runs, in percent."""
-    mean, deviation = 100.0 * np.mean(shares), 100.0 * np.std(shares, ddof=1)
-    return f"{mean:.2g} ± {deviation:.2g} %" if mean < 99.5 else f"100 ± {deviation:.2g} %"
-
-
 def rows():
     cases = [(length, wind, temperature) for wind, temperature in CASES for length in LENGTHS]
     results = [result["share"] for result in over_seeds(locked, cases)]
@@ -59,7 +53,7 @@ def rows():
         brackets = [bracket(one) for one in zip(*shares, strict=True)]
         votes = sum(low <= 2.0 * expected and high >= expected / 2.0 for low, high in brackets)
         found = " or ".join(f"between {low:g} and {high:g} m" for low, high in sorted(set(brackets)))
-        listed = ", ".join(percent(share) for share in shares)
+        listed = ", ".join(f"{spread(100.0 * np.array(share), 2)} %" for share in shares)
         yield Row(
             f"{wind:g} m/s, {temperature:g} °C",
             f"{expected:.2g} m",

@@ -52,7 +52,8 @@ def spread(values: Values, digits: int = 3) -> str:
     if not np.isfinite(values).all():
         return "not defined in every run"
     mean, deviation = np.mean(values), np.std(values, ddof=1)
-    return f"{mean:.{digits}g} ± {deviation:.2g}"
+    rounded = float(f"{mean:.{digits}g}")  # 100, not 1e+02
+    return f"{rounded:g} ± {deviation:.2g}"
 
 
 def number(what: str, published: float, values: Values, unit: str = "", note: str = "one run") -> Row:

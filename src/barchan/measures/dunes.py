@@ -89,9 +89,8 @@ def bodies_of(raised: NDArray[np.bool_], periodic: Periodic) -> NDArray[np.int64
     pairs = [np.stack([numbers.take(copy, axis), numbers.take(own, axis)]) for axis, copy, own in joins]
     first, last = np.concatenate([empty, *pairs], axis=1)
     links = scipy.sparse.coo_array((np.ones(len(first)), (first, last)), (count + 1, count + 1))
-    return scipy.sparse.csgraph.connected_components(links, directed=False)[1][numbers][1:-1, 1:-1].astype(
-        np.int64
-    )
+    _, bodies = scipy.sparse.csgraph.connected_components(links, directed=False)
+    return bodies[numbers][1:-1, 1:-1].astype(np.int64)
 
 
 def _unrolled(at: NDArray[np.intp], size: int, joined: bool) -> NDArray[np.int64] | None:

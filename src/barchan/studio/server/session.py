@@ -5,12 +5,7 @@ from pathlib import Path
 from typing import Any
 
 from barchan.scenario import Scenario
-from barchan.studio.protocol import (
-    PROTOCOL,
-    Request,
-    message,
-    numbered,
-)
+from barchan.studio.protocol import PROTOCOL, Request, message, numbered
 from barchan.studio.server.aside import Aside
 from barchan.studio.server.audience import Audience, Viewer
 from barchan.studio.server.autosave import Autosave
