@@ -1,6 +1,7 @@
 """A disk that fills up: a clear error, and what was saved stays good."""
 
 import resource
+import sys
 from contextlib import contextmanager
 
 import pytest
@@ -17,12 +18,14 @@ FILE_SIZES = [0, 300, 3_000, 10_000]
 
 @contextmanager
 def files_no_larger_than(size):
-    """Let the system refuse to write beyond a size, as a full disk would."""
+    """Let the system refuse to write beyond a size, as a full disk would; no bytecode is cut off."""
     soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
+    written, sys.dont_write_bytecode = sys.dont_write_bytecode, True
     try:
         yield lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (size, hard))
     finally:
         resource.setrlimit(resource.RLIMIT_FSIZE, (soft, hard))
+        sys.dont_write_bytecode = written
 
 
 def fill_up_after(folder, step, size):

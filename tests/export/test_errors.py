@@ -4,6 +4,7 @@ import json
 import resource
 import shutil
 import signal
+import sys
 from datetime import datetime
 from importlib import util
 
@@ -100,8 +101,9 @@ def test_a_frame_in_memory_is_exported_as_a_run_is(run, tmp_path):
 
 
 @pytest.fixture
-def full_disk():
-    """No file may grow beyond 64 bytes."""
+def full_disk(monkeypatch):
+    """No file may grow beyond 64 bytes; no bytecode is written, which would stay cut off."""
+    monkeypatch.setattr(sys, "dont_write_bytecode", True)
     before, heeded = resource.getrlimit(resource.RLIMIT_FSIZE), signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
     resource.setrlimit(resource.RLIMIT_FSIZE, (64, before[1]))
     yield
