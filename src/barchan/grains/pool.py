@@ -11,7 +11,7 @@ from barchan.kernels.grains.state import SUNK, Ejecta, Grains, Landings
 MOTION, COUNTERS = 8, 4
 """Quantities of a grain, as numbers and as whole numbers; see ``kernels.grains.state.Grains``."""
 
-SLOT_BYTES = 300
+SLOT_BYTES = 312
 """Memory (bytes) of a grain, of its landing and ejecta, and of a state that holds it."""
 
 _PAGE, _STAGGER = 1024, 80
@@ -75,7 +75,7 @@ def work_space(slots: int, several_sizes: bool = False) -> tuple[Landings, Eject
         start=np.zeros(slots, np.uint64),
         size_class=np.zeros(slots, np.int32) if several_sizes else None,
     )
-    return landings, Ejecta(*np.zeros((5, slots), np.int64), *np.zeros((3, slots)))
+    return landings, Ejecta(*np.zeros((6, slots + 1), np.int64), *np.zeros((3, slots)))
 
 
 class Pool:

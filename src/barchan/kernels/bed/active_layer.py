@@ -10,13 +10,14 @@ size, and nothing is kept.
 import numpy as np
 from numba import njit
 
+from barchan.kernels.core.internal import internal
 from barchan.kernels.core.random import GOLDEN, below, derive, high, mix
 
 _OWN_STREAM = 4
 """Number under a key from which the random sequence of sizes derives."""
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@internal(error_model="numpy")
 def class_at(classes, at):
     """The size class at a place of ``classes``; 0 for sand of one size."""
     if classes is not None:
@@ -24,14 +25,14 @@ def class_at(classes, at):
     return np.int64(0)
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@internal(error_model="numpy")
 def set_class(classes, at, size_class):
     """Set the size class at a place of ``classes``; nothing for sand of one size."""
     if classes is not None:
         classes[at] = size_class
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@internal(error_model="numpy")
 def available(layer, sand, size_class, cell):
     """Parcels of a size class that a cell can give."""
     if layer is not None:
@@ -39,7 +40,7 @@ def available(layer, sand, size_class, cell):
     return np.int64(sand[cell])
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@internal(error_model="numpy")
 def parcels_of(counts, cell):
     """Parcels of all size classes in a cell."""
     total = np.int64(0)
@@ -48,7 +49,7 @@ def parcels_of(counts, cell):
     return total
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@internal(error_model="numpy")
 def class_of_parcel(counts, cell, number):
     """Size class of parcel ``number`` of a cell when its parcels are sorted by size."""
     for size_class in range(counts.shape[0] - 1):
@@ -65,13 +66,13 @@ def reseed(layer, key):
         layer.rng_state[0] = derive(key, _OWN_STREAM)
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@internal(error_model="numpy")
 def _next(layer):
     layer.rng_state[0] += GOLDEN
     return mix(layer.rng_state[0])
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@internal(error_model="numpy")
 def _random_class(counts, cell, total, layer):
     return class_of_parcel(counts, cell, below(high(_next(layer)), total))
 
@@ -103,7 +104,7 @@ def take(layer, cell, size_class, parcels):
             rest -= 1
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@internal(error_model="numpy")
 def _take_any(layer, cell):
     size_class = _random_class(layer.surface, cell, parcels_of(layer.surface, cell), layer)
     take(layer, cell, size_class, 1)

@@ -1,7 +1,6 @@
 """The lattice as kernels see it, and the eight neighbours of a cell."""
 
 import numpy as np
-from numba import njit
 
 from barchan.kernels.bed.state import Grid
 from barchan.kernels.core.internal import internal
@@ -11,7 +10,7 @@ ROW_STEP = np.array([0, 1, 0, -1, 1, 1, -1, -1])
 COL_STEP = np.array([1, 0, -1, 0, 1, -1, -1, 1])
 
 
-@njit(cache=True)
+@internal()
 def neighbour(row: int, col: int, direction: int, grid: Grid) -> tuple[int, int]:
     """Row and column of a neighbour; a cell beyond an open edge is the cell itself.
 

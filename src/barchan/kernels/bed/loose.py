@@ -8,9 +8,10 @@ import numpy as np
 from numba import njit
 
 from barchan.kernels.bed.state import AGES
+from barchan.kernels.core.internal import internal
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@internal(error_model="numpy")
 def loose_at(loose, cell):
     """Loose parcels of a cell."""
     total = np.int64(0)
@@ -19,7 +20,7 @@ def loose_at(loose, cell):
     return total
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@internal(error_model="numpy")
 def take_loose(loose, cell, parcels):
     """Take parcels from the youngest age on; more than there are take all, for the rest is bonded."""
     for age in range(AGES):

@@ -1,20 +1,20 @@
 """What bonds between grains of snow withstand. None in place of bonds is sand: all of it is loose."""
 
 import numpy as np
-from numba import njit
 
 from barchan.kernels.bed.loose import change_loose, loose_at
+from barchan.kernels.core.internal import internal
 from barchan.kernels.core.random import draw
 
 
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+@internal(error_model="numpy", forceinline=True)
 def note_change(bonds, cell, parcels):
     """Note parcels that came to rest on a cell, or that left it (negative)."""
     if bonds is not None:
         change_loose(bonds.loose, cell, parcels)
 
 
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+@internal(error_model="numpy", forceinline=True)
 def loose_of(bonds):
     """Loose parcels by cell and age; None where nothing bonds."""
     if bonds is None:
@@ -22,7 +22,7 @@ def loose_of(bonds):
     return bonds.loose
 
 
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+@internal(error_model="numpy", forceinline=True)
 def movable(bonds, sand, cell, breaks):
     """Parcels of a cell that can leave it: all if what takes them ``breaks`` bonds, or the loose ones."""
     if bonds is None:
@@ -30,7 +30,7 @@ def movable(bonds, sand, cell, breaks):
     return np.int64(sand[cell]) if breaks else loose_at(bonds.loose, cell)
 
 
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+@internal(error_model="numpy", forceinline=True)
 def wind_breaks(bonds):
     """Whether the wind lifts bonded parcels too."""
     if bonds is None:
@@ -38,7 +38,7 @@ def wind_breaks(bonds):
     return bonds.yields
 
 
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+@internal(error_model="numpy", forceinline=True)
 def impact_breaks(bonds, start, number):
     """Whether what an impact sets in motion may be a bonded parcel, by draw ``number`` of the impact."""
     if bonds is None:
@@ -46,7 +46,7 @@ def impact_breaks(bonds, start, number):
     return draw(start, number) < bonds.hardness
 
 
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+@internal(error_model="numpy", forceinline=True)
 def restitution_at(bonds, cell, least, restitution):
     """Restitution of rebounds off a cell; it is bonded where fewer than ``least`` parcels are loose."""
     if bonds is None:

@@ -3,12 +3,12 @@
 import math
 
 import numpy as np
-from numba import njit
 
+from barchan.kernels.core.internal import internal
 from barchan.kernels.grains.state import LANDED
 
 
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+@internal(error_model="numpy", forceinline=True)
 def bounce(slot, surface, east, north, grains, rule):
     """Throw a grain back off a surface with slopes, or leave it where it is (Szabó 2019, eq. 3.9)."""
     length = math.sqrt(1.0 + east * east + north * north)

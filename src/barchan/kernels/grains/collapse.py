@@ -8,11 +8,12 @@ from barchan.kernels.bed.loose import join, part_loose
 from barchan.kernels.bed.relax import CHECKED, NO_END, enqueue, enqueue_about, relax_queue
 from barchan.kernels.bed.state import Stacks
 from barchan.kernels.core.borrow import borrowed
+from barchan.kernels.core.internal import internal
 from barchan.kernels.grains.bonds import loose_of
 from barchan.kernels.grains.surface import renew_mesh
 
 
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+@internal(error_model="numpy", forceinline=True)
 def _mark_steps(mine, other, count, limit, level, steep):
     """Mark the cells of two rows of ``count`` cells that stand too high over one another."""
     here, there = level[mine : mine + count], level[other : other + count]
@@ -23,7 +24,7 @@ def _mark_steps(mine, other, count, limit, level, steep):
         others[k] |= here[k] - there[k] < -limit
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@internal(error_model="numpy")
 def _find_steep(level, rows, cols, repose, grid, steep):
     """Mark the cells that stand too high over one of their eight neighbours."""
     steep[:] = 0
@@ -43,7 +44,7 @@ def _find_steep(level, rows, cols, repose, grid, steep):
                 _mark_steps(row * cols + col, other * cols + cols - 1 - col, np.int64(1), limit, level, steep)
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@internal(error_model="numpy")
 def _relax(ground, slopes, key, length):
     loose, layer = loose_of(ground.bonds), ground.active_layer
     free = part_loose(loose, ground.sand)
@@ -72,14 +73,14 @@ def settle_steep(ground, slopes, key):
     return _relax(ground, slopes, key, length)
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@internal(error_model="numpy")
 def _upset_about(cell, grid, slopes, length):
     """Put a cell and its neighbours into the queue of cells to be checked; the queue's length."""
     length = enqueue(slopes.unstable, cell, CHECKED, 0, length)
     return enqueue_about(slopes.unstable, cell // grid.cols, cell % grid.cols, 0, 0, length, grid)
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@internal(error_model="numpy")
 def settle_about(cell, other, ground, slopes, key):
     """Let slopes slide where only one grain was taken from a cell and laid on another."""
     ground, slopes = borrowed((ground, slopes))
@@ -94,7 +95,7 @@ def settle_about(cell, other, ground, slopes, key):
     return _relax(ground, slopes, key, length)
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@internal(error_model="numpy")
 def renew_surface(ground):
     """Recompute every stack's height (m, float32) from its level, and the mesh."""
     for cell in range(ground.level.size):

@@ -8,9 +8,9 @@ itself. Where it is as strong as that a grain goes on until it comes to where th
 import math
 
 import numpy as np
-from numba import njit
 
 from barchan.kernels.bed.active_layer import parcels_of
+from barchan.kernels.core.internal import internal, woven
 from barchan.kernels.core.random import draw
 from barchan.kernels.core.state import TRAVEL_UNIT
 from barchan.kernels.grains.bonds import impact_breaks
@@ -37,7 +37,7 @@ _LEAST = 1e-9
 """Displacements shorter than this (cells) are treated as zero."""
 
 
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+@internal(error_model="numpy", forceinline=True)
 def _neighbour(place, step, size, wrap):
     """The row or column a ``step`` away, and whether that is within the field."""
     there = place + step
@@ -46,7 +46,7 @@ def _neighbour(place, step, size, wrap):
     return (there + size if there < 0 else there - size), wrap
 
 
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+@internal(error_model="numpy", forceinline=True)
 def _whole(part, chance):
     """1 in the direction of ``part`` with a probability as large as that, up to 1; else 0."""
     if chance >= abs(part):
@@ -54,7 +54,7 @@ def _whole(part, chance):
     return 1 if part > 0.0 else -1
 
 
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+@internal(error_model="numpy", forceinline=True)
 def wind_along_bed(creep, cell, ground):
     """Friction velocity (m/s) of the wind along the bed at a cell: none in shelter."""
     if ground.shelter_surface[cell] > ground.height[cell] + creep.shelter:
@@ -62,14 +62,14 @@ def wind_along_bed(creep, cell, ground):
     return ground.bed_stress.ustar[cell]
 
 
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+@internal(error_model="numpy", forceinline=True)
 def along_stress(creep, cell, ground):
     """Direction of the stress on the bed at a cell: 1 along the wind, and a part to the left."""
     left = ground.bed_stress.deflection[cell]
     return creep.wind_x - left * creep.wind_y, creep.wind_y + left * creep.wind_x
 
 
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+@internal(error_model="numpy", forceinline=True)
 def displacement(toward, slope, friction, help_x, help_y, reach):
     """Displacement (cells) of a grain pushed ``toward`` a unit vector, until bed, slope and wind stop it.
 
@@ -83,21 +83,21 @@ def displacement(toward, slope, friction, help_x, help_y, reach):
     return length * (x + (force_x - along * x) / stopping), length * (y + (force_y - along * y) / stopping)
 
 
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
-def _move(cell, size_class, step, draws, creep, ground, counts):
+@woven(error_model="numpy")
+def _move(row, col, size_class, step, draws, creep, ground, counts):
     """Move a grain's sand on until it stops, or out of the field, if the cell has enough of its size.
 
     ``step`` is the first step (columns, rows); ``draws`` are the start of the impact's random numbers and
     the number of the first of this grain.
     """
     grid, start, at = ground.grid, draws[0], draws[1]
-    if not take_up(cell, size_class, ground, impact_breaks(ground.bonds, start, at + _BOND_DRAW)):
+    if not take_up(row, col, size_class, ground, impact_breaks(ground.bonds, start, at + _BOND_DRAW)):
         return
     step_x, step_y = step
     counts[MOVED] += 1
     for count in range(1, FARTHEST + 1):
-        row, inside_y = _neighbour(cell // grid.cols, step_y, grid.rows, grid.wrap_across)
-        col, inside_x = _neighbour(cell % grid.cols, step_x, grid.cols, grid.wrap_along)
+        row, inside_y = _neighbour(row, step_y, grid.rows, grid.wrap_across)
+        col, inside_x = _neighbour(col, step_x, grid.cols, grid.wrap_along)
         counts[TRAVEL_X] += step_x * TRAVEL_UNIT
         counts[TRAVEL_Y] += step_y * TRAVEL_UNIT
         if not (inside_x and inside_y):
@@ -111,10 +111,10 @@ def _move(cell, size_class, step, draws, creep, ground, counts):
         longest = max(abs(x), abs(y))
         step_x = _whole(x / longest, draw(start, at + count * STRIDE))
         step_y = _whole(y / longest, draw(start, at + count * STRIDE + 1))
-    lay_down(cell, size_class, ground)
+    lay_down(row, col, size_class, ground)
 
 
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+@internal(error_model="numpy", forceinline=True)
 def _share(layer, size_class, cell):
     """Share of a size class in the active layer of a cell; 0 where there is no sand."""
     if layer is None:
@@ -123,8 +123,8 @@ def _share(layer, size_class, cell):
     return layer.surface[size_class, cell] / held if held > 0 else 0.0
 
 
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
-def push(creep, k, cell, ground, landings, counts):
+@internal(error_model="numpy", forceinline=True)
+def push(creep, k, row, col, ground, landings, counts):
     """Push sand along where the impact of entry ``k`` hit the bed; nothing without ``creep``.
 
     Sand moves by whole cells, so there are fewer pushes than grains, by the factor by which displacements
@@ -132,6 +132,7 @@ def push(creep, k, cell, ground, landings, counts):
     """
     if creep is None:
         return
+    cell = row * ground.grid.cols + col
     u, v, start = landings.u[k], landings.v[k], landings.start[k]
     speed = math.sqrt(u * u + v * v)
     if speed == 0.0:
@@ -154,4 +155,4 @@ def push(creep, k, cell, ground, landings, counts):
             step_x = _whole(x / longest, draw(start, draws))
             step_y = _whole(y / longest, draw(start, draws + 1))
             if step_x != 0 or step_y != 0:
-                _move(cell, size_class, (step_x, step_y), (start, draws), creep, ground, counts)
+                _move(row, col, size_class, (step_x, step_y), (start, draws), creep, ground, counts)

@@ -3,9 +3,9 @@
 import math
 
 import numpy as np
-from numba import njit
 
 from barchan.kernels.bed.active_layer import class_of_parcel, parcels_of, set_class
+from barchan.kernels.core.internal import internal
 from barchan.kernels.core.random import draw
 from barchan.kernels.grains.bonds import movable, wind_breaks
 from barchan.kernels.grains.pool import launch
@@ -13,14 +13,14 @@ from barchan.kernels.grains.state import NOWHERE
 from barchan.kernels.grains.surface import nearest_cell, surface_at
 
 
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+@internal(error_model="numpy", forceinline=True)
 def place(part, size):
     """A coordinate (cells, float32) within the field from a number from 0 to below 1."""
     coordinate = np.float32(part * size)
     return coordinate if coordinate < np.float32(size) else np.float32(size - 0.5)
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@internal(error_model="numpy")
 def _random_class(layer, cell, part, creeps):
     """Size class of a random parcel of a cell's active layer; -1: too heavy."""
     if layer is None:
@@ -29,7 +29,7 @@ def _random_class(layer, cell, part, creeps):
     return -1 if creeps[size_class] else size_class
 
 
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+@internal(error_model="numpy", forceinline=True)
 def entrain(slot, start, grains, ground, rule):
     """Launch a grain in a slot from a random cell, if that can give a parcel; the cell, or ``NOWHERE``."""
     if draw(start, 1) >= rule.probability:

@@ -14,6 +14,7 @@ from numba import njit
 from barchan.kernels.bed.active_layer import slide
 from barchan.kernels.bed.grid import neighbour
 from barchan.kernels.core.borrow import borrowed
+from barchan.kernels.core.internal import internal
 from barchan.kernels.grains.bonds import movable
 from barchan.kernels.grains.exchange import pile_up
 from barchan.kernels.grains.surface import note_stale, renew_stale
@@ -28,7 +29,7 @@ _PARCEL = 0.99
 """Parcels from which on an exchange may be one parcel, however numbers are rounded."""
 
 
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+@internal(error_model="numpy", forceinline=True)
 def _beside(place, size, wrap):
     """The places before and after one; the place itself beyond an open edge."""
     before = place - 1 if place > 0 else (size - 1 if wrap else place)
@@ -36,7 +37,7 @@ def _beside(place, size, wrap):
     return before, after
 
 
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+@internal(error_model="numpy", forceinline=True)
 def _mark(below, here, above, west, col, east, factors, least):
     """The mark of a cell of row ``here``: whether it differs too much from its neighbours' weighted mean.
 
@@ -57,7 +58,7 @@ def _mark(below, here, above, west, col, east, factors, least):
     return np.uint8(is_sharp) + np.uint8(is_sharp & (max(at_faces, at_corners) >= _PARCEL))
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@internal(error_model="numpy")
 def _mark_row(row, level, grid, factors, least, marks):
     """Mark the cells of a row, the columns at the edges first; the highest mark."""
     cols = grid.cols
@@ -75,7 +76,7 @@ def _mark_row(row, level, grid, factors, least, marks):
     return highest
 
 
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+@internal(error_model="numpy", forceinline=True)
 def _exchange(cell, before, marks, ground, rule):
     """Exchange parcels between a cell and its neighbours; the number that moved."""
     grid = ground.grid

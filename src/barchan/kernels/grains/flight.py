@@ -10,6 +10,7 @@ import numpy as np
 from numba import njit
 
 from barchan.kernels.core.borrow import borrowed
+from barchan.kernels.core.internal import internal
 from barchan.kernels.grains.surface import mesh_cell
 from barchan.kernels.grains.wind import enter_stream, entry, find_climb, find_wind, leave_stream, speed_up
 
@@ -22,7 +23,7 @@ OUTSIDE = np.int32(-1)
 _ZERO = np.float32(0.0)
 
 
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+@internal(error_model="numpy", forceinline=True)
 def _to_class_tables(start, count, size_class, size, cell):
     """Move entries ``cell`` of the first of several tables to the table of each grain's size class."""
     if size_class is not None:
@@ -31,7 +32,7 @@ def _to_class_tables(start, count, size_class, size, cell):
             cell[j] += part[j] * size
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@internal(error_model="numpy")
 def _find_drag(start, count, grains, air, wind, cell, share):
     """Put the share of the velocity difference that drag takes away into ``share``."""
     end = start + count
@@ -48,7 +49,7 @@ def _find_drag(start, count, grains, air, wind, cell, share):
         share[j] = air.drag.values[np.uint64(cell[j])]
 
 
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+@internal(error_model="numpy", forceinline=True)
 def _push_along(count, place, velocity, part, wind, share, air):
     """Move a block of grains by one time step along one axis, of which the wind has its ``part``."""
     before, after = air.before, air.after
@@ -59,7 +60,7 @@ def _push_along(count, place, velocity, part, wind, share, air):
         velocity[j] = new
 
 
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+@internal(error_model="numpy", forceinline=True)
 def _push_up(count, z, w, share, air):
     """Move a block of grains by one time step upwards."""
     fall, early_fall = air.fall, air.early_fall
@@ -71,7 +72,7 @@ def _push_up(count, z, w, share, air):
         w[j] = new
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@internal(error_model="numpy")
 def _push(start, count, grains, air, wind, share):
     """Move a block of grains by one time step.
 
@@ -84,7 +85,7 @@ def _push(start, count, grains, air, wind, share):
     _push_up(count, grains.z[start:end], grains.w[start:end], share, air)
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@internal(error_model="numpy")
 def _find_low(start, count, grains, grid, top, cell, value):
     """Put into ``cell`` whether (1 or 0) a grain is outside the field or below the top of its mesh cell."""
     end = start + count
@@ -110,7 +111,7 @@ def work_space():
     return cell, wind, share, climb, sideways
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@internal(error_model="numpy")
 def move_blocks(first, last, grains, air, ground, candidates, work):
     """Move the slots from ``first`` to before ``last`` by one time step.
 

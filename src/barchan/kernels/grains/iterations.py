@@ -1,9 +1,9 @@
 """A batch of iterations: all grains fly, land, change the bed and start, again and again, in one call.
 
 Several threads may make it together, one of which leads (``board``). They share pieces of the slots, let them
-fly and land; the exchange of sand, in the order of slots, is the leader's; then they share the ejecta to be
-launched and the rows of the mesh to be renewed. No piece depends on another one of its round or on who does
-it, so the bits are the same for any number of threads.
+fly and land; then the exchange of sand, each in a territory, of which one thread does the rest; then the
+ejecta to be launched and the rows of the mesh to be renewed. No piece depends on another one of its round or
+on who does it, so the bits are the same for any number of threads.
 """
 
 from typing import NamedTuple
@@ -14,14 +14,16 @@ from numba import njit
 from barchan.kernels.bed.active_layer import reseed
 from barchan.kernels.core import work_queue
 from barchan.kernels.core.borrow import borrowed
+from barchan.kernels.core.internal import internal
 from barchan.kernels.core.random import derive
 from barchan.kernels.core.work_queue import NOTHING, await_done, pop_front, publish, task_done, wait_pop_back
-from barchan.kernels.grains.exchange import exchange
+from barchan.kernels.grains.entries import count_free, exchange, give_places, launch_from_free, list_impacts
 from barchan.kernels.grains.flight import move_blocks
 from barchan.kernels.grains.landing import land
-from barchan.kernels.grains.splash import eject, throw
-from barchan.kernels.grains.state import FLOWN
+from barchan.kernels.grains.splash import throw
+from barchan.kernels.grains.state import FLOWN, Scene
 from barchan.kernels.grains.surface import renew_stale
+from barchan.kernels.grains.territories import ALONE, PUT_OFF, Territories, Ways, find_reach, forget_put_off
 
 PIECE = 1024
 """Slots of a piece: work for some 10 µs. Where there are too many pieces they are larger."""
@@ -38,25 +40,41 @@ class Plan(NamedTuple):
     key: np.uint64
     slots: int
     piece: int
+    first: int
+    """The first iteration."""
     board: np.ndarray
     found: np.ndarray
     """Entries of each piece."""
     progress: np.ndarray
     """See ``ITERATION``."""
+    territories: Territories
 
 
-ITERATION, ROUND, OFFERED, THROWN = range(4)
-"""Entries of the progress: the iteration, the round (even: flight, odd: the exchange of sand and what follows
-it), pieces offered since the start, and parcels thrown out in this iteration."""
+ITERATION, ROUND, OFFERED, THROWN, HITS, SHARED = range(6)
+"""Entries of the progress: the iteration; the round since the start; pieces offered since then; places of
+ejecta, then ejecta, of this iteration; its impacts; and whether territories share its exchange of sand."""
+
+FLIGHT, EXCHANGE, REST, FINISH = range(4)
+"""The rounds of an iteration: flight, the exchange of sand, what territories put off, and what follows."""
+
+ROUNDS = 4
 
 
-def plan_of(key: int, slots: int, first: int) -> Plan:
+def plan_of(key: int, slots: int, first: int, territories: Territories) -> Plan:
     """A plan for some slots under a stream's key, from iteration ``first`` on."""
     piece = PIECE
     while slots > piece * work_queue.MOST_PIECES:
         piece *= 2
-    found, progress = np.zeros(-(-slots // piece), np.int64), np.array([first - 1, -1, 0, 0])
-    return Plan(np.uint64(key), slots, piece, work_queue.new_board(), found, progress)
+    found, progress = np.zeros(-(-slots // piece), np.int64), np.array([first - 1, -1, 0, 0, 0, 0])
+    return Plan(np.uint64(key), slots, piece, first, work_queue.new_board(), found, progress, territories)
+
+
+def find_reaches(plan: Plan, scene: Scene) -> None:
+    """Find how far impacts reach in the wind of a scene, where territories share it."""
+    territories, splash = plan.territories, scene.rules.splash
+    if splash is not None and territories.reach.size:
+        ways = Ways(*np.zeros((len(Ways._fields), territories.reach.size), np.uint8))
+        find_reach(splash.creep, scene.ground, ways, territories.reach)
 
 
 @njit(inline="always")
@@ -71,24 +89,65 @@ def _fly(number, plan, scene, work):
 
 
 @njit(inline="always")
-def _exchange(plan, scene):
-    """Exchange the sand of grains that flew and of ejecta."""
-    grains, ground, landings, counts = scene.grains, scene.ground, scene.landings, scene.counts
-    reseed(ground.active_layer, derive(derive(plan.key, plan.progress[ITERATION]), plan.slots))
+def _exchange(number, rest, plan, scene):
+    """Exchange the sand of a territory, or of all; or do the ``rest`` that territories put off."""
+    part = ALONE
+    if plan.progress[SHARED]:
+        part = plan.territories.marks.shape[0] if rest else number
+    hits, stamp = plan.progress[HITS], np.int32(plan.progress[ITERATION] - plan.first + 1)
+    places = exchange(part, stamp, plan.found, plan.piece, hits, scene.rules.splash, scene, plan.territories)
+    if part == ALONE:
+        plan.progress[THROWN] = places
+
+
+@internal(error_model="numpy")
+def _open_exchange(plan, scene):
+    """Prepare the exchange of sand; the number of its pieces."""
+    grains, landings, ejecta, progress = scene.grains, scene.landings, scene.ejecta, plan.progress
+    layer, splash, parts = scene.ground.active_layer, scene.rules.splash, plan.territories.marks.shape[0]
+    reseed(layer, derive(derive(plan.key, progress[ITERATION]), plan.slots))
+    progress[HITS] = list_impacts(plan.found, plan.piece, landings, ejecta)
+    progress[SHARED] = 0
+    if parts > 1 and layer is None:
+        free = count_free(plan.found, plan.piece, landings.slot, grains.status)
+        places = give_places(progress[HITS], free, splash, landings, ejecta)
+        progress[SHARED], progress[THROWN] = places >= 0, places
+    if not progress[SHARED]:
+        return 1
     for number in range(plan.found.size):
-        exchange(number * plan.piece, plan.found[number], grains, ground, landings, counts)
-    splash, ejecta = scene.rules.splash, scene.ejecta
-    thrown = eject(plan.found, plan.piece, grains, ground, splash, landings, ejecta, counts)
-    plan.progress[THROWN] = thrown
+        forget_put_off(number * plan.piece, plan.found[number], plan.territories)
+    return parts
+
+
+@internal(error_model="numpy")
+def _rest(plan):
+    """The number of pieces of what territories put off: one, if there is anything."""
+    return min(plan.territories.marks[:, PUT_OFF].sum(), 1) if plan.progress[SHARED] else 0
+
+
+@internal(error_model="numpy")
+def _close_exchange(plan, scene):
+    """Give ejecta their slots and add up counts; the number of pieces of what follows."""
+    counts, by_part = scene.counts, plan.territories.counts
+    for part in range(by_part.shape[0]):
+        for at in range(counts.size):
+            counts[at] += by_part[part, at]
+        by_part[part] = 0
     counts[FLOWN] += plan.slots
+    thrown = launch_from_free(
+        plan.found, plan.piece, plan.progress[THROWN], scene.grains, scene.landings, scene.ejecta
+    )
+    plan.progress[THROWN] = thrown
+    grid = scene.ground.grid
+    return _pieces(thrown, _EJECTA) + _pieces(grid.rows, _rows(grid))
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@internal(error_model="numpy")
 def _pieces(count, size):
     return (count + size - 1) // size
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@internal(error_model="numpy")
 def _rows(grid):
     """Rows of the mesh in a piece."""
     return max(1, _CELLS // grid.cols)
@@ -112,17 +171,19 @@ def _next_round(plan, scene, end):
     """Once this round is done, publish the next one; its number, or ``NOTHING`` before iteration ``end``."""
     done = plan.progress[ROUND]
     await_done(plan.board, plan.progress[OFFERED])
-    if done % 2 == 1 and plan.progress[ITERATION] + 1 == end:
-        return NOTHING
-    plan.progress[ROUND] = done + 1
-    if done % 2 == 1:
+    following = (done + 1) % ROUNDS
+    if following == FLIGHT:
+        if plan.progress[ITERATION] + 1 == end:
+            return NOTHING
         plan.progress[ITERATION] += 1
         pieces = plan.found.size
+    elif following == EXCHANGE:
+        pieces = _open_exchange(plan, scene)
+    elif following == REST:
+        pieces = _rest(plan)
     else:
-        _exchange(plan, scene)
-        pieces = _pieces(plan.progress[THROWN], _EJECTA) + _pieces(
-            scene.ground.grid.rows, _rows(scene.ground.grid)
-        )
+        pieces = _close_exchange(plan, scene)
+    plan.progress[ROUND] = done + 1
     plan.progress[OFFERED] += pieces
     publish(plan.board, done + 1, pieces)
     return done + 1
@@ -149,8 +210,11 @@ def run_iterations(leads, plan, scene, work, end):
             this_round, number = wait_pop_back(plan.board)
             if number == NOTHING:
                 return
-        if this_round % 2 == 0:
+        kind = this_round % ROUNDS
+        if kind == FLIGHT:
             _fly(number, plan, scene, work)
-        else:
+        elif kind == FINISH:
             _finish(number, plan, scene)
+        else:
+            _exchange(number, kind == REST, plan, scene)
         task_done(plan.board)

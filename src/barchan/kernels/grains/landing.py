@@ -1,10 +1,10 @@
 """Grains that may have landed: they bounce, splash, come to rest or leave, and free slots entrain others."""
 
 import numpy as np
-from numba import njit
 
 from barchan.kernels.bed.active_layer import class_at, set_class
 from barchan.kernels.core.borrow import borrowed
+from barchan.kernels.core.internal import internal, woven
 from barchan.kernels.core.random import derive
 from barchan.kernels.grains.bonds import restitution_at
 from barchan.kernels.grains.bounce import bounce
@@ -21,7 +21,7 @@ _FARTHEST = np.float32(2.0**30)
 """Distance (cells) in a time step beyond which laps round a field are not counted: the grain is gone."""
 
 
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+@internal(error_model="numpy", forceinline=True)
 def _over_edge(slot, place, wraps, size, wrap, grains):
     """Bring a coordinate that left the field in again from the other side, or take the grain out.
 
@@ -43,26 +43,26 @@ def _over_edge(slot, place, wraps, size, wrap, grains):
     place[slot] = p
 
 
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+@internal(error_model="numpy", forceinline=True)
 def _inside(x, y, grid):
     return x >= _ZERO and x < np.float32(grid.cols) and y >= _ZERO and y < np.float32(grid.rows)
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@internal(error_model="numpy")
 def _come_in(slot, grains, grid):
     """Bring a grain in over the edges it crossed, or take it out."""
     _over_edge(slot, grains.x, grains.wraps_x, grid.cols, grid.wrap_along, grains)
     _over_edge(slot, grains.y, grains.wraps_y, grid.rows, grid.wrap_across, grains)
 
 
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+@internal(error_model="numpy", forceinline=True)
 def _restitution(splash, x, y, ground):
     """Restitution of rebounds where a grain hits the bed: snow is bonded where it cannot fill a footprint."""
     least = 1 if ground.scale.carried == 1 else MIDDLE
     return restitution_at(ground.bonds, nearest_cell(x, y, ground.grid), least, splash.restitution)
 
 
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+@woven(error_model="numpy")
 def _splash(k, slot, start, place, grains, air, ground, splash, most, landings):
     """Rebound a grain or leave it where it is, and write the impact into entry ``k``."""
     x, y, surface, east, north = place
@@ -78,7 +78,7 @@ def _splash(k, slot, start, place, grains, air, ground, splash, most, landings):
     landings.momentum_loss[k] = np.int64(np.rint(loss * LOSS_UNIT))
 
 
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+@internal(error_model="numpy", forceinline=True)
 def _hit(k, slot, key, place, grains, air, ground, splash, bounce_rule, landings):
     """Let a grain bounce or splash; whether that is an impact to be written into entry ``k``.
 
@@ -91,7 +91,7 @@ def _hit(k, slot, key, place, grains, air, ground, splash, bounce_rule, landings
     return True
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@internal(error_model="numpy")
 def land(first, count, key, grains, air, ground, rules, landings):
     """Handle the ``count`` slots in ``landings.candidates`` from ``first`` on.
 

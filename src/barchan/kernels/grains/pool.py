@@ -1,9 +1,9 @@
 """Slots of the pool of grains: freed, launched from, and read out when a flight ends."""
 
 import numpy as np
-from numba import njit
 
 from barchan.kernels.bed.active_layer import class_at, set_class
+from barchan.kernels.core.internal import internal
 from barchan.kernels.core.state import TRAVEL_UNIT
 from barchan.kernels.grains.state import FLYING, FREE, GONE, NOWHERE, OUT, SUNK
 from barchan.kernels.grains.surface import nearest_cell
@@ -11,7 +11,7 @@ from barchan.kernels.grains.surface import nearest_cell
 _ZERO = np.float32(0.0)
 
 
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+@internal(error_model="numpy", forceinline=True)
 def free_slot(slot, grains):
     """Take the grain out of a slot; the slot stays below the ground until it is used again."""
     grains.status[slot] = FREE
@@ -20,7 +20,7 @@ def free_slot(slot, grains):
     grains.u[slot] = grains.v[slot] = grains.w[slot] = _ZERO
 
 
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+@internal(error_model="numpy", forceinline=True)
 def launch(slot, x, y, z, velocity, grains):
     """Start a grain in a slot from a place (cells, m) with a velocity (m/s)."""
     grains.x[slot] = grains.from_x[slot] = x
@@ -32,13 +32,13 @@ def launch(slot, x, y, z, velocity, grains):
     grains.status[slot] = FLYING
 
 
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+@internal(error_model="numpy", forceinline=True)
 def _travel(there, start, wraps, size):
     travel = np.float64(there) - np.float64(start) + np.float64(wraps) * size
     return np.int64(np.rint(travel * TRAVEL_UNIT))
 
 
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+@internal(error_model="numpy", forceinline=True)
 def record_end(k, slot, most, grains, grid, landings):
     """Write the end of the flight of a slot, if there was one, into entry ``k``, and free the slot."""
     landings.slot[k] = slot

@@ -3,13 +3,15 @@
 import numpy as np
 from numba import njit
 
+from barchan.kernels.core.internal import internal
 
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+
+@internal(error_model="numpy", forceinline=True)
 def _line(near, far, weight, fall):
     return np.float32(np.float64(near) + weight * (np.float64(far) - np.float64(near)) - fall)
 
 
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+@internal(error_model="numpy", forceinline=True)
 def _rows_before(row, row_step, rows, wrap):
     """The two rows between which a line comes to ``row``; both that row itself beyond an open edge."""
     lower, upper = row + row_step, row + row_step + 1
@@ -20,7 +22,7 @@ def _rows_before(row, row_step, rows, wrap):
     return lower, upper
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@internal(error_model="numpy")
 def _spread_on(before, here, fall, row_step, weight, wrap):
     """Carry lines from one column to the next: rows whose line comes from within the field in one loop."""
     rows = here.size

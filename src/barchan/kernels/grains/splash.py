@@ -8,17 +8,17 @@ out parcels of each. Impacts also push grains along the bed (``creep``).
 import math
 
 import numpy as np
-from numba import njit
 
-from barchan.kernels.bed.active_layer import class_at, parcels_of, set_class
+from barchan.kernels.bed.active_layer import class_at, parcels_of
 from barchan.kernels.core.borrow import borrowed
+from barchan.kernels.core.internal import internal, woven
 from barchan.kernels.core.random import draw
 from barchan.kernels.grains.bonds import impact_breaks
 from barchan.kernels.grains.creep import push
 from barchan.kernels.grains.exchange import take_up
 from barchan.kernels.grains.pool import launch
-from barchan.kernels.grains.state import FREE, LANDED, LOSS, MOVED
-from barchan.kernels.grains.surface import nearest_cell, surface_at
+from barchan.kernels.grains.state import LANDED, LOSS, MOVED
+from barchan.kernels.grains.surface import surface_at
 
 MOST_EJECTA = 8
 """Ejecta of one impact at most."""
@@ -29,13 +29,13 @@ REBOUND_DRAWS, EJECTA_DRAWS, DRAWS_PER_EJECTUM, CLASS_DRAWS, BOND_DRAWS = 10, 20
 _QUARTER_TURN = math.pi / 2
 
 
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+@internal(error_model="numpy", forceinline=True)
 def exponential(part, mean, most):
     """A number of an exponential distribution cut off at ``most``, from a random ``part`` of 1."""
     return -mean * math.log(1.0 - part * (1.0 - math.exp(-most / mean)))
 
 
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+@internal(error_model="numpy", forceinline=True)
 def thrown(u, v, angles, speed, east, north):
     """Velocity of a grain thrown off a surface with slopes, at an azimuth from (u, v) and an angle (rad)."""
     azimuth, angle = angles
@@ -48,7 +48,7 @@ def thrown(u, v, angles, speed, east, north):
     return along * x - across * east, along * y - across * north, along * rise + across
 
 
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+@internal(error_model="numpy", forceinline=True)
 def rebound(slot, start, surface, grains, rule, restitution, most):
     """Throw a grain back off a ``surface`` (height and slopes), or leave it there; its impact speed (m/s).
 
@@ -70,7 +70,7 @@ def rebound(slot, start, surface, grains, rule, restitution, most):
     return speed
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@internal(error_model="numpy")
 def _abundance(by_size, size_class, cell, layer):
     """Ejecta of an impact by a size class on a cell over those of sand of one size."""
     if by_size is None:
@@ -82,7 +82,7 @@ def _abundance(by_size, size_class, cell, layer):
     return weight / held if held > 0 else 0.0
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@internal(error_model="numpy")
 def _random_class(by_size, size_class, cell, layer, part):
     """Size class of the next ejectum; -1 where none can be thrown out any more."""
     if by_size is None:
@@ -97,7 +97,7 @@ def _random_class(by_size, size_class, cell, layer, part):
     return found
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@internal(error_model="numpy")
 def _relative_speed(by_size, size_class, other):
     """Mean speed of ejecta of size class ``other`` over that of sand of one size."""
     if by_size is None:
@@ -105,7 +105,7 @@ def _relative_speed(by_size, size_class, other):
     return by_size.speed[size_class, other]
 
 
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+@internal(error_model="numpy", forceinline=True)
 def _note_loss(loss, cell, feedback, counts):
     """Add the speed that an impact took to the counts, and to its cell where the near-bed wind varies."""
     counts[LOSS] += loss
@@ -113,75 +113,51 @@ def _note_loss(loss, cell, feedback, counts):
         feedback.momentum_loss[cell] += loss
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
-def _gather(found, piece, grains, landings, ejecta):
-    """List impacts and free slots of the entries of all pieces; the number of each."""
-    hits = free = 0
-    for number in range(found.size):
-        for k in range(number * piece, number * piece + found[number]):
-            ejecta.hits[hits] = k
-            hits += landings.impact_speed[k] != 0.0
-            slot = landings.slot[k]
-            ejecta.free[free] = slot
-            free += slot >= 0 and grains.status[slot] == FREE
-    return hits, free
+@internal(error_model="numpy", forceinline=True)
+def ejecta_of(k, abundance, rule, landings):
+    """Number of parcels that the impact of entry ``k`` is to throw out."""
+    most = rule.number * landings.impact_speed[k] * abundance + draw(landings.start[k], EJECTA_DRAWS)
+    return min(np.int64(most), MOST_EJECTA)
 
 
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
-def _dig(k, cell, number, slots, grains, ground, by_size, landings, ejecta):
-    """Take the parcels of ``number`` ejecta of entry ``k``.
+@woven(error_model="numpy")
+def _dig(k, one, row, col, ground, by_size, landings, ejecta, place):
+    """Take the parcel of ejectum ``one`` of entry ``k``, noted in a ``place``; False: it is not there."""
+    start, cell = landings.start[k], row * ground.grid.cols + col
+    surface, east, north = surface_at(landings.x[k], landings.y[k], ground)
+    hitting, part = class_at(landings.size_class, k), draw(start, CLASS_DRAWS + one)
+    size_class = _random_class(by_size, hitting, cell, ground.active_layer, part)
+    breaks = impact_breaks(ground.bonds, start, BOND_DRAWS + one)
+    if size_class < 0 or not take_up(row, col, size_class, ground, breaks):
+        return False
+    ejecta.entry[place], ejecta.number[place], ejecta.size_class[place] = k, one, size_class
+    ejecta.surface[place], ejecta.east[place], ejecta.north[place] = surface, east, north
+    return True
 
-    ``slots`` are the number of free slots and of those that are taken; returns how many are taken then.
+
+@woven(error_model="numpy")
+def impact(k, row, col, places, ground, rule, landings, ejecta, counts):
+    """Take the sand that the impact of entry ``k`` on a cell throws out, and push grains; see ``throw``.
+
+    Ejecta are noted one after the other within the ``places``, from the first to before the last; where no
+    place is left the air carries all it can, and nothing more is thrown out. Returns the first that is left.
     """
-    free, taken = slots
-    x, y, start = landings.x[k], landings.y[k], landings.start[k]
+    cell = row * ground.grid.cols + col
+    _note_loss(landings.momentum_loss[k], cell, ground.feedback, counts)
     hitting = class_at(landings.size_class, k)
-    for one in range(number):
-        if taken == free:
+    abundance = _abundance(rule.by_size, hitting, cell, ground.active_layer)
+    place, end = places
+    for one in range(ejecta_of(k, abundance, rule, landings)):
+        if place == end:
             break
-        surface, east, north = surface_at(x, y, ground)
-        part = draw(start, CLASS_DRAWS + one)
-        size_class = _random_class(by_size, hitting, cell, ground.active_layer, part)
-        breaks = impact_breaks(ground.bonds, start, BOND_DRAWS + one)
-        if size_class < 0 or not take_up(cell, size_class, ground, breaks):
-            continue
-        slot = ejecta.free[taken]
-        ejecta.entry[taken], ejecta.number[taken], ejecta.slot[taken] = k, one, slot
-        ejecta.surface[taken], ejecta.east[taken], ejecta.north[taken] = surface, east, north
-        set_class(grains.size_class, slot, size_class)
-        taken += 1
-    return taken
+        if _dig(k, one, row, col, ground, rule.by_size, landings, ejecta, place):
+            counts[MOVED] += 1
+            place += 1
+    push(rule.creep, k, row, col, ground, landings, counts)
+    return place
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
-def eject(found, piece, grains, ground, rule, landings, ejecta, counts):
-    """Take the sand that impacts throw out, impact by impact; the number of ejecta. ``throw`` launches them.
-
-    Of each piece of slots there are ``found`` entries. Where no slot is free any more the air carries all it
-    can, and nothing more is thrown out. Without a ``rule`` nothing ever is.
-    """
-    if rule is None:
-        return 0
-    found, grains, ground, rule = borrowed((found, grains, ground, rule))
-    landings, ejecta, counts = borrowed((landings, ejecta, counts))
-    hits, free = _gather(found, piece, grains, landings, ejecta)
-    taken = np.int64(0)
-    for at in range(hits):
-        k = ejecta.hits[at]
-        cell = nearest_cell(landings.x[k], landings.y[k], ground.grid)
-        _note_loss(landings.momentum_loss[k], cell, ground.feedback, counts)
-        hitting = class_at(landings.size_class, k)
-        abundance = _abundance(rule.by_size, hitting, cell, ground.active_layer)
-        most = rule.number * landings.impact_speed[k] * abundance + draw(landings.start[k], EJECTA_DRAWS)
-        number = min(np.int64(most), MOST_EJECTA)
-        if number > 0:
-            taken = _dig(k, cell, number, (free, taken), grains, ground, rule.by_size, landings, ejecta)
-        push(rule.creep, k, cell, ground, landings, counts)
-    counts[MOVED] += taken
-    return taken
-
-
-@njit(cache=True, nogil=True, error_model="numpy")
+@internal(error_model="numpy")
 def throw(first, last, grains, rule, landings, ejecta):
     """Launch ejecta whose sand was taken. Each has a slot of its own, so threads may share them."""
     if rule is None:

@@ -166,18 +166,20 @@ class Ejecta(NamedTuple):
 
     hits: np.ndarray
     """Entries of ``Landings`` that are impacts, in their order."""
-    free: np.ndarray
-    """Free slots, in the order of entries."""
+    place: np.ndarray
+    """By impact: the first of the places for its ejecta; one more, the end of all."""
     entry: np.ndarray
-    """By parcel: the impact's entry."""
+    """By place: the impact's entry, or ``NOWHERE`` where none was thrown out."""
     number: np.ndarray
-    """By parcel: its number among the ejecta of that impact."""
+    """By place: its number among the ejecta of that impact."""
     slot: np.ndarray
-    """By parcel: the slot that it flies in."""
+    """By place: the slot that it flies in."""
+    size_class: np.ndarray
+    """By place: the parcel's size class."""
     surface: np.ndarray
-    """By parcel: height (m) of the surface when it was thrown out."""
+    """By place: height (m) of the surface when it was thrown out."""
     east: np.ndarray
-    """By parcel: slope of the surface eastwards then."""
+    """By place: slope of the surface eastwards then."""
     north: np.ndarray
 
 

@@ -9,11 +9,12 @@ import numpy as np
 from numba import njit
 
 from barchan.kernels.core.borrow import borrowed
+from barchan.kernels.core.internal import internal
 
 _QUARTER = np.float32(0.25)
 
 
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+@internal(error_model="numpy", forceinline=True)
 def beyond(row, col, grid):
     """The next row to the north and column to the east; the same ones at an open edge."""
     north = row + 1
@@ -25,17 +26,31 @@ def beyond(row, col, grid):
     return north, east
 
 
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
-def nearest_cell(x, y, grid):
-    """The cell whose stack is nearest to a place."""
+@internal(error_model="numpy", forceinline=True)
+def nearest_stack(x, y, grid):
+    """Row and column of the stack that is nearest to a place."""
     row, col = np.int64(y), np.int64(x)
     north, east = beyond(row, col, grid)
     row = north if y - np.float32(row) >= np.float32(0.5) else row
     col = east if x - np.float32(col) >= np.float32(0.5) else col
+    return row, col
+
+
+@internal(error_model="numpy", forceinline=True)
+def nearest_cell(x, y, grid):
+    """The cell whose stack is nearest to a place."""
+    row, col = nearest_stack(x, y, grid)
     return row * grid.cols + col
 
 
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+@internal(error_model="numpy", forceinline=True)
+def stack_at(cell, grid):
+    """Row and column of a cell; by a short division, which takes half the time of a long one."""
+    row = np.uint32(cell) // np.uint32(grid.cols)
+    return np.int64(row), np.int64(cell) - np.int64(row) * grid.cols
+
+
+@internal(error_model="numpy", forceinline=True)
 def surface_at(x, y, ground):
     """Height (m) of the surface at a place, and its slopes eastwards and northwards."""
     height, grid, cell_size = ground.height, ground.grid, ground.scale.cell_size
@@ -50,7 +65,7 @@ def surface_at(x, y, ground):
     return south_side + part_y * (north_side - south_side), slope_x, (north_side - south_side) / cell_size
 
 
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+@internal(error_model="numpy", forceinline=True)
 def height_at(x, y, ground):
     """Height (m) of the surface at a place, by the same arithmetic as ``surface_at``."""
     height, grid = ground.height, ground.grid
@@ -67,7 +82,7 @@ def height_at(x, y, ground):
     return south_side + part_y * (north_side - south_side)
 
 
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+@internal(error_model="numpy", forceinline=True)
 def _displaced(base, canopy, cell):
     """Zero of the wind's height over a mesh cell, displaced by plants, if there are any."""
     if canopy is None:
@@ -75,7 +90,7 @@ def _displaced(base, canopy, cell):
     return base + canopy.displacement_height[cell]
 
 
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+@internal(error_model="numpy", forceinline=True)
 def _renew(row, col, ground):
     """Recompute top and base of one mesh cell."""
     grid = ground.grid
@@ -88,7 +103,7 @@ def _renew(row, col, ground):
     ground.base[sw] = _displaced(mean, ground.canopy, sw)
 
 
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+@internal(error_model="numpy", forceinline=True)
 def _displace_span(base, first, count, canopy):
     """Displace the bases of some mesh cells by plants, if there are any."""
     if canopy is not None:
@@ -97,7 +112,7 @@ def _displace_span(base, first, count, canopy):
             base[k] += part[k]
 
 
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+@internal(error_model="numpy", forceinline=True)
 def _renew_span(south, north, count, ground):
     """Recompute ``count`` mesh cells in a row; ``south`` and ``north`` are the stacks of the first one."""
     low, high = ground.height[south : south + count + 1], ground.height[north : north + count + 1]
@@ -112,7 +127,7 @@ def _renew_span(south, north, count, ground):
     _displace_span(base, south, count, ground.canopy)
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@internal(error_model="numpy")
 def _renew_row(row, ground):
     grid = ground.grid
     last = grid.cols - 1
@@ -128,7 +143,7 @@ def renew_mesh(ground):
         _renew_row(row, ground)
 
 
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+@internal(error_model="numpy", forceinline=True)
 def note_stale(row, before, after, ground):
     """Note that stacks have changed from ``before`` rows south of a row to ``after`` rows north of it.
 
@@ -140,7 +155,7 @@ def note_stale(row, before, after, ground):
         ground.stale[r + grid.rows if r < 0 else (r - grid.rows if r >= grid.rows else r)] = 1
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@internal(error_model="numpy")
 def renew_stale(first, last, ground):
     """Recompute top and base of mesh cells in the stale rows from ``first`` to before ``last``."""
     ground = borrowed(ground)
@@ -150,7 +165,7 @@ def renew_stale(first, last, ground):
             _renew_row(row, ground)
 
 
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+@internal(error_model="numpy", forceinline=True)
 def mesh_cell(x, y, cols):
     """The mesh cell that a place lies in."""
     return np.int32(y) * np.int32(cols) + np.int32(x)

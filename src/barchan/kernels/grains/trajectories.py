@@ -4,23 +4,33 @@ import numpy as np
 from numba import njit
 
 from barchan.kernels.core.borrow import borrowed
+from barchan.kernels.core.internal import internal
 from barchan.kernels.core.random import derive
+from barchan.kernels.grains.bonds import wind_breaks
 from barchan.kernels.grains.collapse import settle_about
 from barchan.kernels.grains.entrainment import entrain
-from barchan.kernels.grains.exchange import exchange
+from barchan.kernels.grains.exchange import deposit, end_travel, lift
 from barchan.kernels.grains.flight import move_blocks, work_space
 from barchan.kernels.grains.landing import land
-from barchan.kernels.grains.state import FLOWN, FLYING, NOWHERE, SUNK
-from barchan.kernels.grains.surface import renew_stale
+from barchan.kernels.grains.state import FLOWN, FLYING, NOWHERE, OUT, SUNK
+from barchan.kernels.grains.surface import renew_stale, stack_at
 
 LONGEST_FLIGHT = 1_000_000
 """Time steps after which a grain of a single trajectory is put down where it is."""
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@internal(error_model="numpy")
 def _exchange_one(scene):
     """Exchange the sand of the only entry, and recompute the mesh at once."""
-    exchange(0, 1, scene.grains, scene.ground, scene.landings, scene.counts)
+    grains, ground, landings, counts = scene.grains, scene.ground, scene.landings, scene.counts
+    if landings.deposit_cell[0] == OUT:
+        end_travel(0, landings, counts)
+    if landings.deposit_cell[0] >= 0:
+        row, col = stack_at(landings.deposit_cell[0], ground.grid)
+        deposit(0, row, col, ground, landings, counts)
+    if landings.lift_cell[0] != NOWHERE:
+        row, col = stack_at(landings.lift_cell[0], ground.grid)
+        lift(0, row, col, wind_breaks(ground.bonds), grains, ground, landings, counts)
     renew_stale(0, scene.ground.grid.rows, scene.ground)
 
 

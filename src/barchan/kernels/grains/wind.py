@@ -4,8 +4,8 @@ A pass over a block of grains does one thing, so that the compiler turns it into
 """
 
 import numpy as np
-from numba import njit
 
+from barchan.kernels.core.internal import internal
 from barchan.kernels.grains.air_state import TABLE_SHIFT
 from barchan.kernels.grains.surface import mesh_cell
 
@@ -15,13 +15,13 @@ _ZERO = np.float32(0.0)
 _PLUS, _MINUS = np.float32(1.0), np.float32(-1.0)
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@internal(error_model="numpy")
 def entry(number, first, last):
     """The table's entry for a number: its leading bits, within the table."""
     return min(max((np.float32(number).view(np.int32) - first) >> _SHIFT, _NONE), last)
 
 
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+@internal(error_model="numpy", forceinline=True)
 def _find_mesh(start, count, grains, cols, cell):
     """Put the mesh cell below each grain of a block into ``cell``."""
     x, y = grains.x[start : start + count], grains.y[start : start + count]
@@ -29,7 +29,7 @@ def _find_mesh(start, count, grains, cols, cell):
         cell[j] = mesh_cell(x[j], y[j], cols)
 
 
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+@internal(error_model="numpy", forceinline=True)
 def _find_near_bed(count, feedback, cell, ustar):
     """Put the near-bed friction velocity at each grain of a block into ``ustar``, if it varies in space."""
     if feedback is not None:
@@ -38,7 +38,7 @@ def _find_near_bed(count, feedback, cell, ustar):
             ustar[j] = near_bed[np.uint64(cell[j])]
 
 
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+@internal(error_model="numpy", forceinline=True)
 def _slow_wind(count, feedback, above, cell, ustar, value):
     """Make wind speeds of those for a near-bed friction velocity of 1 m/s, if it varies in space."""
     if feedback is not None:
@@ -46,7 +46,7 @@ def _slow_wind(count, feedback, above, cell, ustar, value):
             value[j] = ustar[j] * value[j] + above.values[np.uint64(cell[j])]
 
 
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+@internal(error_model="numpy", forceinline=True)
 def _speed_up_by(speedup, block, grains, cols, wind, cell, sideways):
     if speedup is not None:
         start, count = block
@@ -57,14 +57,14 @@ def _speed_up_by(speedup, block, grains, cols, wind, cell, sideways):
             sideways[j] = crosswind_ratio[np.uint64(cell[j])] * wind[j]
 
 
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+@internal(error_model="numpy", forceinline=True)
 def speed_up(block, grains, flow, cols, wind, cell, sideways):
     """Speed the wind up over waves, and find how fast it blows to the left, if it does."""
     if flow is not None:
         _speed_up_by(flow.speedup, block, grains, cols, wind, cell, sideways)
 
 
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+@internal(error_model="numpy", forceinline=True)
 def find_climb(block, grains, flow, cols, wind, cell, climb):
     """Find how fast the air rises at each grain of a block, if it follows the bed."""
     if flow is not None:
@@ -75,13 +75,13 @@ def find_climb(block, grains, flow, cols, wind, cell, climb):
             climb[j] = slope[np.uint64(cell[j])] * wind[j]
 
 
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+@internal(error_model="numpy", forceinline=True)
 def _shift(count, numbers, part, by):
     for j in range(count):
         numbers[j] += part * by[j]
 
 
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+@internal(error_model="numpy", forceinline=True)
 def _enter_crosswind(block, speedup, air, grains, sideways):
     if speedup is not None:
         start, count = block
@@ -90,7 +90,7 @@ def _enter_crosswind(block, speedup, air, grains, sideways):
         _shift(count, grains.v[start:end], -air.wind_x, sideways)
 
 
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+@internal(error_model="numpy", forceinline=True)
 def enter_stream(block, flow, air, grains, climb, sideways):
     """Make velocities of a block of grains those relative to air that rises and turns, where it does."""
     if flow is not None:
@@ -99,7 +99,7 @@ def enter_stream(block, flow, air, grains, climb, sideways):
         _enter_crosswind(block, flow.speedup, air, grains, sideways)
 
 
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+@internal(error_model="numpy", forceinline=True)
 def _leave_crosswind(block, speedup, air, grains, sideways):
     if speedup is not None:
         start, count = block
@@ -111,7 +111,7 @@ def _leave_crosswind(block, speedup, air, grains, sideways):
         _shift(count, grains.v[start:end], air.wind_x, sideways)
 
 
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+@internal(error_model="numpy", forceinline=True)
 def leave_stream(block, flow, air, grains, climb, sideways):
     """Make velocities those over ground again, and carry the grains along with the air."""
     if flow is not None:
@@ -122,7 +122,7 @@ def leave_stream(block, flow, air, grains, climb, sideways):
         _leave_crosswind(block, flow.speedup, air, grains, sideways)
 
 
-@njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+@internal(error_model="numpy", forceinline=True)
 def _take_deficit(block, grains, canopy, cols, cell, value):
     """Reduce the wind by the speed deficit over plants below each grain of a block, to 0 at least."""
     if canopy is not None:
@@ -133,7 +133,7 @@ def _take_deficit(block, grains, canopy, cols, cell, value):
             value[j] -= min(deficit[np.uint64(cell[j])], max(value[j], _ZERO))
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@internal(error_model="numpy")
 def find_wind(start, count, grains, air, ground, cell, value, ustar):
     """Put the wind speed (m/s) at each grain of a block into ``value``."""
     base, cols = ground.base, ground.grid.cols
