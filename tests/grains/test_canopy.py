@@ -11,14 +11,15 @@ from barchan.errors import ScenarioError
 from barchan.figures.layers import layers_of
 from barchan.grains.canopy import TALLEST, Canopy
 from barchan.grains.pool import free_slots, grains_in
+from barchan.kernels.grains import wind as grain_wind
 from barchan.kernels.grains.flight import BLOCK
-from barchan.kernels.grains.wind import find_wind
 from barchan.models import model
 from barchan.simulation import PlantStroke, SetParameter, Simulation
 from barchan.studio.colours import colours
 from barchan.studio.worker.brushes import brushes
 from barchan.wind.segment import Segment
 from tests.grains.keys import nested
+from tests.kernels.called import from_python
 
 GRASS = {"west": 0.25, "east": 0.75, "height": 0.05}
 PLANTED = {"canopy": {"stands": [GRASS]}}
@@ -40,7 +41,7 @@ def blowing(flight, bed, x, height):
     grains = grains_in(*free_slots(len(height)))
     grains.x[:], grains.y[:], grains.z[:] = x, 8.0, height
     cell, (wind, share) = np.zeros(BLOCK, np.int32), np.zeros((2, BLOCK), np.float32)
-    find_wind(0, len(height), grains, air, ground.arrays, cell, wind, share)
+    from_python(grain_wind.find_wind)(0, len(height), grains, air, ground.arrays, cell, wind, share)
     return wind[: len(height)]
 
 

@@ -5,10 +5,13 @@ import pytest
 
 from barchan.grains.pool import free_slots, grains_in
 from barchan.kernels.bed.state import Grid
-from barchan.kernels.grains.landing import _come_in
+from barchan.kernels.grains import landing
 from barchan.kernels.grains.state import FLYING, GONE
 from barchan.scenario import validate
 from barchan.simulation import Simulation
+from tests.kernels.called import from_python
+
+come_in = from_python(landing._come_in)
 
 STEEP = {
     "barchan": 3,
@@ -48,7 +51,7 @@ def test_a_grain_beyond_a_joined_edge_comes_in_after_whole_laps(size, place, ins
     """place = inside + laps × size, worked out by hand."""
     grains = grains_in(*free_slots(1))
     grains.status[0], grains.x[0], grains.y[0] = FLYING, 1.0, place
-    _come_in(0, grains, Grid(size, 8, True, True))
+    come_in(0, grains, Grid(size, 8, True, True))
     assert (grains.y[0], grains.wraps_y[0], grains.status[0]) == (inside, laps, FLYING)
 
 
@@ -56,7 +59,7 @@ def test_a_grain_beyond_a_joined_edge_comes_in_after_whole_laps(size, place, ins
 def test_a_grain_beyond_an_open_edge_or_nowhere_is_gone(place):
     grains = grains_in(*free_slots(1))
     grains.status[0], grains.y[0] = FLYING, place
-    _come_in(0, grains, Grid(1, 8, True, False))
+    come_in(0, grains, Grid(1, 8, True, False))
     assert grains.status[0] == GONE
 
 

@@ -9,6 +9,7 @@ from barchan.lattice import Lattice
 from barchan.models import model
 from barchan.streams import Stream
 from barchan.wind.segment import Segment
+from tests.kernels.called import from_python
 
 LATTICE = Lattice(rows=16, columns=64, cell_size=0.02, slab_height=0.15e-3)
 WIND = Segment(0, 1, 0, LATTICE.cells, 270.0)
@@ -93,7 +94,8 @@ def test_a_falling_grain_reaches_its_settling_speed():
     grains.z[0], grains.status[0] = 100.0, 1
     about, landings = (flight.blow(ground, WIND), ground.arrays), ground.landings
     rules = rules_of(flight.setting(WIND))
+    handle = from_python(land)
     for _ in range(2000):
         count = move(0, 1, grains, *about, landings.candidates)
-        land(0, count, np.uint64(1), grains, *about, rules, landings)
+        handle(0, count, np.uint64(1), grains, *about, rules, landings)
     assert -grains.w[0] == pytest.approx(flight.parameters.settling_speed(), rel=0.01)

@@ -6,9 +6,13 @@ import pytest
 import barchan
 from barchan.bed import Bed
 from barchan.kernels.bed.state import AGES
-from barchan.kernels.grains.bonds import restitution_at
-from barchan.kernels.grains.exchange import lay_down, take_up
+from barchan.kernels.grains import bonds as grain_bonds
+from barchan.kernels.grains import exchange
 from barchan.simulation import Simulation
+from tests.kernels.called import from_python
+
+restitution_at = from_python(grain_bonds.restitution_at)
+lay_down, take_up = from_python(exchange.lay_down), from_python(exchange.take_up)
 
 SCENARIO = {
     "barchan": 3,
@@ -81,12 +85,12 @@ def test_a_grain_takes_the_youngest_and_bonded_snow_only_where_bonds_break(break
     for _ in range(80):
         cell = int(random.integers(bed.lattice.cells))
         found = taken(bed, loose, bonded, cell, breaks)
-        assert take_up(cell, 0, ground.arrays, breaks) == found
+        assert take_up(*divmod(cell, bed.lattice.columns), 0, ground.arrays, breaks) == found
         given += found
         assert np.array_equal(ground.arrays.bonds.loose, loose)
         assert np.array_equal(bed.sand.reshape(-1), loose.sum(axis=1) + bonded)
     assert 3 < given < 80
-    lay_down(14, 0, ground.arrays)
+    lay_down(1, 5, 0, ground.arrays)
     assert ground.arrays.bonds.loose[14, 0] == loose[14, 0] + 4
 
 

@@ -15,10 +15,14 @@ from barchan.grains.creep import Creep
 from barchan.grains.pool import work_space
 from barchan.grains.rules import rules_of
 from barchan.kernels.core.state import TRAVEL_UNIT
-from barchan.kernels.grains.creep import FARTHEST, displacement, push
+from barchan.kernels.grains import creep as grain_creep
+from barchan.kernels.grains.creep import FARTHEST
 from barchan.kernels.grains.state import MOVED, TRAVEL_X, TRAVEL_Y
 from barchan.simulation import Simulation
 from barchan.streams import derive
+from tests.kernels.called import from_python
+
+displacement, push = from_python(grain_creep.displacement), from_python(grain_creep.push)
 
 pytestmark = pytest.mark.extended
 """Pushes alone are a kernel of their own, which no model runs."""
@@ -51,7 +55,7 @@ def push_from_the_middle(made, ground, velocity, count=2000):
     before = ground.arrays.sand.copy(), ground.arrays.level.copy(), ground.arrays.height.copy()
     for number in range(count):
         landings.start[0] = derive(5, number)
-        push(creep, 0, 6 * 12 + 6, ground.arrays, landings, ground.counts)
+        push(creep, 0, 6, 6, ground.arrays, landings, ground.counts)
         for whole, part in zip(
             (ground.arrays.sand, ground.arrays.level, ground.arrays.height), before, strict=True
         ):

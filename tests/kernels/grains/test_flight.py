@@ -9,6 +9,7 @@ from barchan.aeolian.flow_over_relief import ReliefWind
 from barchan.bed import Bed
 from barchan.kernels.core import threads as thread_pool
 from barchan.kernels.grains import iterations as grain_iterations
+from barchan.kernels.grains import territories
 from barchan.lattice import Lattice
 from barchan.models import model
 from barchan.streams import Stream, derive
@@ -97,7 +98,7 @@ def test_kernels_equal_the_obvious_flight_bit_for_bit(
         ("wang_hu", {"footprint": "patch", "max_bounces": 5}),
         ("wang_hu", nested(canopy__stands=[STAND])),
         ("wang_hu", {"collapse": "filter", "filter_scale": 50.0}),
-        (
+        pytest.param(
             "ripples",
             nested(
                 canopy__stands=[STAND],
@@ -105,6 +106,7 @@ def test_kernels_equal_the_obvious_flight_bit_for_bit(
                 feedback__momentum_weight=0.02,
                 entrainment__probability=0.05,
             ),
+            marks=pytest.mark.extended,
         ),
         ("ripples", {**BUSY, "time_step": 1e-3, "max_grains_per_cell": 2.0}),
     ],
@@ -113,6 +115,7 @@ def test_bits_do_not_depend_on_the_number_of_threads(monkeypatch, name, rules):
     beds = []
     for threads in (1, 2, 3):
         monkeypatch.setattr(thread_pool, "LEAST", 256)
+        monkeypatch.setattr(territories, "LEAST_WIDTH", 16)
         monkeypatch.setattr(thread_pool, "thread_count", lambda threads=threads: threads)
         lattice = Lattice(rows=40, columns=50, cell_size=0.01, slab_height=0.15e-3)
         bed = Bed(lattice, np.zeros(lattice.shape), np.full(lattice.shape, 20))

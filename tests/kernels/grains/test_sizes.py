@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from numba import njit
 
 import barchan
 from barchan.aeolian.flow_over_relief import ReliefWind
@@ -16,12 +17,16 @@ from barchan.grains.pool import free_slots, grains_in, work_space
 from barchan.grains.rules import rules_of
 from barchan.grains.splash import splash_by_size
 from barchan.kernels.grains import creep as grain_creep
+from barchan.kernels.grains import entries as grain_entries
 from barchan.kernels.grains import splash as grain_splash
 from barchan.kernels.grains.flight import move
-from barchan.kernels.grains.state import LEFT, MOVED
+from barchan.kernels.grains.rules import Rules
+from barchan.kernels.grains.state import LEFT, MOVED, Scene
+from barchan.kernels.grains.territories import ALONE, territories_of
 from barchan.simulation import Simulation
 from barchan.streams import Stream, derive
 from tests.kernels.bed.active_layer_reference import Stacks
+from tests.kernels.called import from_python
 from tests.kernels.grains.grain_reference import draw
 
 SIZES = [
@@ -233,15 +238,28 @@ def slopes_before_creep(slow, made, events, k):
     sand = np.array([len(a) + len(b) for a, b in zip(slow.stacks.layers, slow.stacks.deeps, strict=True)])
     bed = Bed(made.lattice, made.bed.ground, sand.reshape(made.lattice.shape))
     ground = GrainGround(made.model.parameters, bed)
-    return surface_at(events.x[k], events.y[k], ground.arrays)[1:]
+    return from_python(surface_at)(events.x[k], events.y[k], ground.arrays)[1:]
+
+
+@njit
+def splash(found, scene, territories):
+    """Take and launch the ejecta of a piece's entries, and push sand."""
+    grains, landings, ejecta = scene.grains, scene.landings, scene.ejecta
+    rule, hits = scene.rules.splash, grain_entries.list_impacts(found, found[0], landings, ejecta)
+    number = grain_entries.exchange(ALONE, np.int32(1), found, found[0], hits, rule, scene, territories)
+    number = grain_entries.launch_from_free(
+        found, found[0], number, scene.grains, scene.landings, scene.ejecta
+    )
+    grain_splash.throw(0, number, grains, rule, landings, ejecta)
+    scene.counts[:] += territories.counts[-1, : scene.counts.size]
+    territories.counts[:] = 0
 
 
 def eject(count, grains, ground, rule):
     """Take and launch ejecta."""
-    events, ejecta = ground.landings, ground.ejecta
-    about = grains, ground.arrays, rule, events, ejecta
-    number = grain_splash.eject(np.array([count]), count, *about, ground.counts)
-    grain_splash.throw(0, number, grains, rule, events, ejecta)
+    rules = Rules(None, None, rule)
+    scene = Scene(grains, None, ground.arrays, rules, ground.landings, ground.ejecta, ground.counts)
+    splash(np.array([count]), scene, territories_of(ground.arrays.grid, 1, count, ground.counts.size))
 
 
 def test_ejecta_and_speeds_scale_as_published():

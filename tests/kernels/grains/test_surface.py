@@ -5,9 +5,14 @@ import pytest
 
 from barchan.bed import Bed
 from barchan.grains.bed import GrainGround
-from barchan.kernels.grains.surface import beyond, note_stale, renew_mesh, renew_stale
+from barchan.kernels.grains import surface
+from barchan.kernels.grains.surface import renew_mesh
 from barchan.lattice import Lattice
 from barchan.models import model
+from tests.kernels.called import from_python
+
+beyond = from_python(surface.beyond)
+note_stale, renew_stale = from_python(surface.note_stale), from_python(surface.renew_stale)
 
 
 def ground_of(shape, boundary):
