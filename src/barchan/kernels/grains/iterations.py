@@ -20,10 +20,11 @@ from barchan.kernels.core.work_queue import NOTHING, await_done, pop_front, publ
 from barchan.kernels.grains.entries import count_free, exchange, give_places, launch_from_free, list_impacts
 from barchan.kernels.grains.flight import move_blocks
 from barchan.kernels.grains.landing import land
+from barchan.kernels.grains.reach import Ways, find_reach
 from barchan.kernels.grains.splash import throw
 from barchan.kernels.grains.state import FLOWN, Scene
 from barchan.kernels.grains.surface import renew_stale
-from barchan.kernels.grains.territories import ALONE, PUT_OFF, Territories, Ways, find_reach, forget_put_off
+from barchan.kernels.grains.territories import ALONE, PUT_OFF, Territories, forget_put_off
 
 PIECE = 1024
 """Slots of a piece: work for some 10 µs. Where there are too many pieces they are larger."""
