@@ -9,7 +9,15 @@ from barchan.simulation import Simulation, Stroke
 from tests.contract.test_every_model import BOUNDARIES, GROUNDS, scenario
 
 SMALL = {"kind": "hex", "rows": 18, "columns": 23}
-ON_HEXAGONS = pytest.mark.parametrize("name", [name for name in models() if "hex" in models()[name].lattices])
+ON_HEXAGONS = pytest.mark.parametrize(
+    "name",
+    [
+        # its kernels take longest to compile, and plants do the same on squares
+        pytest.param(name, marks=[pytest.mark.extended] if name == "nield_baas" else [])
+        for name in models()
+        if "hex" in models()[name].lattices
+    ],
+)
 WINDS = pytest.mark.parametrize("direction", [270.0, 0.0, 33.0])
 
 
