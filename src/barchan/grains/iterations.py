@@ -29,13 +29,10 @@ def shared_scene(scene: Scene, key: int, slots: int, first: int) -> Iterator[Cal
     from barchan.kernels.core import threads
     from barchan.kernels.core.work_queue import close
     from barchan.kernels.grains.flight import work_space
-    from barchan.kernels.grains.iterations import find_reaches, plan_of, run_iterations
-    from barchan.kernels.grains.territories import territories_of
+    from barchan.kernels.grains.iterations import divided, plan_of, run_iterations
 
     count = min(threads.thread_count(), slots // threads.LEAST)
-    territories = territories_of(scene.ground.grid, count, scene.landings.slot.size, scene.counts.size)
-    plan = plan_of(key, slots, first, territories)
-    find_reaches(plan, scene)
+    plan = plan_of(key, slots, first, divided(scene, count))
     helpers = [partial(run_iterations, False, plan, scene, work_space(), 0) for _ in range(count - 1)]
     with threads.with_helpers(helpers, lambda: close(plan.board)):
         yield partial(run_iterations, True, plan, scene, work_space())

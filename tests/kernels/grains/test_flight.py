@@ -116,6 +116,7 @@ def test_bits_do_not_depend_on_the_number_of_threads(monkeypatch, name, rules):
     for threads in (1, 2, 3):
         monkeypatch.setattr(thread_pool, "LEAST", 256)
         monkeypatch.setattr(territories, "LEAST_WIDTH", 16)
+        monkeypatch.setattr(grain_iterations, "MOST_BEYOND", np.inf)
         monkeypatch.setattr(thread_pool, "thread_count", lambda threads=threads: threads)
         lattice = Lattice(rows=40, columns=50, cell_size=0.01, slab_height=0.15e-3)
         bed = Bed(lattice, np.zeros(lattice.shape), np.full(lattice.shape, 20))

@@ -11,6 +11,7 @@ from numba import njit
 import barchan
 from barchan.kernels.bed.state import Grid
 from barchan.kernels.core import threads as thread_pool
+from barchan.kernels.grains import iterations as grain_iterations
 from barchan.kernels.grains import territories as territory
 from barchan.simulation import Simulation
 
@@ -100,9 +101,11 @@ def test_territories_that_pushed_grains_cross_give_the_bits_of_one(monkeypatch, 
         shared.append(whole(*given))
         return shared[-1]
 
+    monkeypatch.setattr(grain_iterations, "MOST_BEYOND", np.inf)
+
     for threads in (1, 3):
         monkeypatch.setattr(thread_pool, "thread_count", lambda threads=threads: threads)
-        monkeypatch.setattr(territory, "territories_of", kept)
+        monkeypatch.setattr(grain_iterations, "territories_of", kept)
         lattice = {"rows": 40, "columns": 64, "cell_size": 0.005, "slab_height": 0.15e-3 / 16}
         scenario = {"barchan": 3, "lattice": lattice, "sand": {"kind": "flat", "mean": 800}}
         scenario["wind"] = {"kind": "steady", "direction": 270.0}

@@ -24,7 +24,11 @@ from barchan.kernels.grains.reach import Ways, find_reach
 from barchan.kernels.grains.splash import throw
 from barchan.kernels.grains.state import FLOWN, Scene
 from barchan.kernels.grains.surface import renew_stale
-from barchan.kernels.grains.territories import ALONE, PUT_OFF, Territories, forget_put_off
+from barchan.kernels.grains.territories import ALONE, PUT_OFF, Territories, forget_put_off, territories_of
+
+MOST_BEYOND = 0.1
+"""Share of impacts that may reach beyond a territory, up to which territories pay: later ones that meet those
+are put off too."""
 
 PIECE = 1024
 """Slots of a piece: work for some 10 µs. Where there are too many pieces they are larger."""
@@ -70,12 +74,25 @@ def plan_of(key: int, slots: int, first: int, territories: Territories) -> Plan:
     return Plan(np.uint64(key), slots, piece, first, work_queue.new_board(), found, progress, territories)
 
 
-def find_reaches(plan: Plan, scene: Scene) -> None:
-    """Find how far impacts reach in the wind of a scene, where territories share it."""
-    territories, splash = plan.territories, scene.rules.splash
-    if splash is not None and territories.reach.size:
-        ways = Ways(*np.zeros((len(Ways._fields), territories.reach.size), np.uint8))
-        find_reach(splash.creep, scene.ground, ways, territories.reach)
+def divided(scene: Scene, threads: int) -> Territories:
+    """The territories in which threads exchange a scene's sand.
+
+    There is only one where impacts reach so far that most would have to be put off.
+    """
+    grid, slots, counts, splash = (
+        scene.ground.grid,
+        scene.landings.slot.size,
+        scene.counts.size,
+        scene.rules.splash,
+    )
+    territories = territories_of(grid, threads, slots, counts)
+    if splash is None or not territories.reach.size:
+        return territories
+    ways = Ways(*np.zeros((len(Ways._fields), territories.reach.size), np.uint8))
+    find_reach(splash.creep, scene.ground, ways, territories.reach)
+    width = max(grid.rows, grid.cols) / territories.marks.shape[0]
+    beyond = 2.0 * float(territories.reach.mean()) / width
+    return territories if beyond <= MOST_BEYOND else territories_of(grid, 1, slots, counts)
 
 
 @njit(inline="always")
