@@ -38,7 +38,7 @@ _LEAST = 1e-9
 
 
 @internal(error_model="numpy", forceinline=True)
-def _neighbour(place, step, size, wrap):
+def place_beside(place, step, size, wrap):
     """The row or column a ``step`` away, and whether that is within the field."""
     there = place + step
     if 0 <= there < size:
@@ -96,8 +96,8 @@ def _move(row, col, size_class, step, draws, creep, ground, counts):
     step_x, step_y = step
     counts[MOVED] += 1
     for count in range(1, FARTHEST + 1):
-        row, inside_y = _neighbour(row, step_y, grid.rows, grid.wrap_across)
-        col, inside_x = _neighbour(col, step_x, grid.cols, grid.wrap_along)
+        row, inside_y = place_beside(row, step_y, grid.rows, grid.wrap_across)
+        col, inside_x = place_beside(col, step_x, grid.cols, grid.wrap_along)
         counts[TRAVEL_X] += step_x * TRAVEL_UNIT
         counts[TRAVEL_Y] += step_y * TRAVEL_UNIT
         if not (inside_x and inside_y):

@@ -77,14 +77,10 @@ def plan_of(key: int, slots: int, first: int, territories: Territories) -> Plan:
 def divided(scene: Scene, threads: int) -> Territories:
     """The territories in which threads exchange a scene's sand.
 
-    There is only one where impacts reach so far that most would have to be put off.
+    There is only one where impacts reach so far that too many would have to be put off.
     """
-    grid, slots, counts, splash = (
-        scene.ground.grid,
-        scene.landings.slot.size,
-        scene.counts.size,
-        scene.rules.splash,
-    )
+    grid, splash = scene.ground.grid, scene.rules.splash
+    slots, counts = scene.landings.slot.size, scene.counts.size
     territories = territories_of(grid, threads, slots, counts)
     if splash is None or not territories.reach.size:
         return territories

@@ -11,7 +11,7 @@ from numba import njit
 
 from barchan.kernels.core.borrow import borrowed
 from barchan.kernels.core.internal import internal
-from barchan.kernels.grains.creep import FARTHEST, along_stress
+from barchan.kernels.grains.creep import FARTHEST, along_stress, place_beside
 
 _PUSH_REACH = 2
 """Cells that an impact reaches whose pushed grains the wind does not keep going."""
@@ -45,16 +45,6 @@ def _find_ways(creep, ground, ways):
     return -np.int64(west < 0.0), np.int64(east > 0.0), -np.int64(south < 0.0), np.int64(north > 0.0)
 
 
-@internal(error_model="numpy", forceinline=True)
-def _within(place, size, wraps):
-    """A row or column up to one beyond the field, on it; -1 where there is none."""
-    if 0 <= place < size:
-        return place
-    if not wraps:
-        return -1
-    return size - 1 if place < 0 else 0
-
-
 @internal(error_model="numpy")
 def _add_beside(there, step, wraps, may, here):
     """Mark the cells of a row from which a grain may go to a marked one of a row, a ``step`` eastwards."""
@@ -85,8 +75,8 @@ def _go_on(before, steps, windy, grid, ways, marks):
         here, windy_here = _row(marks, row, grid), _row(windy, row, grid)
         here[:] = 0
         for step_y in range(south, north + 1):
-            other = _within(row + step_y, grid.rows, grid.wrap_across)
-            if other < 0:
+            other, inside = place_beside(row, step_y, grid.rows, grid.wrap_across)
+            if not inside:
                 continue
             there = _row(before, other, grid)
             for step_x in range(west, east + 1):
