@@ -1,6 +1,6 @@
 """Flow over relief: a wind over waves by linear theory, how it climbs, speeds up, and drags at the bed."""
 
-from functools import lru_cache
+from functools import lru_cache, partial
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from barchan.aeolian.edges import mirrored
 from barchan.aeolian.mesh import following, over_mesh
-from barchan.aeolian.transforms import sum_of_waves, waves_of
+from barchan.aeolian.transforms import several, sum_of_waves, waves_of
 from barchan.directions import downwind
 from barchan.lattice import Lattice
 
@@ -136,15 +136,18 @@ class LinearFlow:
         factor = self.numbers.ahead * component * _streamline_factor(self.lattice, self.direction, height)
         return over_mesh(self.field(factor), self.lattice.periodic)
 
-    def stress(self, stress: Stress, roughness: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """Relative stress on the bed gained along the wind and to its left.
+    def stress(self, stress: Stress, roughness: float) -> NDArray[np.float64]:
+        """Relative stress on the bed gained along the wind.
 
-        It is (A + i B) (k_w / k) h times k_w and times k_l, for waves with k_w > 0. A is the rise on crests,
-        B the rise on faces that look upwind, so that the stress is highest ahead of crests. Both depend on
-        the wavelength over the ``roughness`` length (m; Fourrière et al. 2010), unless they are given.
+        It is (A + i B) (k_w² / k) h, for waves with k_w > 0. A is the rise on crests, B the rise on faces
+        that look upwind, so that the stress is highest ahead of crests. Both depend on the wavelength over
+        the ``roughness`` length (m; Fourrière et al. 2010), unless they are given.
         """
-        along, left = _stress_factors(self.lattice, self.direction, stress, roughness)
-        return self.field(along), self.field(left)
+        return self.field(_stress_factors(self.lattice, self.direction, stress, roughness)[0])
+
+    def crosswind_stress(self, stress: Stress, roughness: float) -> NDArray[np.float64]:
+        """Relative stress on the bed gained to the left of the wind: (A + i B) (k_w k_l / k) h."""
+        return self.field(_stress_factors(self.lattice, self.direction, stress, roughness)[1])
 
     def spread(self, along: float, across: float) -> NDArray[np.float64]:
         """The field smoothed by a Gaussian of a length (m) ``along`` the wind and a width ``across`` it."""
@@ -169,19 +172,32 @@ def wind_over_relief(
     drags = any(one is None or one > 0.0 for one in stress)
     if height is None and not drags:
         return ReliefWind()
-    flow = LinearFlow(surface, lattice, direction)
-    found = ReliefWind()
+    flow, fields = LinearFlow(surface, lattice, direction), {}
     if height is not None:
-        found = found._replace(streamline_slope=np.clip(flow.slope(height), -STEEPEST, STEEPEST))
+        fields["streamline_slope"] = partial(flow.slope, height)
         if speedup > 0.0:
-            factor = np.clip(1.0 + speedup * flow.speedup(height), LEAST, MOST)
-            ratio = np.clip(speedup * flow.crosswind(height), -STEEPEST, STEEPEST)
-            found = found._replace(speedup=factor, crosswind_ratio=ratio)
+            fields["speedup"] = partial(flow.speedup, height)
+            fields["crosswind_ratio"] = partial(flow.crosswind, height)
     if drags:
-        along, left = flow.stress(stress, roughness)
-        along = np.clip(1.0 + along, LEAST**2, MOST**2)
-        found = found._replace(stress=along, crosswind_stress=np.clip(left, -along, along))
-    return found
+        fields["stress"] = partial(flow.stress, stress, roughness)
+        fields["crosswind_stress"] = partial(flow.crosswind_stress, stress, roughness)
+    gained = several(list(fields.values()), lattice.cells)
+    return _bounded(dict(zip(fields, gained, strict=True)), speedup)
+
+
+def _bounded(gained: dict[str, NDArray[np.float64]], speedup: float) -> ReliefWind:
+    """A wind by what it gains, by the names of its fields."""
+    wind = ReliefWind(**gained)
+    if wind.streamline_slope is not None:
+        wind = wind._replace(streamline_slope=np.clip(wind.streamline_slope, -STEEPEST, STEEPEST))
+    if wind.speedup is not None and wind.crosswind_ratio is not None:
+        factor = np.clip(1.0 + speedup * wind.speedup, LEAST, MOST)
+        ratio = np.clip(speedup * wind.crosswind_ratio, -STEEPEST, STEEPEST)
+        wind = wind._replace(speedup=factor, crosswind_ratio=ratio)
+    if wind.stress is not None and wind.crosswind_stress is not None:
+        along = np.clip(1.0 + wind.stress, LEAST**2, MOST**2)
+        wind = wind._replace(stress=along, crosswind_stress=np.clip(wind.crosswind_stress, -along, along))
+    return wind
 
 
 def _mean_step(line: NDArray[np.float64], axis: int, joined: tuple[bool, bool]) -> NDArray[np.float64]:

@@ -13,13 +13,12 @@ from barchan.analysis.balance import balance_now
 from barchan.archive import Outcome, open_run
 from barchan.cli import INTERRUPTED
 from barchan.cli.terminal import console, print_note
-from barchan.scenario import Scenario
 from barchan.scenario.cost import spoken_time
 from barchan.scenario.summary import field_size
 from barchan.simulation import Simulation
 
 if TYPE_CHECKING:
-    import xarray as xr
+    from barchan.analysis.declared_measures import Value
 
 PICTURE = "last.png"
 
@@ -66,23 +65,24 @@ def print_outcome(outcome: Outcome, quiet: bool, picture: bool) -> None:
 
 
 def _draw(outcome: Outcome, quiet: bool) -> str | None:
+    """Draw the last frame, and print its measures unless ``quiet``: both at once."""
+    from barchan.analysis.time_series import last_values
+    from barchan.cli.measure_table import print_values
     from barchan.figures.maps import relief_map
+    from barchan.kernels.core.threads import at_once
 
     scenario = outcome.simulation.scenario
     with open_run(outcome.path) as dataset:
         path = outcome.path / PICTURE
-        relief_map(dataset.isel(step=-1).load(), scenario).savefig(path)
+        last = dataset.isel(step=-1).load()
+        values: list[Value] = []
+        works = [lambda: relief_map(last, scenario).savefig(path)]
         if not quiet:
-            print_measures(dataset, scenario)
+            works.append(lambda: values.extend(last_values(dataset, scenario)))
+        at_once(works)
+    if values:
+        print_values(values, scenario.lattice.cell_size, scenario.step_seconds)
     return str(path)
-
-
-def print_measures(dataset: "xr.Dataset", scenario: Scenario) -> None:
-    """The table of the last frame's measures."""
-    from barchan.analysis.time_series import last_values
-    from barchan.cli.measure_table import print_values
-
-    print_values(last_values(dataset, scenario), scenario.lattice.cell_size, scenario.step_seconds)
 
 
 def print_table(rows: list[tuple[str, str, str]], left: bool = False) -> None:

@@ -39,12 +39,13 @@ SMOOTHING = 0.8
 def colour_map(colours: Colours, material: str = "sand") -> "Colormap":
     """A colour map by its purpose, of a material; red-green has red the highest, as in the Prague thesis."""
     import matplotlib as mpl
-    from cmcrameri import cm
     from matplotlib.colors import LinearSegmentedColormap
 
     if colours == "natural":
         return LinearSegmentedColormap.from_list("natural", SNOWS if material == "snow" else SANDS)
     if colours == "perceptual":
+        from cmcrameri import cm  # takes the whole of pyplot, which maps in natural colours do without
+
         return LinearSegmentedColormap.from_list("perceptual", cm.lajolla_r(np.linspace(0.02, 0.8, 256)))
     return mpl.colormaps["gray" if colours == "grey" else "RdYlGn_r"]
 

@@ -4,11 +4,12 @@ import multiprocessing
 import os
 import sys
 import threading
+from functools import partial
 
 import pytest
 
 from barchan.kernels.core import threads as thread_pool
-from barchan.kernels.core.threads import Worker, Workers, with_helpers
+from barchan.kernels.core.threads import Worker, Workers, at_once, with_helpers
 from barchan.kernels.core.work_queue import CLOSED, OFFER, close, new_board
 
 
@@ -97,3 +98,33 @@ def test_a_worker_stays_off_the_callers_processor_and_the_caller_goes_where_it_l
     assert len(mine) == len(allowed) - 1
     assert mine < allowed
     assert os.sched_getaffinity(0) == allowed
+
+
+def test_works_at_once_give_what_they_give_in_their_order(monkeypatch):
+    monkeypatch.setattr(thread_pool, "thread_count", lambda: 3)
+    met = threading.Barrier(3)
+    together = [lambda number=number: (number, met.wait(60) >= 0) for number in range(3)]
+    assert at_once(together) == [(0, True), (1, True), (2, True)]
+    assert at_once([lambda number=number: number for number in range(50)]) == list(range(50))
+    assert at_once([]) == []
+
+
+def test_works_are_done_one_after_the_other_by_one_thread(monkeypatch):
+    monkeypatch.setattr(thread_pool, "thread_count", lambda: 1)
+    done = []
+    at_once([lambda number=number: done.append((number, threading.get_ident())) for number in range(4)])
+    assert done == [(number, threading.get_ident()) for number in range(4)]
+
+
+@pytest.mark.parametrize("fails", [0, 1, 7])
+def test_an_error_of_one_of_the_works_is_raised_and_workers_stay_fit(fails, monkeypatch):
+    monkeypatch.setattr(thread_pool, "thread_count", lambda: 2)
+
+    def work(number):
+        if number == fails:
+            raise IndexError(f"work {number}")
+        return number
+
+    with pytest.raises(IndexError, match=f"work {fails}"):
+        at_once([partial(work, number) for number in range(8)])
+    assert at_once([partial(work, number + 8) for number in range(8)]) == list(range(8, 16))

@@ -7,11 +7,13 @@ import ctypes
 import os
 import sys
 import threading
+from collections import deque
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor, wait
 from contextlib import contextmanager, suppress
 from contextvars import ContextVar
 from functools import cache
+from typing import TypeVar
 
 from barchan.errors import BarchanError
 
@@ -23,6 +25,8 @@ MOST_THREADS = 1024
 
 VARIABLE = "BARCHAN_THREADS"
 """The environment variable that states the number of threads."""
+
+Given = TypeVar("Given")
 
 _asked: ContextVar[int | None] = ContextVar("threads", default=None)
 
@@ -162,3 +166,35 @@ def with_helpers(works: Sequence[Callable[[], object]], dismiss: Callable[[], No
             yield len(workers)
         finally:
             dismiss()
+
+
+def at_once(works: Sequence[Callable[[], Given]]) -> list[Given]:
+    """What independent ``works`` give, in their order; they are done here and by helpers that are free.
+
+    The first error of one of them is raised when all that have begun are done.
+    """
+    left, found, failed = deque(enumerate(works)), dict[int, Given](), list[BaseException]()
+
+    def go_on() -> None:
+        while not failed:
+            try:
+                number, work = left.popleft()
+            except IndexError:
+                return
+            try:
+                found[number] = work()
+            except BaseException as error:
+                failed.append(error)
+
+    with _workers[0].taken(min(thread_count(), len(works)) - 1) as workers:
+        try:
+            for worker in workers:
+                worker.submit(go_on)
+            go_on()
+        finally:
+            left.clear()
+            for worker in workers:
+                worker.wait()
+    if failed:
+        raise failed[0]
+    return [found[number] for number in range(len(works))]
