@@ -39,7 +39,7 @@ def parameter(
     change during a run; ``group`` and ``scale`` serve display. ``acts_with`` names a key of the same group
     and the value with which alone this parameter acts: one of its choices, a list of them, ``GIVEN`` or
     ``NOT_GIVEN``; the meaning says so. ``bounds`` are ``ge``, ``gt``, ``le``, ``lt``, ``min_length`` and
-    other constraints of pydantic's ``Field``.
+    other constraints of pydantic's ``Field``; where a ``pattern`` is one of them, ``examples`` tell it.
     """
     extra: dict[str, Any] = {"unit": unit, "source": source, "live": live, "group": group, "scale": scale}
     if acts_with is not None:
@@ -222,8 +222,10 @@ _SIGNS = (
 
 
 def allowed(field: FieldInfo) -> str:
-    """The values a parameter may take, in words: type, choices and bounds."""
+    """The values a parameter may take, in words: type, choices, bounds, and examples where it has any."""
     parts = [part for constraint in field.metadata for part in _bounds([constraint])]
+    if field.examples:
+        parts.append(f"such as {' or '.join(map(repr, field.examples))}")
     text, *rest = type_name(field.annotation).split(" | ")
     return " | ".join([_bounded(text, parts), *rest])
 

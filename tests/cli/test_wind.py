@@ -181,12 +181,33 @@ def test_a_wind_with_a_second_record_is_told_with_its_weather(barchan, ridge):
         assert "snowfall 9 kg/m² in 6 h, at most 2 kg/m² an hour" in told
         assert "wind while it snows mean 10.00 m/s" in told
         assert "temperature mean -14.0 °C, -16.0 to -10.0 °C" in told
-        assert "temperature and snowfall are those of hut.smet, joined in time" in told
+        assert "temperature and snowfall: from hut.smet, joined in time" in told
         assert "as measured, without gaps" in told
         for start in ("rows", "wind speed", "drift potential"):
             (line,) = (line for line in alone.splitlines() if line.startswith(start))
             assert line in result.out
     assert "snowfall" not in alone
+
+
+def test_marks_of_missing_values_are_stated_for_the_second_record_too(here, barchan):
+    """Temperatures are -4 and -8 °C in turn; every third one is -777, which no thermometer reads.
+
+    Between its neighbours it is -8, -4, -8 … °C, so that the mean stays that of the two.
+    """
+    moments = [f"2021-01-{1 + hour // 24:02}T{hour % 24:02}:00" for hour in range(96)]
+    winds = [f"{moment},7,250" for moment in moments]
+    degrees = [
+        f"{moment},{-777 if hour % 3 == 2 else -4 - 4 * (hour % 2)}" for hour, moment in enumerate(moments)
+    ]
+    (here / "wind.csv").write_text("\n".join(["time,speed (m/s),direction (deg)", *winds]))
+    (here / "hut.csv").write_text("\n".join(["time,temperature (degC)", *degrees]))
+    both = "wind", "wind.csv", "--weather", "hut.csv"
+    assert "is -777 °C; allowed: -90 to 60 °C" in barchan(*both).err
+    read = " ".join(barchan(*both, "--weather-missing", "-777").out.split())
+    assert "temperature mean -6.0 °C, -8.0 to -4.0 °C" in read
+    refused = barchan(*both, "--weather-time-zone", "CET")
+    assert refused.code != 0
+    assert "time_zone: is 'CET'; allowed: text such as '+01:00' or 'UTC' | null" in refused.err
 
 
 def test_a_joined_record_is_saved_with_its_weather(here, barchan, ridge):

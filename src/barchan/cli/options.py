@@ -46,10 +46,14 @@ def group_from(group: type[Group], options: Any) -> Group:
 
     Raises ScenarioError with every value that is not allowed.
     """
+    values = {} if options is None else {item.name: getattr(options, item.name) for item in fields(options)}
+    return group_of(group, {name: value for name, value in values.items() if value is not None})
+
+
+def group_of(group: type[Group], given: dict[str, Any]) -> Group:
+    """The group of parameters of some values; raises ScenarioError with every value that is not allowed."""
     from barchan.scenario.messages import problems_of
 
-    values = {} if options is None else {item.name: getattr(options, item.name) for item in fields(options)}
-    given = {name: value for name, value in values.items() if value is not None}
     try:
         return group.model_validate(given)
     except ValidationError as error:

@@ -8,7 +8,7 @@ from cyclopts import Parameter
 from cyclopts.validators import Number
 
 from barchan.aeolian.saltation import Saltation
-from barchan.cli.options import group_from, option, options_of
+from barchan.cli.options import group_from, group_of, option, options_of
 from barchan.errors import BarchanError
 from barchan.wind.records.format import RecordFormat
 
@@ -38,6 +38,16 @@ class Second:
         str | None,
         option("Zone of the second record's times where they state none, as +01:00 or UTC."),
     ] = None
+    weather_missing: Annotated[
+        list[float | str] | None,
+        option("Numbers and texts that stand for a missing value in the second record, as with --missing."),
+    ] = None
+
+    @property
+    def columns(self) -> RecordFormat:
+        """How its file is to be read; raises ScenarioError for values that are not allowed."""
+        stated = {"time_zone": self.weather_time_zone, "missing": self.weather_missing}
+        return group_of(RecordFormat, {key: value for key, value in stated.items() if value is not None})
 
 
 @Parameter(name="*")
@@ -136,7 +146,7 @@ def _subject(
     if names_record(source):
         height = None if sand is None or sand.height is None else grains.height
         record = read(source, group_from(RecordFormat, form), height)
-        record = joined(record, second.weather, second.weather_time_zone)
+        record = joined(record, second.weather, second.columns)
         return of_record(record, grains, supply, "--height")
     if second.weather is not None:
         raise BarchanError(f"--weather: {source} is no wind record; a scenario names one as wind.weather")

@@ -133,11 +133,11 @@ def read(source: str, columns: RecordFormat, height: float | None) -> "WindRecor
     return read_record(source, columns)
 
 
-def joined(record: "WindRecord", weather: Path | None, zone: str | None) -> "WindRecord":
-    """A record with the weather of another file, where one is named, whose times are of a ``zone``."""
+def joined(record: "WindRecord", weather: Path | None, columns: RecordFormat) -> "WindRecord":
+    """A record with the weather of another file, where one is named, read as its ``columns`` say."""
     from barchan.wind.records.joining import with_weather
     from barchan.wind.records.weather_record import read_weather
 
     if weather is None:
         return record
-    return with_weather(record, read_weather(weather, RecordFormat.model_validate({"time_zone": zone})))
+    return with_weather(record, read_weather(weather, columns))

@@ -121,6 +121,7 @@ class RecordFormat(Parameters):
         None,
         unit="-",
         pattern=r"^(?:UTC|Z|[+-](?:0\d|1[0-4]):[0-5]\d)$",
+        examples=["+01:00", "UTC"],
         meaning="Zone of times that state none, as +01:00 or UTC: times are then turned to UTC.",
     )
     missing: Marks = missing_key(

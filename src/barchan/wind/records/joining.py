@@ -48,7 +48,7 @@ def _told(record: WindRecord, weather: WeatherRecord, outside: float) -> list[st
     zone = (
         "both are in UTC" if record.utc else "neither states a time zone, so that both are taken to be in one"
     )
-    said = [f"{taken} are those of {weather.source}, joined in time; {zone}"]
+    said = [f"{taken}: from {weather.source}, joined in time; {zone}"]
     if outside > 1e-6:
         said.append(f"{outside:.3g} days of the wind of {record.source} have no weather in {weather.source}")
     return said
