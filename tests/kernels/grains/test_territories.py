@@ -24,11 +24,15 @@ def share(rows, cols, reach, stamp, grid, territories, order):
     for part in range(number):
         territory.enter(part, territories)
         for k in range(rows.size):
-            if territory.is_mine(k, 0, rows[k], cols[k], reach[k], part, stamp, grid, territories):
+            if territory.is_mine(
+                k * territory.KINDS, rows[k], cols[k], reach[k], part, stamp, grid, territories
+            ):
                 order[done] = k
                 done += 1
     for k in range(rows.size):
-        if territory.is_mine(k, 0, rows[k], cols[k], reach[k], number, stamp, grid, territories):
+        if territory.is_mine(
+            k * territory.KINDS, rows[k], cols[k], reach[k], number, stamp, grid, territories
+        ):
             order[done] = k
             done += 1
     return done

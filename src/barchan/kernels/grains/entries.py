@@ -15,7 +15,7 @@ from barchan.kernels.grains.exchange import deposit, end_travel, lift
 from barchan.kernels.grains.splash import ejecta_of, impact
 from barchan.kernels.grains.state import FREE, NOWHERE, OUT
 from barchan.kernels.grains.surface import nearest_stack, stack_at
-from barchan.kernels.grains.territories import ALONE, DEPOSIT, IMPACT, LIFT, STEP_REACH, is_mine
+from barchan.kernels.grains.territories import ALONE, DEPOSIT, IMPACT, KINDS, LIFT, STEP_REACH, is_mine
 
 
 @internal(error_model="numpy")
@@ -97,11 +97,11 @@ def _exchange_lifted(part, stamp, found, piece, scene, territories, counts):
                 end_travel(k, landings, counts)
             if landings.deposit_cell[k] >= 0:
                 row, col = stack_at(landings.deposit_cell[k], grid)
-                if is_mine(k, DEPOSIT, row, col, reach, part, stamp, grid, territories):
+                if is_mine(k * KINDS + DEPOSIT, row, col, reach, part, stamp, grid, territories):
                     deposit(k, row, col, ground, landings, counts)
             if landings.lift_cell[k] != NOWHERE:
                 row, col = stack_at(landings.lift_cell[k], grid)
-                if is_mine(k, LIFT, row, col, reach, part, stamp, grid, territories):
+                if is_mine(k * KINDS + LIFT, row, col, reach, part, stamp, grid, territories):
                     lift(k, row, col, breaks, grains, ground, landings, counts)
 
 
@@ -116,13 +116,16 @@ def _splash(part, stamp, hits, free, rule, scene, territories, counts):
     for at in range(hits):
         k = ejecta.hits[at]
         row, col = nearest_stack(landings.x[k], landings.y[k], grid)
-        if part == ALONE:
-            places = impact(k, row, col, (places, free), ground, rule, landings, ejecta, counts)
-            continue
-        reach = np.int64(territories.reach[row * grid.cols + col])
-        if is_mine(k, IMPACT, row, col, reach, part, stamp, grid, territories):
+        mine = places, free
+        if part != ALONE:
+            reach = np.int64(territories.reach[row * grid.cols + col])
+            if not is_mine(k * KINDS + IMPACT, row, col, reach, part, stamp, grid, territories):
+                continue
             mine = ejecta.place[at], ejecta.place[at + 1]
-            used = impact(k, row, col, mine, ground, rule, landings, ejecta, counts)
+        used = impact(k, row, col, mine, ground, rule, landings, ejecta, counts)
+        if part == ALONE:
+            places = used
+        else:
             ejecta.entry[used : mine[1]] = NOWHERE
     return places
 

@@ -152,17 +152,18 @@ def _meets(place, reach, low, high):
 
 
 @internal(error_model="numpy", forceinline=True)
-def is_mine(k, kind, row, col, reach, part, stamp, grid, territories):
-    """Whether what an entry does at a cell, up to ``reach`` cells from it, is now to be done by a ``part``.
+def is_mine(entry, row, col, reach, part, stamp, grid, territories):
+    """Whether what is done at a cell, up to ``reach`` cells from it, is now to be done by a ``part``.
 
-    That is a territory, ``ALONE``, or as many as there are territories: then what was put off. ``stamp`` is
-    the number of the iteration.
+    That is a territory, ``ALONE``, or as many as there are territories: then what was put off. ``entry`` is
+    ``KINDS`` times the number of the landing and the kind of what it does; ``stamp`` is the number of the
+    iteration.
     """
     bounds, number = territories.bounds, territories.bounds.size - 1
     if part == ALONE:
         return True
     if part == number:
-        return territories.put_off[k * KINDS + kind] != 0
+        return territories.put_off[entry] != 0
     place = col if territories.by_columns else row
     low, high = bounds[part], bounds[part + 1]
     if low <= place - reach and place + reach < high:
@@ -177,5 +178,5 @@ def is_mine(k, kind, row, col, reach, part, stamp, grid, territories):
             _meets(place - size, reach, low, high) or _meets(place + size, reach, low, high)
         ):
             return False
-    _put_off(k * KINDS + kind, row, col, reach, part, stamp, grid, territories)
+    _put_off(entry, row, col, reach, part, stamp, grid, territories)
     return False
