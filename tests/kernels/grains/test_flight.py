@@ -55,8 +55,7 @@ def fly_both(bed, wind, iterations, stream=None, **rules):
     return fast, slow, tally
 
 
-@settings(max_examples=25, deadline=None, phases=[Phase.explicit, Phase.generate])
-@given(
+FLIGHTS = st.tuples(
     st.integers(0, 2**32),
     st.sampled_from([270.0, 0.0, 143.0]),
     st.sampled_from(["periodic", "open"]),
@@ -66,12 +65,23 @@ def fly_both(bed, wind, iterations, stream=None, **rules):
     st.sampled_from(["constant", "reynolds"]),
     st.sampled_from(["stack", "patch"]),
     st.sampled_from([0.0, 0.005, -0.5]),
-    st.sampled_from([([], "level"), (STANDS, "level"), (STANDS, "bent"), ([], "faster")]),
 )
-def test_kernels_equal_the_obvious_flight_bit_for_bit(
-    seed, direction, boundary, uneven, lee, scheme, drag, footprint, lifted, over
-):
-    plants, bent = over
+
+
+@pytest.mark.parametrize(
+    ("plants", "bent"),
+    [  # each is a kernel of its own, and takes long to compile
+        ([], "level"),
+        (STANDS, "faster"),
+        pytest.param(STANDS, "level", marks=pytest.mark.extended),
+        pytest.param(STANDS, "bent", marks=pytest.mark.extended),
+        pytest.param([], "faster", marks=pytest.mark.extended),
+    ],
+)
+@settings(max_examples=12, deadline=None, phases=[Phase.explicit, Phase.generate])
+@given(FLIGHTS)
+def test_kernels_equal_the_obvious_flight_bit_for_bit(plants, bent, drawn):
+    seed, direction, boundary, uneven, lee, scheme, drag, footprint, lifted = drawn
     bed = small_bed(seed, boundary, uneven, depth=6 if footprint == "stack" else 12)
     wind = Segment(0, 1, 0, bed.lattice.cells, direction)
     rules = {"scheme": scheme, "drag": drag, "max_bounces": 3, "max_grains_per_cell": 0.5}
