@@ -1,23 +1,28 @@
 """``barchan schema``: the JSON schema of scenarios."""
 
 import json
+import subprocess
+import sys
 
+import jsonschema
 import pytest
 
 from barchan.scenario import Scenario, load_scenario, preset_names
 from tests.tiny import data
 
+BARCHAN = [sys.executable, "-c", "from barchan.cli import main; main()"]
 
-@pytest.fixture
-def schema(barchan):
+
+@pytest.fixture(scope="module")
+def schema():
     """The printed schema."""
-    return json.loads(barchan("schema").out)
+    printed = subprocess.run([*BARCHAN, "schema"], check=True, stdout=subprocess.PIPE)
+    return json.loads(printed.stdout)
 
 
-@pytest.fixture
+@pytest.fixture(scope="module")
 def validator(schema):
     """What checks data against the schema."""
-    jsonschema = pytest.importorskip("jsonschema")
     return jsonschema.Draft202012Validator(schema)
 
 
