@@ -6,7 +6,7 @@ import statistics
 from collections.abc import Iterator
 from pathlib import Path
 
-from benchmarks import exports, grains, kernel, measures, plain, program, threads, trials
+from benchmarks import exports, grains, kernel, measures, plain, program, threads, trials, watched
 
 PAGE = Path(__file__).parents[1] / "docs" / "benchmarks.md"
 NOTES = Path(__file__).with_name("notes.md")
@@ -76,6 +76,8 @@ def report(only: str) -> Iterator[str]:
         published = grains.PUBLISHED_SECONDS
         yield f"The 3000 iterations of Szabó 2019: {seconds:.1f} s, against {published:.0f} s there."
     yield from _of_frames(only)
+    if not only or "watched".startswith(only):
+        yield from watched.report()
     if not only:
         yield ""
         yield "| program | seconds |"

@@ -95,11 +95,13 @@ def _computed(frame: "xr.Dataset", scenario: Scenario, derived: Derived) -> "xr.
 
 
 def centre_of(model: Model, derived: Derived, wind: Segment) -> float | None:
-    """The value of a derived field on a flat bed, where pictures show it evenly about that."""
+    """The value of a derived field on a flat and bare bed, where pictures show it evenly about that."""
     if not derived.centred:
         return None
     ground, nothing = np.zeros(model.lattice.shape), np.zeros(model.lattice.shape, np.int32)
     level = Bed(model.lattice, ground, *[nothing for _ in model.layers], layers=model.layers)
+    for field in model.fields:
+        level.add(field, np.zeros(model.lattice.shape, field.dtype))
     return float(derived.compute(model, level, wind).flat[0])
 
 

@@ -12,7 +12,7 @@ from barchan.simulation.events import (
 )
 from barchan.simulation.frame import Frame
 from barchan.simulation.ledger import Ledger
-from barchan.simulation.state import State
+from barchan.simulation.state import LOOK_ONLY, State
 from barchan.simulation.step_pacer import StepPacer
 from barchan.simulation.stop import StopCondition
 from barchan.simulation.strokes import (
@@ -26,6 +26,7 @@ from barchan.simulation.strokes import (
 )
 
 __all__ = [
+    "LOOK_ONLY",
     "AnyEvent",
     "AnyStroke",
     "BrushStroke",

@@ -7,6 +7,9 @@ from numpy.typing import NDArray
 
 from barchan.scenario.migrations import current_field
 
+LOOK_ONLY = "look_only"
+"""Key of states that were made of frames: to look at, not to go on from."""
+
 
 @dataclass(frozen=True)
 class State:
@@ -16,6 +19,11 @@ class State:
     """Everything but the arrays, as JSON can hold it."""
     arrays: dict[str, NDArray]
     """The bed's fields as ``bed/<name>``, arrays that the model remembers as ``model/<name>`` and so on."""
+
+    @property
+    def whole(self) -> bool:
+        """Whether a run can go on from it; what was made of a frame lacks all that frames leave out."""
+        return not self.data.get(LOOK_ONLY)
 
     def up_to_date(self) -> "State":
         """The same state as this version of the program writes it, whatever format it was written in."""

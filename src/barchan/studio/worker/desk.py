@@ -101,7 +101,7 @@ class Desk:
     def _work_through(self) -> None:
         while self._waiting:
             job, take = self._waiting.popleft()
-            take(self._own.row(job))
+            take(self._own.row_or_failure(job))
 
 
 class ClosedDesk(Desk):

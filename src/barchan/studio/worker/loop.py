@@ -176,6 +176,8 @@ class Worker:
 def reason(error: Exception) -> str:
     """The text of an error; memory that was not to be had is named with its amount where that is known."""
     text = str(error)
+    if isinstance(error, LookupError):
+        return f"this is a fault of the program ({type(error).__name__}: {text}); please report it"
     if isinstance(error, MemoryError):
         return f"more memory was needed than is free{f' ({text})' if text else ''}"
     return text or type(error).__name__

@@ -8,6 +8,7 @@ from typing import Any
 
 from barchan.analysis.declared_measures import measures_of
 from barchan.analysis.frame_measurer import FrameMeasurer
+from barchan.errors import BarchanError
 from barchan.simulation import Simulation, State
 
 Row = dict[str, Any]
@@ -58,10 +59,13 @@ class Measuring:
 
     def answer(self, data: bytes) -> Row:
         """The measures of the state in a pickled job of this session; what fails is said in the row."""
-        job: Job = pickle.loads(data)  # noqa: S301 - the worker of this session wrote it
+        return self.row_or_failure(pickle.loads(data))  # noqa: S301 - the worker of this session wrote it
+
+    def row_or_failure(self, job: Job) -> Row:
+        """The measures of a state, or an empty row that says why there are none."""
         try:
             return self.row(job)
-        except (ArithmeticError, LookupError, MemoryError, TypeError, ValueError) as error:
+        except (BarchanError, ArithmeticError, LookupError, MemoryError, TypeError, ValueError) as error:
             return {"step": job.state.step, "values": {}, "doubts": {}, "failed": str(error)}
 
 

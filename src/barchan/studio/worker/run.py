@@ -21,9 +21,6 @@ from barchan.studio.worker.live_measures import LiveMeasures
 from barchan.studio.worker.painting import Painting
 from barchan.studio.worker.run_speed import RunSpeed
 
-LOOK_ONLY = "look_only"
-"""The key of a state's data that says that no run can go on from it."""
-
 CHUNK_SECONDS = 0.016
 """Seconds of work between two looks at the browser's requests: a call of the model costs some tenths of a
 millisecond beside its steps, so shorter chunks would cost speed."""
@@ -130,7 +127,7 @@ class StudioRun:
         self.pause()
         state = self.history.at(step)
         self.looking = Simulation.from_state(state)
-        self.can_branch = LOOK_ONLY not in state.data
+        self.can_branch = state.whole
 
     def look_now(self) -> None:
         """Look at the newest state."""

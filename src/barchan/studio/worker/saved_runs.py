@@ -13,12 +13,12 @@ from barchan.archive.folder import BOOKMARKS, CHECKPOINT, scenario_of
 from barchan.archive.frames import COUNTERS
 from barchan.errors import ArchiveError, BarchanError
 from barchan.scenario import Scenario
-from barchan.simulation import Simulation, State
+from barchan.simulation import LOOK_ONLY, Simulation, State
 from barchan.studio.worker.background import Count
 from barchan.studio.worker.bookmarks import Bookmark, Bookmarks, bookmark_from, marks_of
 from barchan.studio.worker.desk import Desk
 from barchan.studio.worker.history import FINEST, History
-from barchan.studio.worker.run import LOOK_ONLY, StudioRun, resumed
+from barchan.studio.worker.run import StudioRun, resumed
 from barchan.version import __version__
 
 if TYPE_CHECKING:
