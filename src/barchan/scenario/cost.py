@@ -30,6 +30,10 @@ def expected_work(scenario: "Scenario") -> float:
 def sampled_segments(scenario: "Scenario") -> list[Segment]:
     """The winds of up to 100 steps, one of each equal part of the run; of one seed where it states none."""
     forcing, steps = scenario.seeded(0).forcing(), scenario.run.steps
+    _, unchanged, _ = next(forcing.constant_intervals(0, steps))
+    if unchanged == steps:
+        first = [segment for segments in forcing.segments(0, 1) for segment in segments]
+        return first * min(steps, SAMPLES)
     chosen = range(steps) if steps <= SAMPLES else _spread(steps, SAMPLES)
     return [s for step in chosen for segments in forcing.segments(step, 1) for s in segments]
 
