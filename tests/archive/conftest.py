@@ -1,5 +1,7 @@
 """Runs on disk that tests of the archive share."""
 
+import shutil
+
 import pytest
 import xarray as xr
 
@@ -15,9 +17,9 @@ def whole(tmp_path_factory):
 
 
 @pytest.fixture
-def fresh(tmp_path):
+def fresh(whole, tmp_path):
     """The folder of a tiny run of the test's own."""
-    return run(Simulation(tiny()), tmp_path / "run").path
+    return shutil.copytree(whole, tmp_path / "run")
 
 
 @pytest.fixture(scope="session")

@@ -1,5 +1,6 @@
 """Calling the command line, in this process."""
 
+import shutil
 import sys
 import warnings
 from dataclasses import dataclass
@@ -7,7 +8,9 @@ from pathlib import Path
 
 import pytest
 
+from barchan.archive import run
 from barchan.cli import main
+from barchan.simulation import Simulation
 from tests.tiny import tiny
 
 
@@ -48,8 +51,13 @@ def here(monkeypatch, tmp_path) -> Path:
     return tmp_path
 
 
+@pytest.fixture(scope="session")
+def tiny_run(tmp_path_factory) -> Path:
+    """The folder of a tiny run; not to be changed."""
+    return run(Simulation(tiny()), tmp_path_factory.mktemp("tiny") / "tiny").path
+
+
 @pytest.fixture
-def finished(here, barchan) -> Path:
-    """The folder of a tiny run, in the folder worked in."""
-    assert barchan("run", "tiny.json", "--quiet", "--no-picture").code == 0
-    return here / "tiny"
+def finished(here, tiny_run) -> Path:
+    """The folder of a tiny run of the test's own, in the folder worked in."""
+    return shutil.copytree(tiny_run, here / "tiny")
