@@ -69,3 +69,16 @@ def test_a_wind_that_never_comes_again_counts_until_now_and_goes_on_as_the_last(
 def test_a_mixture_of_axes_has_the_direction_of_its_mean_transport():
     scenario = tiny(wind={"kind": "mixed_axes"})
     assert resultant(wind={"kind": "mixed_axes"}) == pytest.approx(scenario.wind.nominal_direction)
+
+
+@pytest.mark.parametrize("step", [0, 5])
+def test_rows_of_a_record_count_by_their_duration_whatever_steps_they_fill(step, tmp_path):
+    """One hour eastwards, two northwards; the hour at 3 m/s moves no sand."""
+    rows = [("00", 9, 270), ("01", 9, 180), ("02", 9, 180), ("03", 3, 90)]
+    lines = [f"2024-01-01T{hour}:00,{speed},{direction}" for hour, speed, direction in rows]
+    path = tmp_path / "wind.csv"
+    path.write_text("\n".join(["time,speed (m/s),direction (deg)", *lines]))
+    for seconds in (900.0, 2400.0, 20_000.0):
+        clock = {"clock": {"grain_diameter": 0.00025, "step_seconds": seconds}}
+        record = {"kind": "record", "path": str(path)}
+        assert resultant(step, wind=record, **clock) == pytest.approx(bearing(1.0, 2.0), abs=1e-6)

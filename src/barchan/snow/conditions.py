@@ -2,7 +2,7 @@
 
 import math
 from dataclasses import dataclass
-from functools import cached_property, lru_cache
+from functools import cached_property, lru_cache, partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -30,6 +30,8 @@ from barchan.snow.parameters import SnowParameters
 EPOCH_SECONDS = 600.0
 """Duration (s at -10 °C) of an epoch of bonding."""
 
+_KEPT = 4096
+"""Winds whose fluxes are kept."""
 _HOUR = 3600.0
 _ABRADED = 0.09
 """Threshold stress (Pa) of the snow that the rate of abrasion is stated for."""
@@ -142,11 +144,26 @@ class Conditions:
         return float(bonding_rate(cold, self.parameters.bonding.activation_energy))
 
 
-def relative_flux(parameters: SnowParameters, winds: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Saturated fluxes of winds (m/s at 10 m) at the model's temperature, over the reference wind's."""
-    reference = max(Conditions(parameters, parameters.reference_wind, parameters.temperature).flux, 1e-300)
-    fluxes = [Conditions(parameters, float(wind), parameters.temperature).flux for wind in winds.ravel()]
-    return np.array(fluxes).reshape(winds.shape) / reference
+class RelativeFlux:
+    """Saturated fluxes of winds (m/s at 10 m) at the model's temperature, over the reference wind's.
+
+    Those of the last winds are kept: one row of a record blows for many steps.
+    """
+
+    def __init__(self, parameters: SnowParameters) -> None:
+        """Find the flux of the reference wind."""
+        self._flux = lru_cache(_KEPT)(partial(_flux_of, parameters))
+        self._reference = max(_flux_of(parameters, parameters.reference_wind), 1e-300)
+
+    def __call__(self, winds: NDArray[np.float64]) -> NDArray[np.float64]:
+        """The fluxes of ``winds``, in an array of their shape."""
+        return (
+            np.array([self._flux(float(wind)) for wind in winds.flat]).reshape(winds.shape) / self._reference
+        )
+
+
+def _flux_of(parameters: SnowParameters, wind: float) -> float:
+    return Conditions(parameters, wind, parameters.temperature).flux
 
 
 def step_seconds(parameters: SnowParameters) -> float:

@@ -3,7 +3,6 @@
 import math
 from collections.abc import Callable, Hashable
 from dataclasses import replace
-from functools import partial
 from typing import Any
 
 import numpy as np
@@ -17,7 +16,7 @@ from barchan.lattice import Lattice
 from barchan.model import Model, Tally
 from barchan.slabs.tally import tally_of
 from barchan.snow.clock import BondClock
-from barchan.snow.conditions import Conditions, quantum_heights, relative_flux, step_seconds
+from barchan.snow.conditions import Conditions, RelativeFlux, quantum_heights, step_seconds
 from barchan.snow.drift_meter import DRIFTING, DriftMeter
 from barchan.snow.impacts import IMPACTS, strike
 from barchan.snow.pack import SNOW, STRESS, Field, field_of, fields_of, layer_of, leave
@@ -100,7 +99,7 @@ class SnowModel(Model):
     @property
     def strength(self) -> Callable[[NDArray[np.float64]], NDArray[np.float64]]:
         """From winds (m/s at 10 m) to polls over those of a step: in proportion to saturated fluxes."""
-        return partial(relative_flux, self.parameters)
+        return RelativeFlux(self.parameters)
 
     def step_volume(self) -> float:
         """Volume (m² per step) of drift that goes through a line across the reference wind on the flat."""

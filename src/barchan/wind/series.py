@@ -71,12 +71,17 @@ class SeriesWind(Parameters):
         cycle = float(self.series(clock.seed).ends[-1]) / clock.seconds()
         return cycle if cycle >= 1.0 else 0.0
 
+    def transport(self, clock: StepClock) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Polls of each row of the series, over those of a step, and their directions (degrees)."""
+        record = self.series(clock.seed).record
+        _, strengths = _speeds_and_strengths(record, slice(None), clock)
+        return record.duration / clock.seconds() * strengths, record.direction
+
     def intervals(self, step: int, clock: StepClock) -> list[WindInterval]:
         """Intervals of a step, in order."""
         rows, record = self._rows(step, clock), self.series(clock.seed).record
-        speeds = _at_clock_height(record.speed[rows.numbers], record.height, clock)
+        speeds, strengths = _speeds_and_strengths(record, rows.numbers, clock)
         directions = record.direction[rows.numbers]
-        strengths = np.ones(len(speeds)) if clock.strength is None else clock.strength(speeds)
         shares = rows.shares
         weather = _weather_of(record, rows.numbers)
         if clock.deviates and len(speeds) > self.winds:
@@ -135,6 +140,14 @@ class SeriesWind(Parameters):
     def placed_parts(self) -> list[tuple[tuple[str | int, ...], Blowing]]:
         """The winds that it is made of, and under which keys they stand: none is stated."""
         return []
+
+
+def _speeds_and_strengths(
+    record: WindRecord, rows: NDArray[np.intp] | slice, clock: StepClock
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Speeds of some rows at the clock's height, and the polls that they have over those of a step."""
+    speeds = _at_clock_height(record.speed[rows], record.height, clock)
+    return speeds, np.ones(len(speeds)) if clock.strength is None else clock.strength(speeds)
 
 
 def _at_clock_height(
