@@ -57,7 +57,33 @@ def test_a_change_of_both_leaves_what_is_set_aside_and_another_scenario_takes_it
     before = bench.worker.commands.current
     compared(bench, aside=True)
     compared(bench, number=3)
-    assert bench.worker.commands.aside[0] is before
+    assert bench.worker.commands.aside.run is before
     bench.send("start", scenario=small().data(), number=4)
     bench.send("take_back", number=5, id=1)
     assert bench.messages("refused")[0]["text"] == "no run was set aside"
+
+
+def test_a_run_and_another_scenario_take_turns_in_being_set_aside(bench):
+    first = bench.worker.commands.current
+    run_to(first, 20)
+    bench.send("start", scenario=small().data(), number=2, aside=True)
+    second = bench.worker.commands.current
+    run_to(second, 30)
+    for number, (run, other, step) in enumerate([(first, second, 20), (second, first, 30)], start=3):
+        bench.send("take_back", number=number)
+        assert bench.worker.commands.current is run
+        assert run.live.steps_done == step
+        assert bench.worker.commands.aside.run is other
+        assert len(run.branches.listing(step)) <= 1
+
+
+def test_a_run_without_a_target_goes_to_its_scenarios_end_and_on_and_on_from_there(bench):
+    end = bench.worker.commands.current.live.scenario.run.steps
+    bench.send("run")
+    assert bench.worker.commands.current.target == end
+    run_to(bench.worker.commands.current, end)
+    bench.send("run")
+    assert bench.worker.commands.current.target is None
+    bench.send("restart", running=False)
+    bench.send("run")
+    assert bench.worker.commands.current.target == end

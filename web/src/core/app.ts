@@ -2,7 +2,7 @@
 
 import type { MessageType } from "./commands";
 import { Connection, type ConnectionState, Refused } from "./connection";
-import { type Level, Notices, problemText } from "./notices";
+import { type Entry, type Level, Notices, problemText } from "./notices";
 import { Overlay } from "./overlay";
 import { type Command, type Description, type JsonObject, type Message, type RunName, readFrame, type Frame } from "./protocol";
 import type { Restart } from "./restarts";
@@ -62,6 +62,7 @@ export class App {
     if (this.connection.allowed) void this.load();
   }
 
+  private wayBack: Entry | null = null;
   private state: ConnectionState = "connecting";
   private loading = false;
 
@@ -133,10 +134,32 @@ export class App {
 
   /** Start a scenario; ``changed`` where it came of the one that runs. Throws where it is refused. */
   async begin(scenario: JsonObject, running = true, changed = false): Promise<void> {
-    await this.connection.ask({ command: "create", scenario, running, changed, run: this.selected });
+    const before = changed || this.runs.length > 1 ? undefined : this.runs[0];
+    const step = before?.status?.live ?? 0;
+    const title = titleOf(before);
+    await this.connection.ask({ command: "create", scenario, running, changed, aside: step > 0, run: this.selected });
     if (changed) return;
     this.restarts.length = 0;
     this.notices.dismissAll(); // they are of the scenario before
+    if (step > 0) this.offerBack(title);
+  }
+
+  /** Offer the way back to the run that another scenario took the place of; it leads there and back again. */
+  private offerBack(title: string): void {
+    const back = () => {
+      const here = this.runs[0];
+      const now = here?.status?.live ?? 0;
+      this.send({ command: "alone" });
+      this.note("info", `Back at the run “${title}”, paused.`);
+      if (now > 0) this.offerBack(titleOf(here));
+    };
+    this.wayBack = this.notices.note("info", `Your run “${title}” is set aside with its moments.`, "", true, { name: "go back to it", act: back });
+  }
+
+  /** A run that was set aside is no longer there to go back to. */
+  forgetWayBack(): void {
+    if (this.wayBack) this.notices.dismiss(this.wayBack);
+    this.wayBack = null;
   }
 
   /** Say why something was refused, at the places that it concerns. */
@@ -260,4 +283,8 @@ export class App {
   private get shown(): string {
     return JSON.stringify([this.view.fields(), this.view.look.paths]);
   }
+}
+
+function titleOf(run: Run | undefined): string {
+  return String(run?.description?.scenario.title || "without a title");
 }

@@ -12,6 +12,13 @@ export interface Entry {
   text: string;
   /** The key of the scenario that it concerns; empty where there is none. */
   key: string;
+  /** What its user can do about it. */
+  way?: Way | undefined;
+}
+
+export interface Way {
+  name: string;
+  act: () => void;
 }
 
 /** Entries of the log that are kept. */
@@ -27,14 +34,15 @@ export class Notices {
   readonly troubles = new Map<string, string>();
 
   /** Put a line into the log; a refusal also stands on the page until it is dismissed. */
-  note(level: Level, text: string, key = "", stands = level === "error"): void {
-    const entry = { time: new Date(), level, text, key: dotted(key) };
+  note(level: Level, text: string, key = "", stands = level === "error", way?: Way): Entry {
+    const entry: Entry = { time: new Date(), level, text, key: dotted(key), way };
     this.log.push(entry);
     if (this.log.length > MOST) this.log.shift();
     if (stands) this.standing = [...this.standing.filter((one) => one.text !== text), entry];
     if (key) this.troubles.set(entry.key, text);
     this.logged.send(entry);
     if (stands) this.changed.send();
+    return entry;
   }
 
   dismiss(entry: Entry): void {

@@ -8,6 +8,7 @@ import { h, short } from "./dom";
 export async function compare(app: App, other: { model: string } | { key: string; value: Json }): Promise<boolean> {
   const alone = app.runs.length === 1 ? app.current?.status?.live : undefined;
   if (!(await app.ask({ command: "compare", ...other }))) return false;
+  app.forgetWayBack();
   const aside = alone ? ` The run up to step ${short(alone, 9)} is set aside with its moments; ‘alone again’ leads back to it.` : "";
   app.note("info", `Two runs are compared, both from step 0.${aside}`);
   return true;

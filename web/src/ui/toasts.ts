@@ -48,10 +48,15 @@ export class Toasts {
   private toast(entry: Entry): HTMLElement {
     const dismiss = () => this.app.notices.dismiss(entry);
     const show = h("button", { type: "button", onclick: () => this.lead(entry.key) }, "show");
+    const go = () => {
+      dismiss();
+      entry.way?.act();
+    };
     return h(
       "li",
-      { className: "toast" },
-      h("span", { role: "alert" }, entry.text),
+      { className: `toast ${entry.level}` },
+      h("span", { role: entry.level === "error" ? "alert" : "status" }, entry.text),
+      entry.way && h("button", { type: "button", onclick: go }, entry.way.name),
       entry.key !== "" && show,
       h("button", { type: "button", className: "close", title: "Dismiss", "aria-label": `Dismiss: ${entry.text}`, onclick: dismiss }, "×"),
     );

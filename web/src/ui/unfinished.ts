@@ -80,6 +80,7 @@ export class Unfinished {
 
   private async open(one: Left, onOpen: () => void): Promise<void> {
     if (!(await this.app.ask({ command: "open_unfinished", name: one.name }))) return;
+    this.app.forgetWayBack();
     this.app.note("info", "The run goes on from where it stopped; of its past the measures and moments are left.");
     this.set(this.left.filter((other) => other !== one));
     onOpen();

@@ -84,8 +84,13 @@ export class ViewPanel {
       this.check("turn slowly while nobody touches it", "turning"),
       h("h2", {}, "Page"),
       this.choice("theme", "theme", [["system", "as the system"], ["light", "light"], ["dark", "dark"]]),
-      h("button", { type: "button", className: "quiet", onclick: () => this.set({ ...LOOK }, true) }, "reset the view"),
+      h("button", { type: "button", className: "quiet", onclick: () => this.reset() }, "reset the view"),
     );
+  }
+
+  private reset(): void {
+    this.set({ ...LOOK }, true);
+    this.stage.look("oblique");
   }
 
   private set(change: Partial<Look>, redraw = false): void {

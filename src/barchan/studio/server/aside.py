@@ -1,4 +1,4 @@
-"""The run that two which are compared have taken the place of, and the way back to it."""
+"""The run that two which are compared, or another scenario, have taken the place of, and the way back to it."""
 
 from typing import TYPE_CHECKING
 
@@ -19,12 +19,17 @@ class Aside:
         self._session = session
         self.state: bytes | None = None
         """The state of the run that was set aside."""
+        self._swaps = False
+        """Whether the run in its place is set aside in turn when it is taken back: it did not come of it."""
 
     def begun(self, name: str, request: Request) -> None:
         """The first worker has begun what was requested."""
         worker = self._session.workers[name]
         if request.get("aside"):
+            self._swaps = not request.get("changed")
             worker.holds_aside, self.state = True, self._session.kept.newest(name)
+        elif request["command"] == "take_back" and self._swaps:
+            self.state = self._session.kept.newest(name)
         elif request["command"] in ENDING or not request.get("changed"):
             worker.holds_aside, self.state = False, None
 

@@ -67,6 +67,8 @@ class BrowserRequests:
         if pair is not None and command.name == "pause":
             pair.pause()
             return
+        if pair is not None and command.name == "restart":
+            pair.met_at = 0
         self.session.workspace.check(request)
         named = request.get("run")
         workers = [

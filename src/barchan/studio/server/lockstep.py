@@ -23,6 +23,10 @@ class Lockstep:
         self.workers = workers
         self.running = False
         """Whether they run, or are still on their way to where they meet."""
+        self.end = 0
+        """The last step of the scenario that ends first."""
+        self.met_at = 0
+        """The step where they met last."""
         self._goes_on = False
         self._on_change = on_change
         self._left: int | None = None
@@ -36,7 +40,9 @@ class Lockstep:
         self._began = 0.0
 
     def run(self, steps: int | None = None, until: int | None = None) -> None:
-        """Run: on and on, a number of steps, or up to a step."""
+        """Run a number of steps, or up to a step; else to the scenario's end, and from there on and on."""
+        if steps is None and until is None and self.met_at < self.end:
+            until = self.end
         self._left = None if steps is None else max(1, int(steps))
         self._until = None if until is None else int(until)
         self._goes_on = self.running = True
@@ -77,6 +83,7 @@ class Lockstep:
         self._away.discard(name)
         if self._away:
             return
+        self.met_at = step
         self._send_keep()
         self._pacer.record(self._steps, time.perf_counter() - self._began)
         if self._left == 0 or (self._until is not None and step >= self._until):

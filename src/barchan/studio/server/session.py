@@ -166,8 +166,10 @@ class Session:
                 name, {"command": "start", **answer, "scenario": data, "running": running and alone}
             )
         self.lockstep = None if alone else Lockstep(self.workers, self.on_lockstep)
-        if self.lockstep is not None and running:
-            self.lockstep.run(min(int(data["run"]["steps"]) for data in scenarios.values()))
+        if self.lockstep is not None:
+            self.lockstep.end = min(int(data["run"]["steps"]) for data in scenarios.values())
+            if running:
+                self.lockstep.run()
 
     def resume(self, step: int) -> None:
         """Let all runs continue from the states that are kept after a step."""

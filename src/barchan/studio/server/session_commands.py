@@ -21,13 +21,19 @@ SESSION: Handlers[Callable[["Session", Request], None]] = Handlers("session")
 
 @SESSION.handles("create")
 def create(session: "Session", request: Request) -> None:
-    """Start a scenario; where there are two workers in the other one, too, with its own model."""
+    """Start a scenario; where there are two workers in the other one, too, with its own model.
+
+    With ``aside`` a run that is alone is set aside, to be taken back by ``alone``.
+    """
     session.workspace.check(request["scenario"])
     data = validate(request["scenario"]).seeded().data()
     name = SECOND if session.lockstep is not None and request.get("run") == SECOND else FIRST
     begun = {name: data}
     answering: dict[str, Request] = {run: {"changed": bool(request.get("changed"))} for run in "ab"}
     answering[name] |= _id_of(request)
+    if request.get("aside") and session.lockstep is None and FIRST in session.scenarios:
+        session.workers[FIRST].send("keep")
+        answering[FIRST]["aside"] = True
     if session.lockstep is not None:
         other = FIRST if name == SECOND else SECOND
         newest = session.starts.scenario(other) or session.scenarios[other]
@@ -57,7 +63,9 @@ def compare(session: "Session", request: Request) -> None:
 
 @SESSION.handles("alone")
 def alone(session: "Session", _: Request) -> None:
-    """End the second simulation, and return to the run that was set aside for the comparison."""
+    """End the second simulation, if there is one, and return to the run that was set aside."""
+    if session.lockstep is None:
+        session.workers[FIRST].send("keep")
     session.end_second()
     session.aside.take_back(FIRST)
 

@@ -25,7 +25,7 @@ class WorkerHandle:
         self.name = name
         self.closing = False
         self.holds_aside = False
-        """Whether it holds a run that was set aside for two that are compared."""
+        """Whether it holds a run that was set aside."""
         self._on_data, self._on_exit = on_data, on_exit
         self._loop = asyncio.get_running_loop()
         self._connection, theirs = context.Pipe()

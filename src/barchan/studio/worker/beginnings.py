@@ -34,8 +34,7 @@ def start(commands: "RunCommands", request: Request) -> None:
         origin = commands.origin
     run = started(changed_from(scenario, origin), commands.desk)
     if request.get("aside") and commands.run is not None:
-        commands.run.pause()
-        commands.aside = commands.run, commands.origin
+        commands.set_aside(of_it=bool(request.get("changed")))
     elif not request.get("changed"):
         commands.aside = None
     commands.take(run, bool(request.get("running")), origin)
@@ -43,17 +42,21 @@ def start(commands: "RunCommands", request: Request) -> None:
 
 @WORKER.handles("take_back")
 def take_back(commands: "RunCommands", _: Request) -> None:
-    """Return to the run that was set aside, as it was; the one in its place becomes a branch of it.
+    """Return to the run that was set aside, as it was.
 
-    Raises BarchanError where none was set aside.
+    The one in its place becomes a branch of it where it came of it; else it is set aside in turn. Raises
+    BarchanError where none was set aside.
     """
     if commands.aside is None:
         raise BarchanError("no run was set aside")
-    (run, origin), commands.aside = commands.aside, None
-    if commands.current.live.steps_done:
-        commands.current.pause()
-        run.adopt(commands.current)
-    commands.take(run, running=False, origin=origin)
+    before, commands.aside = commands.aside, None
+    if before.of_it:
+        if commands.current.live.steps_done:
+            commands.current.pause()
+            before.run.adopt(commands.current)
+    else:
+        commands.set_aside(of_it=False)
+    commands.take(before.run, running=False, origin=before.origin)
 
 
 @WORKER.handles("restart")

@@ -1,7 +1,7 @@
 """The commands that a worker carries out, one method each."""
 
 from collections.abc import Callable
-from typing import Any
+from typing import Any, NamedTuple
 
 from barchan.errors import BarchanError
 from barchan.scenario import Scenario
@@ -22,6 +22,15 @@ SLOWEST, FASTEST = 0.1, 1e6
 """Limits of the speed limit (steps per second)."""
 
 
+class SetAside(NamedTuple):
+    """A run that another one has taken the place of."""
+
+    run: StudioRun
+    origin: Scenario | None
+    of_it: bool
+    """Whether the other one came of it by changes."""
+
+
 class RunCommands:
     """Carries commands out on the worker's run."""
 
@@ -31,8 +40,8 @@ class RunCommands:
         """No run yet; ``send`` sends control messages, ``send_bytes`` the state that the server keeps."""
         self.frames = frames
         self.run: StudioRun | None = None
-        self.aside: tuple[StudioRun, Scenario | None] | None = None
-        """The run that was set aside for two that are compared, and its origin."""
+        self.aside: SetAside | None = None
+        """The run that was set aside for two that are compared, or for another scenario."""
         self.origin: Scenario | None = None
         """The scenario that was loaded, whose words name what was changed on the page since."""
         self.number = 0
@@ -75,6 +84,11 @@ class RunCommands:
         assert self.run is not None
         return self.run
 
+    def set_aside(self, *, of_it: bool) -> None:
+        """Keep the run, paused, to be taken back; the next one comes ``of_it``, or is another."""
+        self.current.pause()
+        self.aside = SetAside(self.current, self.origin, of_it)
+
     def take(self, run: StudioRun, running: bool, origin: Scenario | None = None) -> None:
         """Continue with another run, under the same speed limit, up to its scenario's end.
 
@@ -84,7 +98,7 @@ class RunCommands:
         if self.run:
             run.speed.limit = self.run.speed.limit
         self.run = run
-        aside = set() if self.aside is None else self.aside[0].branches.series
+        aside = set() if self.aside is None else self.aside.run.branches.series
         self.desk.keep_only(run.branches.series | aside)
         self.announce()
         if running:
@@ -115,13 +129,19 @@ class RunCommands:
 
     @WORKER.handles("run")
     def start_running(self, request: Request) -> None:
-        """Run on and on, ``steps`` steps, or up to step ``until``, whichever comes first."""
+        """Run ``steps`` steps, or up to step ``until``, whichever comes first; else to the scenario's end.
+
+        From that end on it runs on and on.
+        """
         targets = [int(request["until"])] if request.get("until") is not None else []
         if request.get("steps") is not None:
             targets.append(self.current.live.steps_done + max(1, int(request["steps"])))
-        target = min(targets, default=None)
         self.order = request.get("order")
-        self.current.run(target, bool(request.get("brief")))
+        if targets:
+            self.current.run(min(targets), bool(request.get("brief")))
+        else:
+            self.current.run_to_its_end()
+        target = self.current.target
         if target is not None and not self.current.busy:
             self.arrive()
 

@@ -66,11 +66,13 @@ class StudioRun:
 
     def run(self, target: int | None = None, brief: bool = False) -> None:
         """Run, on and on or up to a step; ``brief`` where it will continue at once from there."""
+        goes_on = brief and self.brief
         self.looking = None
         self.brief = brief
         self.target = target
         self.running = target is None or target > self.live.steps_done
-        self.speed.restart()
+        if not goes_on:
+            self.speed.restart()
 
     def run_to_its_end(self) -> None:
         """Run up to the last step of the scenario, or on and on where that is behind."""
@@ -79,7 +81,7 @@ class StudioRun:
 
     def pause(self) -> None:
         """Stop; measures of the state follow, at whatever step it is."""
-        self.running = False
+        self.running = self.brief = False
         self.measures.take_extra(self.live)
 
     def recover(self) -> None:
@@ -199,7 +201,7 @@ class StudioRun:
             "finished": self.live.finished,
             "looking": self.looking is not None,
             "can_branch": self.looking is not None and self.can_branch,
-            "rate": self.speed.rate if self.busy else 0.0,
+            "rate": self.speed.rate if self.busy or self.brief else 0.0,
             "limit": self.speed.limit,
             "highest": highest_stack(shown.bed.stack),
             "deepest": float(shown.bed.depth.max()),
