@@ -76,8 +76,6 @@ def report(only: str) -> Iterator[str]:
         published = grains.PUBLISHED_SECONDS
         yield f"The 3000 iterations of Szabó 2019: {seconds:.1f} s, against {published:.0f} s there."
     yield from _of_frames(only)
-    if not only or "watched".startswith(only):
-        yield from watched.report()
     if not only:
         yield ""
         yield "| program | seconds |"
@@ -87,8 +85,8 @@ def report(only: str) -> Iterator[str]:
 
 
 def _of_frames(only: str) -> Iterator[str]:
-    """Tables of what is done with single frames."""
-    for name, case in (("export", exports), ("measures", measures)):
+    """Tables of what is done with single frames, and of a run that is watched."""
+    for name, case in (("export", exports), ("measures", measures), ("watched", watched)):
         if not only or name.startswith(only):
             yield from case.report()
 

@@ -1,4 +1,4 @@
-"""The run that two which are compared, or another scenario, have taken the place of, and the way back to it."""
+"""The run whose place two that are compared, or another scenario, have taken, and the way back to it."""
 
 from typing import TYPE_CHECKING
 
