@@ -1,4 +1,4 @@
-"""What it costs a model to be watched in the studio: its steps with a browser that takes all frames, and without.
+"""What it costs a model to be watched in the studio: steps with a browser that takes all frames, and without.
 
 Browser and measures have processes of their own and are left out; frames go to another process.
 """
