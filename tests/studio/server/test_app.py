@@ -263,6 +263,21 @@ def test_alone_again_leads_back_to_the_run_that_was_compared_and_both_can_be_sav
     assert not after["running"]
 
 
+def test_a_run_that_another_scenario_takes_the_place_of_is_set_aside_and_both_take_turns(served):
+    with served.browser() as browser:
+        browser.until_frame(lambda status: status["step"] >= 20)
+        told = next(head for head in browser.messages if head.get("type") == "scenario")
+        other = told["scenario"] | {"title": "The other one"}
+        browser.send("create", scenario=other, aside=True, running=False, id=1)
+        browser.until_message("done", id=1)
+        for comes_back, kept in ((True, 20), (False, 0), (True, 20)):
+            browser.send("alone")
+            told = browser.until_message("scenario")["scenario"]
+            assert (told["title"] != "The other one") is comes_back
+            status = browser.until_frame(lambda status, kept=kept: status["live"] >= kept)[0]["status"]
+            assert not status["running"]
+
+
 def test_the_line_needs_token_host_and_origin(served):
     for options in (
         {"additional_headers": {"Host": "evil.example"}},

@@ -124,3 +124,16 @@ def test_what_waits_for_a_meeting_is_done_where_the_pair_is_left(pair):
     pair.lockstep.meet(lambda: seen.append(1))
     pair.lockstep.leave()
     assert seen == [1]
+
+
+def test_both_run_to_the_end_of_the_scenario_that_ends_first_and_on_and_on_from_there(pair):
+    pair.lockstep.end = 5
+    pair.lockstep.run()
+    while pair.lockstep.running:
+        pair.meet()
+    assert pair.steps == [5, 5]
+    pair.lockstep.run()
+    for _ in range(20):
+        pair.meet()
+    assert pair.lockstep.running
+    assert pair.steps[0] > 5
