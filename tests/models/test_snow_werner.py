@@ -223,6 +223,26 @@ def test_a_day_is_a_step_and_the_curves_are_data():
             r"model\.hardening\.locks_after: is 200, but the pack of packed_snow gets no denser on that day",
         ),
         (
+            {
+                "hardening": {
+                    "locks_after": 9,
+                    "packed_snow": [{"day": 0.0, "density": 90.0}, {"day": 9.0, "density": 90.0 + 1e-12}],
+                }
+            },
+            r"model\.hardening\.locks_after: is 9, but by then snow at -20 °C is no denser than at first",
+        ),
+        (
+            {
+                "hardening": {
+                    "fresh_snow": [
+                        {"temperature": -5.0, "density": 5e-324},
+                        {"temperature": 0.0, "density": 1.0},
+                    ]
+                }
+            },
+            r"model\.hardening\.fresh_snow\[0\]\.density: is 5e-324; allowed: number ≥ 1",
+        ),
+        (
             {"hardening": {"packed_snow": [{"day": 5.0, "density": 90.0}, {"day": 4.0, "density": 95.0}]}},
             r"model\.hardening\.packed_snow\[1\]\.day: is 4\.0 after 5\.0; allowed: days that increase",
         ),

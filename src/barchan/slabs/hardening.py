@@ -16,6 +16,9 @@ COLDEST, WARMEST = -20.0, 0.0
 IMMOBILE = 1.0 - 1e-9
 """Resistance from which on snow does not move: 1 but for rounding."""
 
+LEAST_GAIN = 1e-6
+"""Density (kg/m³) below which a gain is rounding."""
+
 RIPPLES = "Prague thesis, Table 6.7"
 ASSUMED = "ours: assumed, read from the picture in the Prague thesis, Fig. 4.3"
 
@@ -27,7 +30,7 @@ class FreshSnow(Parameters):
         unit="°C", ge=-90, le=60, meaning="Temperature of the air.", source=ASSUMED
     )
     density: float = parameter(
-        unit="kg/m³", gt=0, le=917, meaning="Density of snow that falls at that temperature.", source=ASSUMED
+        unit="kg/m³", ge=1, le=917, meaning="Density of snow that falls at that temperature.", source=ASSUMED
     )
 
 
@@ -36,7 +39,7 @@ class PackedSnow(Parameters):
 
     day: float = parameter(unit="days", ge=0, le=10_000, meaning="Age of the pack.", source=ASSUMED)
     density: float = parameter(
-        unit="kg/m³", gt=0, le=917, meaning="Density of a pack of that age.", source=ASSUMED
+        unit="kg/m³", ge=1, le=917, meaning="Density of a pack of that age.", source=ASSUMED
     )
 
 
@@ -123,6 +126,9 @@ class Hardening(Parameters):
         if not found and self.rise(self.locks_after - 1)[0] == 0.0:
             text = f"is {self.locks_after}, but the pack of packed_snow gets no denser on that day"
             found = [mistake(("locks_after",), f"{text}; allowed: a day on which it does")]
+        elif not found and self.cold_gain() < LEAST_GAIN:
+            text = f"is {self.locks_after}, but by then snow at {COLDEST:g} °C is no denser than at first"
+            found = [mistake(("locks_after",), f"{text}; allowed: a day by which packed_snow rises")]
         if found:
             raise ValidationError.from_exception_data(type(self).__name__, found)
         return self
@@ -144,12 +150,16 @@ class Hardening(Parameters):
         relative = 1.0 if self.increment == "curve" else density / packed
         return (self.cold_factor + (1.0 - self.cold_factor) * share) * rise * relative
 
-    def resistance_per_density(self) -> float:
-        """Resistance that snow gains with density (m³/kg): 1 over the gain of ``locks_after`` cold days."""
+    def cold_gain(self) -> float:
+        """Density (kg/m³) that snow gains in ``locks_after`` days at -20 °C."""
         density = fresh = self.fresh_density(COLDEST)
         for day in range(self.locks_after):
             density += self.gain(day, density, COLDEST)
-        return 1.0 / (density - fresh)
+        return density - fresh
+
+    def resistance_per_density(self) -> float:
+        """Resistance that snow gains with density (m³/kg): 1 over the gain of ``locks_after`` cold days."""
+        return 1.0 / self.cold_gain()
 
     def day_of_locking(self, temperatures: Iterable[float]) -> int | None:
         """The day on which snow becomes immobile under the temperatures (°C) of its days; None: on none."""
