@@ -18,7 +18,7 @@ def fill(studio, path: str, value: str) -> None:
 
 
 def toasts(studio):
-    return studio.page.locator(".toast")
+    return studio.page.locator(".toast.error")
 
 
 def test_a_refused_value_goes_back_and_hinders_no_later_change(studio):
@@ -52,7 +52,7 @@ def test_a_refusal_leads_to_its_row_and_goes_when_another_value_is_taken(studio)
     assert box.evaluate("(box) => box === document.activeElement")
     fill(studio, "model.p_s", "0.5")
     studio.until(f"{SCENARIO}.model.p_s === 0.5")
-    studio.until("document.querySelectorAll('.toast').length === 0")
+    studio.until("document.querySelectorAll('.toast.error').length === 0")
 
 
 def test_a_refusal_stays_marked_at_the_log_until_the_log_is_opened(studio):
@@ -168,3 +168,15 @@ def test_a_refusal_groups_long_numbers_and_calls_no_value_none(studio):
     problem = {"key": "run.save_every", "message": "is null; allowed: 1 or null", "place": "scenario"}
     studio.ask(f"window.barchan.app.handlers.refused({{ text: '', problems: [{json.dumps(problem)}] }})")
     toasts(studio).filter(has_text="run › save every: is none; allowed: 1 or none").wait_for()
+
+
+@pytest.mark.extended
+def test_a_run_that_another_scenario_takes_the_place_of_can_be_gone_back_to(studio):
+    studio.step_beyond(10)
+    title = studio.ask(f"{SCENARIO}.title")
+    studio.ask(f"window.barchan.app.create({{ ...{SCENARIO}, title: 'The other one' }}, true)")
+    studio.step_beyond(5)
+    back = studio.page.locator(".toast.info", has_text=title)
+    back.get_by_role("button", name="go back to it").click()
+    studio.until(f"{SCENARIO}.title === {json.dumps(title)} && {RUN}.status.live > 10")
+    studio.page.locator(".toast.info", has_text="The other one").wait_for()
