@@ -75,11 +75,15 @@ def _draw(outcome: Outcome, quiet: bool) -> str | None:
     with open_run(outcome.path) as dataset:
         path = outcome.path / PICTURE
         last = dataset.isel(step=-1).load()
-        values: list[Value] = []
-        works = [lambda: relief_map(last, scenario).savefig(path)]
-        if not quiet:
-            works.append(lambda: values.extend(last_values(dataset, scenario)))
-        at_once(works)
+
+        def draw() -> "list[Value]":
+            relief_map(last, scenario).savefig(path)
+            return []
+
+        def measure() -> "list[Value]":
+            return last_values(dataset, scenario)
+
+        *_, values = at_once([draw] if quiet else [draw, measure])
     if values:
         print_values(values, scenario.lattice.cell_size, scenario.step_seconds)
     return str(path)

@@ -1,7 +1,6 @@
 """How long a scenario is expected to take, estimated before it runs."""
 
 import math
-from itertools import islice
 from typing import TYPE_CHECKING
 
 from barchan.wind.segment import Segment
@@ -31,7 +30,7 @@ def expected_work(scenario: "Scenario") -> float:
 def sampled_segments(scenario: "Scenario") -> list[Segment]:
     """The winds of up to 100 steps, one of each equal part of the run; of one seed where it states none."""
     forcing, steps = scenario.seeded(0).forcing(), scenario.run.steps
-    unchanged = sum(count for _, count, _ in islice(forcing.constant_intervals(0, steps), 1))
+    _, unchanged, _ = next(forcing.constant_intervals(0, steps), (0, 0, []))
     if unchanged == steps:
         first = [segment for segments in forcing.segments(0, 1) for segment in segments]
         return first * min(steps, SAMPLES)

@@ -157,9 +157,8 @@ class RelativeFlux:
 
     def __call__(self, winds: NDArray[np.float64]) -> NDArray[np.float64]:
         """The fluxes of ``winds``, in an array of their shape."""
-        return (
-            np.array([self._flux(float(wind)) for wind in winds.flat]).reshape(winds.shape) / self._reference
-        )
+        fluxes = np.array([self._flux(float(wind)) for wind in winds.flat])
+        return fluxes.reshape(winds.shape) / self._reference
 
 
 def _flux_of(parameters: SnowParameters, wind: float) -> float:

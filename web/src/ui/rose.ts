@@ -27,7 +27,7 @@ export function roses(answer: JsonObject): HTMLElement {
   const sand = wheel(rose.sand.map((amount) => [amount]), "Sand that winds from each side move", "sand");
   if (rose.crest !== null) sand.append(svg("line", { y1: -R, y2: R, transform: `rotate(${rose.crest})`, class: "crest" }));
   if (rose.toward !== null) sand.append(arrow(rose.toward, rose.steadiness ?? 0));
-  const goes = rose.toward === null ? (rose.sand.some((amount) => amount > 0) ? "no net transport: the winds cancel" : "nothing moves") : `net transport towards ${short(rose.toward, 3)}°, ${short(100 * (rose.steadiness ?? 0), 2)} % of all that moves`;
+  const goes = netTransport(rose);
   const crest = rose.crest === null ? "" : `; crests expected along ${short(rose.crest, 3)}°`;
   return h(
     "div",
@@ -36,6 +36,11 @@ export function roses(answer: JsonObject): HTMLElement {
     h("figure", {}, sand as unknown as HTMLElement, h("figcaption", {}, h("b", {}, "sand "), goes + crest)),
     rose.limits.length > 0 && h("div", { className: "speeds" }, ...legend(rose.limits), "m/s"),
   );
+}
+
+function netTransport(rose: Rose): string {
+  if (rose.toward !== null) return `net transport towards ${short(rose.toward, 3)}°, ${short(100 * (rose.steadiness ?? 0), 2)} % of all that moves`;
+  return rose.sand.some((amount) => amount > 0) ? "no net transport: the winds cancel" : "nothing moves";
 }
 
 function legend(limits: number[]): HTMLElement[] {

@@ -1,4 +1,4 @@
-/** Refusals on the page: each stays until it is dismissed, and leads to the row that it concerns. */
+/** Refusals, and ways back, on the page: each stays until it is dismissed; a refusal leads to the row that it concerns. */
 
 import type { App } from "../core/app";
 import type { Entry } from "../core/notices";

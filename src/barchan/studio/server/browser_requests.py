@@ -68,7 +68,7 @@ class BrowserRequests:
             pair.pause()
             return
         if pair is not None and command.name == "restart":
-            pair.met_at = 0
+            pair.restart()
         self.session.workspace.check(request)
         named = request.get("run")
         workers = [

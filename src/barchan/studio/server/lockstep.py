@@ -25,7 +25,7 @@ class Lockstep:
         """Whether they run, or are still on their way to where they meet."""
         self.end = 0
         """The last step of the scenario that ends first."""
-        self.met_at = 0
+        self._met_at = 0
         """The step where they met last."""
         self._goes_on = False
         self._on_change = on_change
@@ -41,7 +41,7 @@ class Lockstep:
 
     def run(self, steps: int | None = None, until: int | None = None) -> None:
         """Run a number of steps, or up to a step; else to the scenario's end, and from there on and on."""
-        if steps is None and until is None and self.met_at < self.end:
+        if steps is None and until is None and self._met_at < self.end:
             until = self.end
         self._left = None if steps is None else max(1, int(steps))
         self._until = None if until is None else int(until)
@@ -49,6 +49,10 @@ class Lockstep:
         self._on_change(True)
         if not self._away:
             self._go()
+
+    def restart(self) -> None:
+        """Both begin again: the scenario's end is ahead."""
+        self._met_at = 0
 
     def pause(self) -> None:
         """Stop where both meet next; there both are measured, and not before are they said to pause."""
@@ -83,7 +87,7 @@ class Lockstep:
         self._away.discard(name)
         if self._away:
             return
-        self.met_at = step
+        self._met_at = step
         self._send_keep()
         self._pacer.record(self._steps, time.perf_counter() - self._began)
         if self._left == 0 or (self._until is not None and step >= self._until):
