@@ -40,6 +40,15 @@ def test_a_word_is_searched_in_names_and_meanings(barchan):
     assert "model.hop_length" not in seeds
 
 
+def test_the_name_of_a_model_or_of_a_wind_lists_its_keys(barchan):
+    momiji = {line.split()[0] for line in barchan("parameters", "momiji").out.splitlines() if line[2:3] > " "}
+    assert {"model.hop_length", "model.speedup_linear", "model.hop_rounding"} <= momiji
+    assert "model.erosion_chance" not in momiji
+    storms = {line.split()[0] for line in barchan("parameters", "storms").out.splitlines() if line[2:3] > " "}
+    assert storms
+    assert all(key.startswith("wind.") for key in storms)
+
+
 def test_a_word_that_is_nowhere_is_told(barchan):
     failed = barchan("parameters", "xyzzy")
     assert failed.code == 1

@@ -14,8 +14,9 @@ def parameters(word: str = "", /) -> None:
     Parameters
     ----------
     word
-        Only keys that begin like this, for instance model or run.until; where none does, keys whose name or
-        meaning has this word in it, for instance shadow or seed.
+        Only keys that begin like this, for instance model or run.until; or those of a model or another kind,
+        for instance momiji or storms; or else keys whose name or meaning has this word in it, for instance
+        shadow or seed.
     """
     from rich.text import Text
 
@@ -42,9 +43,12 @@ def parameters(word: str = "", /) -> None:
 
 
 def _found(keys: "list[Key]", word: str) -> "list[Key]":
-    """The keys that begin with a word, or else those with the word in name, heading or meaning."""
+    """The keys that begin with a word, or those of the kind that it names, or that have it in name or meaning."""
     name, plain = word.replace("-", "_"), word.casefold()
     begin = [key for key in keys if key.key.startswith(name)]
-    return begin or [
-        key for key in keys if name.casefold() in key.key.casefold() or plain in key.meaning.casefold()
-    ]
+    of_kind = [key for key in keys if f'"{name.casefold()}"' in key.heading]
+    return (
+        begin
+        or of_kind
+        or [key for key in keys if name.casefold() in key.key.casefold() or plain in key.meaning.casefold()]
+    )
