@@ -43,7 +43,7 @@ def parameters(word: str = "", /) -> None:
 
 
 def _found(keys: "list[Key]", word: str) -> "list[Key]":
-    """The keys that begin with a word, or those of the kind that it names, or that have it in name or meaning."""
+    """The keys that begin with a word, or of the kind that it names, or that have it in name or meaning."""
     name, plain = word.replace("-", "_"), word.casefold()
     begin = [key for key in keys if key.key.startswith(name)]
     of_kind = [key for key in keys if f'"{name.casefold()}"' in key.heading]
