@@ -1,4 +1,4 @@
-"""While kernels are compiled instead of loaded from the cache: how far that is, and no collection of garbage."""
+"""While kernels are compiled instead of loaded from the cache: how far that is; no collection of garbage."""
 
 import gc
 import threading
