@@ -21,6 +21,7 @@ import { gallery } from "./ui/gallery";
 import { type Shortcut, control, help, key, listen } from "./ui/help";
 import { Hud } from "./ui/hud";
 import { icon } from "./ui/icons";
+import { mayEnd } from "./ui/may_end";
 import { Moments } from "./ui/moments";
 import { Paint } from "./ui/paint";
 import { Panel } from "./ui/panel";
@@ -105,6 +106,7 @@ const toasts = new Toasts(app, (key) => {
   leadTo(key);
 });
 const unfinished = new Unfinished(app);
+app.wayBack.allowed = mayEnd;
 scene.append(h("div", { className: "messages" }, new StateNotice(app).element, unfinished.list(), toasts.element));
 
 app.notices.logged.watch((entry) => entry.level !== "info" && dock.mark(log));

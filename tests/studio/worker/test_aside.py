@@ -3,6 +3,8 @@
 import numpy as np
 import pytest
 
+from barchan.studio.worker.run import started, states_of
+from barchan.studio.worker.saved_runs import save_run
 from tests.studio.conftest import small
 from tests.studio.worker.test_rescue import Bench
 from tests.studio.worker.test_run import run_to
@@ -75,6 +77,65 @@ def test_a_run_and_another_scenario_take_turns_in_being_set_aside(bench):
         assert run.live.steps_done == step
         assert bench.worker.commands.aside.run is other
         assert len(run.branches.listing(step)) <= 1
+
+
+@pytest.fixture
+def saved(tmp_path):
+    """The folder of a run that was saved at step 10."""
+    folder = tmp_path / "saved"
+    run = started(small())
+    run_to(run, 10)
+    save_run(states_of(run), folder)
+    return folder
+
+
+def answer(bench) -> dict:
+    return bench.messages("done")[-1]
+
+
+def test_a_run_in_whose_place_a_saved_one_is_opened_is_set_aside_and_both_take_turns(bench, saved):
+    first = bench.worker.commands.current
+    run_to(first, 20)
+    bench.send("open_folder", folder=str(saved), aside=True, number=2, id=1)
+    assert answer(bench)["aside"] == first.live.scenario.title
+    opened = bench.worker.commands.current
+    for number, (run, other, step) in enumerate([(first, opened, 20), (opened, first, 10)], start=3):
+        bench.send("take_back", number=number)
+        assert bench.worker.commands.current is run
+        assert run.live.steps_done == step
+        assert bench.worker.commands.aside.run is other
+
+
+def test_a_folder_that_cannot_be_opened_leaves_the_run_and_what_is_set_aside(bench, tmp_path):
+    run_to(bench.worker.commands.current, 20)
+    bench.send("start", scenario=small().data(), number=2, aside=True)
+    run, aside = bench.worker.commands.current, bench.worker.commands.aside
+    bench.send("open_folder", folder=str(tmp_path), aside=True, number=3, id=1)
+    assert bench.messages("refused")
+    assert bench.worker.commands.current is run
+    assert bench.worker.commands.aside is aside
+
+
+def test_where_one_of_two_is_left_for_another_run_it_becomes_a_branch_of_the_run_before_them(bench, saved):
+    before = bench.worker.commands.current
+    run_to(before, 20)
+    compared(bench, aside=True)
+    run_to(bench.worker.commands.current, 30)
+    bench.send("open_folder", folder=str(saved), aside=True, number=3, id=1)
+    assert bench.worker.commands.aside.run is before
+    assert [one["step"] for one in before.branches.listing(20)] == [20, 30]
+    bench.send("take_back", number=4)
+    assert bench.worker.commands.current is before
+    assert bench.worker.commands.aside.run.live.steps_done == 10
+
+
+def test_a_run_that_has_only_begun_does_not_take_the_place_of_one_that_is_set_aside(bench):
+    first = bench.worker.commands.current
+    run_to(first, 20)
+    bench.send("start", scenario=small().data(), number=2, aside=True)
+    bench.send("start", scenario=small(title="third").data(), number=3, aside=True, id=1)
+    assert answer(bench)["aside"] == first.live.scenario.title
+    assert bench.worker.commands.aside.run is first
 
 
 def test_a_run_without_a_target_goes_to_its_scenarios_end_and_on_and_on_from_there(bench):

@@ -2,7 +2,7 @@
 
 import type { MessageType } from "./commands";
 import { Connection, type ConnectionState, Refused } from "./connection";
-import { type Entry, type Level, Notices, problemText } from "./notices";
+import { type Level, Notices, problemText } from "./notices";
 import { Overlay } from "./overlay";
 import { type Command, type Description, type JsonObject, type Message, type RunName, readFrame, type Frame } from "./protocol";
 import type { Restart } from "./restarts";
@@ -12,6 +12,7 @@ import { Signal } from "./signal";
 import { Together } from "./together";
 import { type Schema } from "./schema";
 import { View } from "./view";
+import { WayBack } from "./way_back";
 
 export class App {
   runs: Run[] = [];
@@ -38,6 +39,7 @@ export class App {
   handedOn = false;
   readonly notices = new Notices();
   readonly overlay = new Overlay();
+  readonly wayBack = new WayBack(this);
   readonly described = new Signal<Run>();
   readonly framed = new Signal<Run>();
   readonly changed = new Signal<void>();
@@ -62,7 +64,6 @@ export class App {
     if (this.connection.allowed) void this.load();
   }
 
-  private wayBack: Entry | null = null;
   private state: ConnectionState = "connecting";
   private loading = false;
 
@@ -124,42 +125,27 @@ export class App {
   /** Start a scenario; returns whether it runs. What is refused is said, and leaves the run as it was. */
   async create(scenario: JsonObject, running = true, changed = false): Promise<boolean> {
     try {
-      await this.begin(scenario, running, changed);
-      return true;
+      return await this.begin(scenario, running, changed);
     } catch (error) {
       this.refused(error);
       return false;
     }
   }
 
-  /** Start a scenario; ``changed`` where it came of the one that runs. Throws where it is refused. */
-  async begin(scenario: JsonObject, running = true, changed = false): Promise<void> {
-    const before = changed || this.runs.length > 1 ? undefined : this.runs[0];
-    const step = before?.status?.live ?? 0;
-    const title = titleOf(before);
-    await this.connection.ask({ command: "create", scenario, running, changed, aside: step > 0, run: this.selected });
-    if (changed) return;
-    this.restarts.length = 0;
-    this.notices.dismissAll(); // they are of the scenario before
-    if (step > 0) this.offerBack(title);
+  /** Start a scenario; ``changed`` where it came of the one that runs, else that is set aside. Returns whether that was wanted; throws where it is refused. */
+  async begin(scenario: JsonObject, running = true, changed = false): Promise<boolean> {
+    const create: Command = { command: "create", scenario, running, changed, run: this.selected };
+    return (await (changed ? this.connection.ask(create) : this.wayBack.replace({ ...create, aside: true }))) !== null;
   }
 
-  /** Offer the way back to the run that another scenario took the place of; it leads there and back again. */
-  private offerBack(title: string): void {
-    const back = () => {
-      const here = this.runs[0];
-      const now = here?.status?.live ?? 0;
-      this.send({ command: "alone" });
-      this.note("info", `Back at the run “${title}”, paused.`);
-      if (now > 0) this.offerBack(titleOf(here));
-    };
-    this.wayBack = this.notices.note("info", `Your run “${title}” is set aside with its moments.`, "", true, { name: "go back to it", act: back });
-  }
-
-  /** A run that was set aside is no longer there to go back to. */
-  forgetWayBack(): void {
-    if (this.wayBack) this.notices.dismiss(this.wayBack);
-    this.wayBack = null;
+  /** Open a run in place of the one that there is, which is set aside; null where it was refused, which the page then says, or not wanted. */
+  async open(command: Command): Promise<Message | null> {
+    try {
+      return await this.wayBack.replace(command);
+    } catch (error) {
+      this.refused(error);
+      return null;
+    }
   }
 
   /** Say why something was refused, at the places that it concerns. */
@@ -283,8 +269,4 @@ export class App {
   private get shown(): string {
     return JSON.stringify([this.view.fields(), this.view.look.paths]);
   }
-}
-
-function titleOf(run: Run | undefined): string {
-  return String(run?.description?.scenario.title || "without a title");
 }

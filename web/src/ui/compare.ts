@@ -7,8 +7,9 @@ import { h, short } from "./dom";
 /** Start two runs that are compared, both at step 0; returns whether they run. The run that is alone now is set aside. */
 export async function compare(app: App, other: { model: string } | { key: string; value: Json }): Promise<boolean> {
   const alone = app.runs.length === 1 ? app.current?.status?.live : undefined;
+  if (!(await app.wayBack.mayEndAside())) return false;
   if (!(await app.ask({ command: "compare", ...other }))) return false;
-  app.forgetWayBack();
+  if (alone !== undefined) app.wayBack.forget();
   const aside = alone ? ` The run up to step ${short(alone, 9)} is set aside with its moments; ‘alone again’ leads back to it.` : "";
   app.note("info", `Two runs are compared, both from step 0.${aside}`);
   return true;
@@ -28,14 +29,15 @@ export class Compare {
 
   private choose(): void {
     const model = this.select.value;
-    if (model === "") this.alone();
+    if (model === "") void this.alone();
     else void this.begin(model);
   }
 
-  private alone(): void {
-    this.app.send({ command: "alone" });
+  private async alone(): Promise<void> {
+    const answer = await this.app.ask({ command: "alone" });
+    if (!answer) return;
     this.app.view.set({ side: "surface" });
-    this.app.note("info", "The run is alone again, as it was before the comparison; the one that was compared is a branch of it.");
+    this.app.note("info", answer.stays ? "The left run is alone; the right one has ended." : "The run is alone again, as it was before the comparison; the one that was compared is a branch of it.");
   }
 
   private async begin(model: string): Promise<void> {

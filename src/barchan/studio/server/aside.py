@@ -1,14 +1,11 @@
-"""The run whose place two that are compared, or another scenario, have taken, and the way back to it."""
+"""The run whose place two that are compared, or another run, have taken, and the way back to it."""
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from barchan.studio.protocol import Request, numbered
 
 if TYPE_CHECKING:
     from barchan.studio.server.session import Session
-
-ENDING = ("open_folder", "take_back")
-"""Commands after which no run is set aside any more."""
 
 
 class Aside:
@@ -19,25 +16,26 @@ class Aside:
         self._session = session
         self.state: bytes | None = None
         """The state of the run that was set aside."""
-        self._swaps = False
-        """Whether the run in its place is set aside in turn when it is taken back: it did not come of it."""
+        self.of_it = False
+        """Whether the run in its place came of it: two that are compared."""
 
-    def begun(self, name: str, request: Request) -> None:
-        """The first worker has begun what was requested."""
-        worker = self._session.workers[name]
-        if request.get("aside"):
-            self._swaps = not request.get("changed")
-            worker.holds_aside, self.state = True, self._session.kept.newest(name)
-        elif request["command"] == "take_back" and self._swaps:
-            self.state = self._session.kept.newest(name)
-        elif request["command"] in ENDING or not request.get("changed"):
-            worker.holds_aside, self.state = False, None
+    def begun(self, name: str, request: Request, aside: dict[str, Any] | None) -> None:
+        """The first worker has begun what was requested; ``aside`` is what it says of the run set aside."""
+        self._session.workers[name].holds_aside = aside is not None
+        if aside is not None:
+            self.of_it = aside["of_it"]
+            if aside["new"]:
+                self.state = self._session.kept.newest(name)
+        elif not request.get("changed"):
+            self.state = None
 
-    def take_back(self, name: str) -> None:
-        """Let a worker return to the run that was set aside, if one was."""
+    def take_back(self, name: str, request: Any = None) -> None:
+        """Let a worker return to the run that was set aside; what ``request`` asked for is answered then."""
         if self._session.worker(name).holds_aside:
-            self._session.start_run(name, {"command": "take_back"})
-        elif self.state is not None:
+            self._session.start_run(name, {"command": "take_back", "id": request})
+            return
+        if self.state is not None:
             start = self._session.starts.add(name, None)
             self._session.worker(name).send_bytes(numbered(self.state, start.number))
             self.state = None
+        self._session.tell("done", id=request, aside=None)

@@ -101,7 +101,7 @@ class Autosave:
             if run in self._session.workers
         }
         self._session.joint.ask(
-            parts, lambda answers: self._written(partial, answers), lambda why: self._failed(partial, why)
+            parts, lambda answers: self._written(partial, answers), lambda why, _: self._failed(partial, why)
         )
 
     def _failed(self, partial: Path, why: str) -> None:

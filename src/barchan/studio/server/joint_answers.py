@@ -17,7 +17,7 @@ class _Joint:
     open: set[str]
     """Runs whose workers are at their part."""
     done: Callable[[Answers], None]
-    failed: Callable[[str], None]
+    failed: Callable[[str, Answers], None]
     progress: Callable[[int, int], None] | None
     request: Any
     answers: Answers = field(default_factory=dict)
@@ -48,13 +48,14 @@ class JointAnswers:
         self,
         parts: dict[str, dict[str, Any]],
         done: Callable[[Answers], None],
-        failed: Callable[[str], None],
+        failed: Callable[[str, Answers], None],
         progress: Callable[[int, int], None] | None = None,
         request: Any = None,
         send: Callable[[str, dict[str, Any]], None] | None = None,
     ) -> None:
         """Let workers carry out ``parts`` by run, then call ``done``, or ``failed`` once none works on it.
 
+        ``failed`` is told why, and the answers of those that have done their part.
         ``request`` is the id of the browser's request, by which it can be broken off; ``send`` passes a part
         on where that takes more than the worker that there is.
         """
@@ -112,6 +113,6 @@ class JointAnswers:
             return
         del self._open[joint.number]
         if joint.error:
-            joint.failed(joint.error)
+            joint.failed(joint.error, joint.answers)
         else:
             joint.done(joint.answers)

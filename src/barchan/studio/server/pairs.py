@@ -34,7 +34,7 @@ def save_together(session: "Session", folder: Path, request: Any) -> None:
         frames = sum(answer["frames"] for answer in answers.values())
         session.tell("done", id=request, frames=frames, step=members[0].step)
 
-    def failed(why: str) -> None:
+    def failed(why: str, _: "Answers") -> None:
         shutil.rmtree(folder, ignore_errors=True)
         session.tell("refused", id=request, command="save", text=why, problems=[])
 
@@ -56,32 +56,35 @@ def open_together(
 ) -> None:
     """Go on with a run, or with two side by side, paused where they were saved.
 
-    What was ``adopted`` of an earlier studio is left as it is where they cannot be opened.
+    The run that there is is set aside, as of ``create``. What was ``adopted`` of an earlier studio is left as
+    it is where they cannot be opened.
     """
-    session.end_second()
+    first, _ = RUNS
+    if first in session.scenarios:
+        session.workers[first].send("keep")
+    if session.lockstep is not None:
+        session.lockstep.pause()
+    if len(folders) > 1:
+        session.end_second()
 
     def done(answers: "Answers") -> None:
         if adopted is not None:
             session.autosave.adopt(adopted)
-        steps = [answer["step"] for answer in answers.values()]
-        if len(set(steps)) > 1:
+        if len(answers) == 1 and session.lockstep is not None:
             session.end_second()
-            apart = f"they stand at steps {steps[0]} and {steps[1]}, so that they cannot run side by side"
-            refuse(f"only the first of both runs is open: {apart}. Each can be opened by itself")
-        else:
-            session.tell("done", id=request, step=steps[0])
+        session.tell("done", id=request, step=answers[first]["step"], aside=answers[first]["aside"])
 
-    def failed(why: str) -> None:
+    def failed(why: str, answers: "Answers") -> None:
         if adopted is not None:
             adopted.release()
-        session.end_second()
-        refuse(why)
-
-    def refuse(why: str) -> None:
+        if len(folders) > 1:
+            session.end_second()
+        if first in answers:
+            session.aside.take_back(first)
         session.tell("refused", id=request, command="open", text=why, problems=[])
 
     parts: dict[str, Request] = {
-        run: {"command": "open_folder", "folder": str(folder)}
+        run: {"command": "open_folder", "folder": str(folder), "aside": run == first}
         for run, folder in zip(RUNS, folders, strict=False)
     }
     session.joint.ask(parts, done, failed, request=request, send=session.start_run)

@@ -23,15 +23,17 @@ SESSION: Handlers[Callable[["Session", Request], None]] = Handlers("session")
 def create(session: "Session", request: Request) -> None:
     """Start a scenario; where there are two workers in the other one, too, with its own model.
 
-    With ``aside`` a run that is alone is set aside, to be taken back by ``alone``.
+    With ``aside`` the run that there is is set aside, to be taken back by ``alone``: of two that are compared
+    the one that was set aside for them, with the left one as a branch of it.
     """
     session.workspace.check(request["scenario"])
     data = validate(request["scenario"]).seeded().data()
     name = SECOND if session.lockstep is not None and request.get("run") == SECOND else FIRST
     begun = {name: data}
     answering: dict[str, Request] = {run: {"changed": bool(request.get("changed"))} for run in "ab"}
-    answering[name] |= _id_of(request)
-    if request.get("aside") and session.lockstep is None and FIRST in session.scenarios:
+    aside = bool(request.get("aside")) and FIRST in session.scenarios
+    answering[FIRST if aside else name] |= _id_of(request)
+    if aside:
         session.workers[FIRST].send("keep")
         answering[FIRST]["aside"] = True
     if session.lockstep is not None:
@@ -62,12 +64,19 @@ def compare(session: "Session", request: Request) -> None:
 
 
 @SESSION.handles("alone")
-def alone(session: "Session", _: Request) -> None:
-    """End the second simulation, if there is one, and return to the run that was set aside."""
-    if session.lockstep is None:
-        session.workers[FIRST].send("keep")
+def alone(session: "Session", request: Request) -> None:
+    """End the second simulation, if there is one, and return to the run that was set aside for them.
+
+    To another run that was set aside it leads from a run that is alone, or with ``back``; of two that were
+    opened side by side the left one stays.
+    """
+    pair = session.lockstep is not None
+    session.workers[FIRST].send("keep")
     session.end_second()
-    session.aside.take_back(FIRST)
+    if not pair or session.aside.of_it or request.get("back"):
+        session.aside.take_back(FIRST, request.get("id"))
+    else:
+        session.tell("done", id=request.get("id"), stays=True)
 
 
 @SESSION.handles("share_look")

@@ -73,7 +73,7 @@ class WorkerMessages:
         start_request: Request = (start.request if start is not None else None) or {}
         if content["ok"]:
             if name == FIRST and start_request:
-                session.aside.begun(name, start_request)
+                session.aside.begun(name, start_request, content["aside"])
             session.kept.begun(name, content["number"], resumed=start is not None and start.request is None)
         elif name == SECOND and SECOND not in session.scenarios and not is_joint(start_request):
             session.end_second()

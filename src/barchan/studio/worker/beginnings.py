@@ -20,7 +20,7 @@ NAMES = ("start", "open_folder", "resume", "take_back")
 
 
 @WORKER.handles("start")
-def start(commands: "RunCommands", request: Request) -> None:
+def start(commands: "RunCommands", request: Request) -> Answer:
     """Start a scenario; ``changed`` where it came of the last one by changes on the page.
 
     ``aside`` keeps the run that there is, paused, to be taken back; a scenario that did not come of it takes
@@ -38,10 +38,11 @@ def start(commands: "RunCommands", request: Request) -> None:
     elif not request.get("changed"):
         commands.aside = None
     commands.take(run, bool(request.get("running")), origin)
+    return commands.way_back()
 
 
 @WORKER.handles("take_back")
-def take_back(commands: "RunCommands", _: Request) -> None:
+def take_back(commands: "RunCommands", _: Request) -> Answer:
     """Return to the run that was set aside, as it was.
 
     The one in its place becomes a branch of it where it came of it; else it is set aside in turn. Raises
@@ -51,12 +52,11 @@ def take_back(commands: "RunCommands", _: Request) -> None:
         raise BarchanError("no run was set aside")
     before, commands.aside = commands.aside, None
     if before.of_it:
-        if commands.current.live.steps_done:
-            commands.current.pause()
-            before.run.adopt(commands.current)
+        before.take_in(commands.current)
     else:
         commands.set_aside(of_it=False)
     commands.take(before.run, running=False, origin=before.origin)
+    return commands.way_back()
 
 
 @WORKER.handles("restart")
@@ -68,14 +68,20 @@ def restart(commands: "RunCommands", request: Request) -> None:
 
 @WORKER.handles("open_folder")
 def open_folder(commands: "RunCommands", request: Request) -> Answer:
-    """Continue the run in an archive, or from the state in a folder, paused where it ended."""
+    """Continue the run in an archive, or from the state in a folder, paused where it ended.
+
+    ``aside`` is as of ``start``.
+    """
     from barchan.studio.worker.saved_runs import open_saved_run  # brings zarr, which a new run does without
 
     folder = Path(request["folder"])
     run = (open_newest if holds_newest(folder) else open_saved_run)(folder, commands.desk)
-    commands.aside = None
+    if request.get("aside") and commands.run is not None:
+        commands.set_aside(of_it=False)
+    else:
+        commands.aside = None
     commands.take(run, running=False)
-    return {"step": run.live.steps_done}
+    return {"step": run.live.steps_done, **commands.way_back()}
 
 
 @WORKER.handles("resume")

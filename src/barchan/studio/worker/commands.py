@@ -30,6 +30,12 @@ class SetAside(NamedTuple):
     of_it: bool
     """Whether the other one came of it by changes."""
 
+    def take_in(self, other: StudioRun) -> None:
+        """Keep a run that came of it as a branch of it, unless it has done no step."""
+        if other.live.steps_done:
+            other.pause()
+            self.run.adopt(other)
+
 
 class RunCommands:
     """Carries commands out on the worker's run."""
@@ -70,13 +76,23 @@ class RunCommands:
         """Begin another run, and let the server know whether it has begun or the old one goes on."""
         number, begun = int(request.get("number", 0)), False
         before, self.number = self.number, number
+        run = self.run
         try:
             answer = WORKER[name](self, request)
             begun = True
         finally:
             self.number = number if begun else before
-            self._send("begun", number=number, ok=begun)
+            aside = self.aside
+            told = None if aside is None else {"new": aside.run is run, "of_it": aside.of_it}
+            self._send("begun", number=number, ok=begun, aside=told)
         return answer
+
+    def way_back(self) -> dict[str, Any]:
+        """For an answer: the title of the other run that can be taken back; None where there is none."""
+        aside = self.aside
+        if aside is None or aside.of_it or not aside.run.has_begun:
+            return {"aside": None}
+        return {"aside": aside.run.live.scenario.title}
 
     @property
     def current(self) -> StudioRun:
@@ -85,9 +101,18 @@ class RunCommands:
         return self.run
 
     def set_aside(self, *, of_it: bool) -> None:
-        """Keep the run, paused, to be taken back; the next one comes ``of_it``, or is another."""
+        """Keep the run, paused, to be taken back; the next one comes ``of_it``, or is another.
+
+        A run that came of the one that is set aside already becomes a branch of that; one that has only begun
+        leaves what is set aside as it is.
+        """
         self.current.pause()
-        self.aside = SetAside(self.current, self.origin, of_it)
+        before = self.aside
+        if before is not None and before.of_it:
+            before.take_in(self.current)
+            self.aside = before._replace(of_it=of_it)
+        elif before is None or of_it or self.current.has_begun:
+            self.aside = SetAside(self.current, self.origin, of_it)
 
     def take(self, run: StudioRun, running: bool, origin: Scenario | None = None) -> None:
         """Continue with another run, under the same speed limit, up to its scenario's end.

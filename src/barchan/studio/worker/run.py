@@ -64,6 +64,11 @@ class StudioRun:
         """Whether there are steps to do."""
         return self.running and self.continues and self.live.finished is None
 
+    @property
+    def has_begun(self) -> bool:
+        """Whether anything would be lost with it: steps, changes, or moments."""
+        return bool(self.live.steps_done or self.live.events or self.bookmarks.data())
+
     def run(self, target: int | None = None, brief: bool = False) -> None:
         """Run, on and on or up to a step; ``brief`` where it will continue at once from there."""
         goes_on = brief and self.brief

@@ -22,7 +22,7 @@ BESIDE = "studio.json"
 def fingerprint(commands: "RunCommands") -> str | None:
     """A text that changes whenever there is more to keep of the run; None for one that only began."""
     run = commands.current
-    if not (run.live.steps_done or run.live.events or run.bookmarks.data()):
+    if not run.has_begun:
         return None
     at = (commands.number, run.branches.current, run.live.steps_done, len(run.live.events))
     return json.dumps([*at, run.bookmarks.data()])
