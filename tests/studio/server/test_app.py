@@ -278,6 +278,73 @@ def test_a_run_that_another_scenario_takes_the_place_of_is_set_aside_and_both_ta
             assert not status["running"]
 
 
+def test_a_run_in_whose_place_a_saved_one_is_opened_is_set_aside_and_both_take_turns(served):
+    with served.browser() as browser:
+        browser.until_frame(lambda status: status["step"] >= 20)
+        browser.send("pause")
+        browser.send("save", name="saved", id=1)
+        saved = browser.until_message("done", id=1)["step"]
+        browser.send("run", steps=7)
+        before = browser.until_frame(lambda status: status["step"] == saved + 7)[0]["status"]["step"]
+        browser.send("open", name="saved", id=2)
+        assert browser.until_message("done", id=2)["aside"] == ""
+        for number, step in enumerate((before, saved), start=3):
+            browser.send("alone", id=number)
+            assert browser.until_message("done", id=number)["aside"] == ""
+            browser.until_frame(lambda status, step=step: status["live"] == step)
+        browser.send("open", name="none", id=9)
+        browser.until_message("refused", id=9)
+        browser.send("alone", id=10)
+        browser.until_frame(lambda status: status["live"] == before)
+
+
+@pytest.mark.extended
+def test_a_saved_run_that_is_opened_from_two_sets_the_one_before_them_aside(served):
+    with served.browser() as browser:
+        browser.until_frame(lambda status: status["step"] >= 20)
+        browser.send("pause")
+        browser.send("save", name="saved", id=1)
+        saved = browser.until_message("done", id=1)["step"]
+        browser.send("run", steps=7)
+        browser.until_frame(lambda status: status["step"] == saved + 7)
+        browser.send("compare", model="momiji")
+        browser.until(lambda head, _: head.get("run") == "b" and head.get("status", {}).get("step", 0) > 10)
+        browser.send("open", name="saved", id=2)
+        assert browser.until_message("done", id=2)["aside"] == ""
+        assert list(served.session.workers) == ["a"]
+        browser.send("alone", id=3)
+        told = browser.until_message("scenario", run="a", step=saved + 7)
+        assert len(told["branches"]) == 2
+
+
+@pytest.mark.extended
+def test_two_that_are_opened_run_to_their_scenarios_end_and_leave_the_run_before_set_aside(served):
+    with served.browser() as browser:
+        browser.until_frame()
+        browser.send("compare", key="model.p_s", value=0.9)
+        browser.until(lambda head, _: head.get("run") == "b" and head.get("status", {}).get("step", 0) > 10)
+        browser.send("pause")
+        browser.send("save", name="pair", id=1)
+        saved = browser.until_message("done", id=1)["step"]
+        browser.send("alone", id=2)
+        browser.until_message("done", id=2)
+        browser.send("run", until=90)
+        browser.until_frame(lambda status: status["step"] == 90)
+        browser.send("open", name="pair", id=3)
+        done = browser.until_message("done", id=3)
+        assert (done["step"], done["aside"]) == (saved, "")
+        browser.send("run")
+        browser.until_message("lockstep", running=True)
+        browser.until_message("lockstep", running=False)
+        while not last_halt(browser, "a") == last_halt(browser, "b") == 100:
+            browser.receive()
+        browser.send("alone", id=4)
+        assert browser.until_message("done", id=4)["stays"]
+        assert list(served.session.workers) == ["a"]
+        browser.send("alone", id=5)
+        browser.until_frame(lambda status: status["live"] == 90)
+
+
 def test_the_line_needs_token_host_and_origin(served):
     for options in (
         {"additional_headers": {"Host": "evil.example"}},

@@ -27,6 +27,8 @@ class Pair:
 
     def arrive(self, name):
         worker = self.workers[name]
+        if worker.asked is None:
+            return
         worker.step = max(worker.step, worker.asked)
         self.lockstep.arrived(name, worker.step, worker.order)
 
@@ -127,7 +129,7 @@ def test_what_waits_for_a_meeting_is_done_where_the_pair_is_left(pair):
 
 
 def test_both_run_to_the_end_of_the_scenario_that_ends_first_and_on_and_on_from_there(pair):
-    pair.lockstep.end = 5
+    pair.lockstep.ends = {"a": 5, "b": 9}
     pair.lockstep.run()
     while pair.lockstep.running:
         pair.meet()
@@ -137,3 +139,47 @@ def test_both_run_to_the_end_of_the_scenario_that_ends_first_and_on_and_on_from_
         pair.meet()
     assert pair.lockstep.running
     assert pair.steps[0] > 5
+
+
+def stand(pair, **steps):
+    for name, step in steps.items():
+        pair.workers[name].step = step
+        pair.lockstep.stands(name, step, 100)
+
+
+def test_two_that_were_opened_run_to_the_end_of_their_scenario_and_no_further(pair):
+    stand(pair, a=98, b=98)
+    pair.lockstep.run()
+    while pair.lockstep.running:
+        pair.meet()
+    assert pair.steps == [100, 100]
+
+
+def test_one_that_is_behind_comes_to_the_step_of_the_other_one_first(pair):
+    stand(pair, a=40, b=34)
+    pair.lockstep.run(steps=2)
+    seen = []
+    while pair.lockstep.running:
+        seen.append(pair.steps)
+        pair.meet()
+    assert [steps[0] for steps in seen[:-1]] == [40] * (len(seen) - 1)
+    assert pair.steps == [42, 42]
+
+
+def test_one_that_is_behind_can_be_paused_on_its_way(pair):
+    stand(pair, a=40, b=0)
+    pair.lockstep.run()
+    pair.lockstep.pause()
+    pair.arrive("b")
+    assert not pair.lockstep.running
+    assert pair.steps[0] == 40 > pair.steps[1] > 0
+
+
+def test_one_that_ended_before_the_other_is_not_waited_for(pair):
+    """Its model has nothing more to move: it arrives at once, where it was."""
+    stand(pair, a=40, b=34)
+    pair.lockstep.run(until=45)
+    while pair.lockstep.running:
+        pair.workers["b"].asked = 34
+        pair.meet()
+    assert pair.steps == [45, 34]

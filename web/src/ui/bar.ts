@@ -6,6 +6,7 @@ import { titleOf } from "../core/run";
 import { button, duration, h, metres, short } from "./dom";
 import { icon } from "./icons";
 import { Speed } from "./speed";
+import { stepsOf } from "./steps";
 import { watchingNote } from "./watching";
 
 export class Bar {
@@ -113,7 +114,7 @@ export class Bar {
     this.numbers.volume!.previousElementSibling!.textContent = run!.material;
     this.limit.show(status.limit);
     const texts: Record<string, string> = {
-      step: short(status.step, 9),
+      step: stepsOf(this.app.runs.map((one) => one.status)),
       rate: running ? short(status.rate, 3) : "paused",
       clock: status.time === null || status.time === undefined ? "" : duration(status.time),
       highest: this.ofRuns((one) => short(one.highest)) ?? `${short(status.highest)} · ${metres(status.deepest, 3)}`,

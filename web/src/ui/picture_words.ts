@@ -6,6 +6,7 @@ import type { Shot } from "../scene/shots";
 import type { Stage } from "../scene/stage";
 import { duration, heights, metres, short } from "./dom";
 import { type Scale, drawBar, legendOf, scaleLength, scalesOf } from "./legend";
+import { stepsOf } from "./steps";
 
 /** What a picture may have over its scene. */
 export interface Words {
@@ -34,7 +35,7 @@ export function titleLines(app: App, { statuses }: Pick<Shot, "statuses">, headi
   return [
     ...(heading ? [heading] : []),
     models,
-    `step ${short(status.step, 9)}${time} · seed ${seed ?? "–"} · Barchan ${app.version}`,
+    `step ${stepsOf(app.runs.map((one) => statuses.get(one)))}${time} · seed ${seed ?? "–"} · Barchan ${app.version}`,
   ];
 }
 

@@ -10,6 +10,7 @@ import { SectionLegend } from "./section_legend";
 import { type Second, drawSecond, placed, secondProfile, sectionCsv } from "./second_profile";
 import { SectionLayers } from "./strata";
 import { button, download, fitCanvas, h, heights, lengthUnit, metres, short, themeColour, ticks } from "../ui/dom";
+import { stepsOf } from "../ui/steps";
 
 const MARGIN = { left: 54, right: 14, top: 12, bottom: 30 };
 /** A layer deeper than this multiple of its relief is not shown down to the ground. */
@@ -216,7 +217,7 @@ export class SectionView {
     run: Run,
     second: Second | null,
   ): void {
-    const cells = `${short(length)} m long, step ${short(run.status!.step, 9)}`;
+    const cells = `${short(length)} m long, step ${stepsOf(second ? this.app.runs.map((one) => one.status) : [run.status])}`;
     if (this.hover === null) {
       this.readout.textContent = cells;
       return;

@@ -23,10 +23,12 @@ class Lockstep:
         self.workers = workers
         self.running = False
         """Whether they run, or are still on their way to where they meet."""
-        self.end = 0
-        """The last step of the scenario that ends first."""
-        self._met_at = 0
-        """The step where they met last."""
+        self.ends: dict[str, int] = {}
+        """The last step of each run's scenario."""
+        self._at: dict[str, int] = {}
+        """The step where each run stands, or stood when it arrived last."""
+        self._behind: set[str] = set()
+        """Runs that go up to the step of the other one first; that one stands still meanwhile."""
         self._goes_on = False
         self._on_change = on_change
         self._left: int | None = None
@@ -40,19 +42,33 @@ class Lockstep:
         self._began = 0.0
 
     def run(self, steps: int | None = None, until: int | None = None) -> None:
-        """Run a number of steps, or up to a step; else to the scenario's end, and from there on and on."""
-        if steps is None and until is None and self._met_at < self.end:
-            until = self.end
+        """Run a number of steps, or up to a step; else to the scenario's end, and from there on and on.
+
+        Of two that stand at different steps the one that is behind comes to the step of the other one first.
+        """
+        at, end = self._step, min(self.ends.values(), default=0)
+        if steps is None and until is None and at < end:
+            until = end
         self._left = None if steps is None else max(1, int(steps))
         self._until = None if until is None else int(until)
+        self._behind = {name for name, step in self._at.items() if step < at}
         self._goes_on = self.running = True
         self._on_change(True)
         if not self._away:
             self._go()
 
+    @property
+    def _step(self) -> int:
+        """The step where they stand; of two that stand apart that of the one ahead."""
+        return max(self._at.values(), default=0)
+
     def restart(self) -> None:
         """Both begin again: the scenario's end is ahead."""
-        self._met_at = 0
+        self._at.clear()
+
+    def stands(self, name: str, step: int, end: int) -> None:
+        """A run is at a step, and its scenario ends at another one."""
+        self._at[name], self.ends[name] = step, end
 
     def pause(self) -> None:
         """Stop where both meet next; there both are measured, and not before are they said to pause."""
@@ -85,14 +101,21 @@ class Lockstep:
         if name not in self._away or order != self._order:
             return
         self._away.discard(name)
+        if self._behind:
+            self._came_nearer(name, step)
+        self._at[name] = step
         if self._away:
             return
-        self._met_at = step
         self._send_keep()
         self._pacer.record(self._steps, time.perf_counter() - self._began)
-        if self._left == 0 or (self._until is not None and step >= self._until):
+        if not self._behind and (self._left == 0 or (self._until is not None and self._step >= self._until)):
             self._goes_on = False
         self._met()
+
+    def _came_nearer(self, name: str, step: int) -> None:
+        """One that was behind is at a step: at that of the other one, or where it cannot go on."""
+        if step >= self._step or step == self._at.get(name):
+            self._behind.discard(name)
 
     def stopped(self, name: str) -> None:
         """A worker could not do its steps: both pause, the other one where it arrives."""
@@ -127,11 +150,15 @@ class Lockstep:
                 worker.send("keep")
 
     def _go(self) -> None:
-        self._steps = self._pacer.steps if self._left is None else min(self._pacer.steps, self._left)
-        if self._left is not None:
+        self._steps = self._pacer.steps
+        until = self._until
+        if self._behind:
+            until = self._step
+        elif self._left is not None:
+            self._steps = min(self._steps, self._left)
             self._left -= self._steps
-        self._away = set(self.workers)
+        self._away = set(self._behind or self.workers)
         self._order = next(_ORDERS)
         self._began = time.perf_counter()
-        for worker in self.workers.values():
-            worker.send("run", steps=self._steps, until=self._until, brief=True, order=self._order)
+        for name in self._away:
+            self.workers[name].send("run", steps=self._steps, until=until, brief=True, order=self._order)

@@ -167,7 +167,7 @@ class Session:
             )
         self.lockstep = None if alone else Lockstep(self.workers, self.on_lockstep)
         if self.lockstep is not None:
-            self.lockstep.end = min(int(data["run"]["steps"]) for data in scenarios.values())
+            self.lockstep.ends = {name: int(data["run"]["steps"]) for name, data in scenarios.items()}
             if running:
                 self.lockstep.run()
 

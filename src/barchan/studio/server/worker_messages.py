@@ -38,6 +38,8 @@ class WorkerMessages:
             return
         if content["type"] == "scenario":
             session.scenarios[worker.name] = content["scenario"]
+            if pair is not None:
+                pair.stands(worker.name, content["step"], int(content["scenario"]["run"]["steps"]))
             session.workspace.trust(content["scenario"])
         elif content["type"] == "arrived":
             if pair is not None:

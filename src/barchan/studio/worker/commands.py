@@ -263,6 +263,7 @@ class RunCommands:
         self._send(
             "scenario",
             **content,
+            step=run.live.steps_done,
             branches=branches,
             branch=run.branches.current,
             bookmarks=run.bookmarks.data(),

@@ -168,6 +168,7 @@ class Worker:
         except ANSWERED as error:
             step = run.live.steps_done
             run.recover()
+            self.commands.describe()
             text = f"the run is paused at step {run.live.steps_done}: after step {step} {reason(error)}"
             self._refuse({"command": "run"}, text, [])
             return False
