@@ -144,3 +144,23 @@ def test_changes_of_parameters_are_undone_from_their_list(studio):
     page.get_by_role("button", name="undo from the start: sand").click()
     studio.until(f"{SCENARIO}.sand.mean === {mean}")
     assert "sand.mean" not in studio.ask(f"{SCENARIO}.title")
+
+
+def test_changes_are_lines_of_the_log_in_the_words_of_the_panel(studio):
+    page = studio.page
+    studio.step_beyond(10)
+    studio.pause()
+    hop, mean = (studio.ask(f"{SCENARIO}.{key}") for key in ("model.hop_length", "sand.mean"))
+    step = studio.status()["live"]
+    fill(studio, "model.hop_length", "9")
+    studio.until_logged(f"step {step}: hop length {hop} → 9 cells")
+    fill(studio, "model.hop_length", "11")  # within one gesture: the same line
+    studio.until_logged(f"step {step}: hop length {hop} → 11 cells")
+    assert "→ 9 cells" not in studio.log()
+    studio.ask(
+        f"void window.barchan.app.ask({{ command: 'wind', wind: {{ ...{SCENARIO}.wind, direction: 240 }} }})"
+    )
+    studio.until_logged(f"step {step}: wind ")
+    page.locator("summary", has_text="Sand at the start").click()
+    fill(studio, "sand.mean", "5")
+    studio.until_logged(f"from the start: sand › mean {mean} → 5")

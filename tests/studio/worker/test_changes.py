@@ -5,6 +5,7 @@ from barchan.scenario.changes import changed_from
 from barchan.simulation import SetParameter, SetWind, Simulation
 from barchan.studio.worker.changes import changes_of
 from barchan.studio.worker.description import description
+from tests.studio.worker.test_rescue import Bench
 
 TINY = {"barchan": 3, "lattice": {"rows": 16, "columns": 16}, "run": {"seed": 1}, "model": {"p_s": 0.6}}
 
@@ -42,3 +43,14 @@ def test_another_kind_of_ground_and_another_model_are_named_by_their_kind():
     named = changed_from(other, origin)
     assert named.title == "Sand, changed: ground.kind bump, model.name momiji"
     assert named.look_for == ""  # it was written for another model
+
+
+def test_only_the_message_that_follows_a_change_says_that_one_was_made():
+    bench = Bench()
+    bench.send("start", scenario=TINY, number=1)
+    bench.send("set", key="model.p_s", value=0.4)
+    bench.send("wind", wind={"direction": 90})
+    bench.send("restart")
+    told = bench.messages("scenario")
+    assert [message["changed"] for message in told] == [False, True, True, False]
+    assert [message["changes"][-1]["key"] for message in told[1:3]] == ["model.p_s", "wind"]

@@ -42,6 +42,8 @@ export class App {
   readonly wayBack = new WayBack(this);
   readonly described = new Signal<Run>();
   readonly framed = new Signal<Run>();
+  /** A parameter or the wind of a run was changed while it went on. */
+  readonly altered = new Signal<Run>();
   readonly changed = new Signal<void>();
   readonly compiling = new Signal<number>();
   private readonly unconfirmed: RunName[] = [];
@@ -188,7 +190,9 @@ export class App {
       this.compiling.send(functions);
     },
     scenario: (message, run) => {
-      if (run) this.describe(run, message as unknown as Description);
+      if (!run) return;
+      this.describe(run, message as unknown as Description);
+      if (message.changed === true) this.altered.send(run);
     },
     refused: (message) => {
       this.refused(new Refused(String(message.text), message.problems as never));

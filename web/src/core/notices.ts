@@ -45,6 +45,13 @@ export class Notices {
     return entry;
   }
 
+  /** Let a line of the log say something else. */
+  amend(entry: Entry, text: string): Entry {
+    Object.assign(entry, { text, time: new Date() });
+    this.logged.send(entry);
+    return entry;
+  }
+
   dismiss(entry: Entry): void {
     this.standing = this.standing.filter((one) => one !== entry);
     this.troubles.delete(entry.key);

@@ -130,6 +130,19 @@ export function initial(given: Schema, root: Schema): Json {
   return "";
 }
 
+/** The schema of a value within nested data; undefined where there is none. */
+export function schemaAt(root: Schema, data: Json, path: (string | number)[]): Schema | undefined {
+  let schema: Schema | undefined = root;
+  for (const [depth, step] of path.entries()) {
+    const entry: Entry = entryOf(schema, root);
+    const group = at(data, path.slice(0, depth)) as JsonObject | undefined | null;
+    const own: Schema | undefined = entry.kind === "variant" ? entry.variants[String(group?.[entry.key])] : entry.schema;
+    schema = typeof step === "number" ? own?.items : own?.properties?.[step];
+    if (!schema) return undefined;
+  }
+  return entryOf(schema, root).schema;
+}
+
 /** A value within nested data. */
 export function at(data: Json | undefined, path: (string | number)[]): Json | undefined {
   let found: Json | undefined = data;

@@ -9,6 +9,7 @@ import { remaining } from "../core/restarts";
 import { nameBeside } from "../core/run";
 import { h, id, later } from "./dom";
 import { type FormContext, type Path, field, group, restartMark, variantField } from "./form";
+import { noteRestart } from "./change_log";
 import { changeList } from "./changes";
 import { RefreshGuard } from "./refresh_guard";
 
@@ -203,7 +204,9 @@ export class Panel {
     const scenario = changes.reduce<Json>((data, [path, value]) => replaced(data, path, value), accepted);
     if (await this.app.create(scenario as JsonObject, true, true)) {
       this.app.notices.settle(changes.map(([path]) => path.join(".")));
-      this.app.restarts.push(...changes.map(([path, value]) => ({ path, before: at(accepted, path) ?? null, value })));
+      const made = changes.map(([path, value]) => ({ path, before: at(accepted, path) ?? null, value }));
+      this.app.restarts.push(...made);
+      noteRestart(this.app, made);
     }
     this.shown = "";
   }

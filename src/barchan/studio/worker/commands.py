@@ -191,14 +191,14 @@ class RunCommands:
         """A parameter of the model takes a new value."""
         self.current.look_now()
         self.current.live.apply(SetParameter(key=str(request["key"]), value=request["value"]))
-        self.describe()
+        self.describe(changed=True)
 
     @WORKER.handles("wind")
     def set_wind(self, request: Request) -> None:
         """Replace the wind from now on."""
         self.current.look_now()
         self.current.live.apply(SetWind(wind=request["wind"]))
-        self.describe()
+        self.describe(changed=True)
 
     @WORKER.handles("stroke")
     def stroke(self, request: Request) -> None:
@@ -252,8 +252,8 @@ class RunCommands:
         self.current.measures.resend()
         self.describe()
 
-    def describe(self) -> None:
-        """Send what the run consists of."""
+    def describe(self, *, changed: bool = False) -> None:
+        """Send what the run consists of; ``changed`` where the last of its changes was made just now."""
         run = self.current
         branches = run.branches.listing(run.live.steps_done)
         content = description(run.live, self.origin or run.live.scenario)
@@ -264,6 +264,7 @@ class RunCommands:
             "scenario",
             **content,
             step=run.live.steps_done,
+            changed=changed,
             branches=branches,
             branch=run.branches.current,
             bookmarks=run.bookmarks.data(),
