@@ -134,3 +134,26 @@ def test_before_the_first_picture_nothing_is_said_that_is_not_known(chromium, se
     assert "Untitled" not in page.locator("body").inner_text()
     assert not page.get_by_text("go on from here").is_visible()
     page.close()
+
+
+def test_a_run_that_is_being_prepared_is_named_as_such_and_the_one_that_is_shown_keeps_its_name(studio):
+    """A description without a frame, as it comes while kernels are compiled."""
+    page = studio.page
+    studio.step_beyond(5)
+    studio.pause()
+    title = page.locator(".bar .title").inner_text()
+    studio.ask(
+        f"""(() => {{
+            const {{ app }} = window.barchan;
+            const described = {RUN}.description;
+            const scenario = {{ ...described.scenario, title: "Stars" }};
+            app.handlers.scenario({{ ...described, scenario, loaded: -1 }}, {RUN});
+        }})()"""
+    )
+    page.locator(".notice", has_text="“Stars” is being prepared.").wait_for()
+    assert page.locator(".bar .title").inner_text() == title
+    other = load_scenario("star", PLANTS).data()
+    studio.ask(f"window.barchan.app.create({json.dumps(other)}, true)")
+    studio.until(f"{RUN}.description.scenario.title === {json.dumps(other['title'])}")
+    assert (studio.ask(f"{RUN}.rows"), studio.ask(f"{RUN}.columns")) == (32, 48)
+    page.locator(".notice", has_text="is being prepared").wait_for(state="hidden")

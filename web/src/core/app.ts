@@ -14,6 +14,9 @@ import { type Schema } from "./schema";
 import { View } from "./view";
 import { WayBack } from "./way_back";
 
+/** Milliseconds after which the page says that a run is being prepared. */
+export const PREPARING = 300;
+
 export class App {
   runs: Run[] = [];
   /** The run whose parameters the panel shows. */
@@ -190,9 +193,7 @@ export class App {
       this.compiling.send(functions);
     },
     scenario: (message, run) => {
-      if (!run) return;
-      this.describe(run, message as unknown as Description);
-      if (message.changed === true) this.altered.send(run);
+      if (run) this.onDescription(run, message as unknown as Description, message.changed === true);
     },
     refused: (message) => {
       this.refused(new Refused(String(message.text), message.problems as never));
@@ -219,7 +220,22 @@ export class App {
     if (names.length === 1) this.pairRuns = null;
   }
 
+  private onDescription(run: Run, description: Description, changed: boolean): void {
+    if (run.isOther(description)) return this.await(run, description);
+    this.describe(run, description);
+    if (changed) this.altered.send(run);
+  }
+
+  /** Show another run when its first frame comes: its kernels may have to be compiled before. */
+  private await(run: Run, description: Description): void {
+    run.coming = { description, since: performance.now() };
+    run.lost = false;
+    this.askForFields();
+    setTimeout(() => this.changed.send(), PREPARING);
+  }
+
   private describe(run: Run, description: Description): void {
+    run.coming = null;
     const before = run.description;
     run.description = description;
     if (!description.paths) run.paths = [];
@@ -245,6 +261,7 @@ export class App {
     const taken = new Set<Run>();
     for (const frame of frames) {
       const run = this.run(frame.run);
+      if (run?.coming?.description.loaded === frame.loaded) this.describe(run, run.coming.description);
       run?.take(frame);
       if (run) taken.add(run);
     }
@@ -256,7 +273,7 @@ export class App {
   /** Let the server send the fields that are shown, and no others. */
   private askForFields(): void {
     for (const run of this.runs) {
-      const known = new Set(run.description?.fields.map((field) => field.name));
+      const known = new Set((run.coming?.description ?? run.description)?.fields.map((field) => field.name));
       const fields = this.view.fields().filter((name) => known.has(name));
       this.send({ command: "view", run: run.name, fields });
       this.send({ command: "paths", run: run.name, count: this.view.look.paths });

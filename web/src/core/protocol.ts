@@ -128,6 +128,8 @@ export interface Description {
   /** The same for every run of the same scenario and seed. */
   identity: string;
   bookmarks: Bookmark[];
+  /** The number of the start that loaded the scenario. */
+  loaded: number;
   /** What was changed of the parameters and the wind during the run. */
   changes: Change[];
 }
@@ -175,6 +177,8 @@ interface EncodedField {
 
 export interface Frame {
   run: RunName;
+  /** As of the description of the run that it shows. */
+  loaded: number;
   rows: number;
   columns: number;
   status: Status;

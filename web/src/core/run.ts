@@ -19,6 +19,10 @@ export class Run {
   rows = 0;
   columns = 0;
   lost = false;
+  /** The run that is to take this one's place, until its first frame comes: no data are shown under another run's name. */
+  coming: { description: Description; since: number } | null = null;
+  /** As of the frame that was taken last. */
+  private loaded: number | undefined;
 
   constructor(readonly name: RunName) {}
 
@@ -38,7 +42,13 @@ export class Run {
     return lattice !== undefined && lattice.rows === this.rows && lattice.columns === this.columns;
   }
 
+  /** Whether a description is of another run than the one whose data are shown. */
+  isOther(description: Description): boolean {
+    return this.surface.length > 0 && description.loaded !== this.loaded;
+  }
+
   take(frame: Frame): void {
+    this.loaded = frame.loaded;
     this.rows = frame.rows;
     this.columns = frame.columns;
     this.status = frame.status;

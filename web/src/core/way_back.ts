@@ -4,7 +4,6 @@ import type { App } from "./app";
 import { readable } from "./labels";
 import type { Entry } from "./notices";
 import type { Command, Json, Message } from "./protocol";
-import { titleOf } from "./run";
 
 export class WayBack {
   /** Asks whether what a text says may happen; the page sets it. */
@@ -56,13 +55,13 @@ export class WayBack {
   }
 
   private async lead(): Promise<void> {
-    if (!(await this.mayEndRight())) return this.offer(this.title);
+    const { title } = this;
+    if (!(await this.mayEndRight())) return this.offer(title);
     const answer = await this.app.ask({ command: "alone", back: true });
     if (!answer) return;
-    const here = this.app.runs[0]?.description;
     this.app.restarts.length = 0;
     this.title = null; // it is the one that is shown now
-    this.app.note("info", `Back at the run “${here ? titleOf(here) : ""}”, paused.`);
+    this.app.note("info", `Back at the run “${title}”, paused.`);
     this.offer(answer.aside);
   }
 }

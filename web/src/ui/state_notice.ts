@@ -1,7 +1,8 @@
 /** The notice over the scene: how the page stands with the server and its runs, and the way out where it fails. */
 
-import type { App } from "../core/app";
+import { type App, PREPARING } from "../core/app";
 import type { ConnectionState } from "../core/connection";
+import { titleOf } from "../core/run";
 import { queryIn } from "../core/token";
 import { h, short } from "./dom";
 
@@ -82,10 +83,13 @@ export class StateNotice {
         way: () => action("load the page again", () => location.reload()),
       };
     }
+    const coming = runs.find((run) => run.coming && performance.now() - run.coming.since >= PREPARING)?.coming;
+    const title = coming ? `“${titleOf(coming.description)}” is being prepared. ` : "";
     if (this.compiling !== null) {
       const done = this.compiling > 1 ? `: ${this.compiling} functions so far` : "";
-      return { text: `Translating the model into machine code, once, for it is kept${done} …`, calm: true };
+      return { text: `${title}Translating the model into machine code, once, for it is kept${done} …`, calm: true };
     }
+    if (title) return { text: title.trim(), calm: true };
     if (!runs.some((run) => run.ready)) return { text: "Starting …", calm: true };
     const finished = current?.status?.finished;
     if (this.app.flat && !this.read) {

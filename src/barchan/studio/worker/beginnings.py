@@ -37,7 +37,8 @@ def start(commands: "RunCommands", request: Request) -> Answer:
         commands.set_aside(of_it=bool(request.get("changed")))
     elif not request.get("changed"):
         commands.aside = None
-    commands.take(run, bool(request.get("running")), origin)
+    loaded = commands.frames.loaded if request.get("changed") and commands.run is not None else None
+    commands.take(run, bool(request.get("running")), origin, loaded)
     return commands.way_back()
 
 
@@ -55,7 +56,7 @@ def take_back(commands: "RunCommands", _: Request) -> Answer:
         before.take_in(commands.current)
     else:
         commands.set_aside(of_it=False)
-    commands.take(before.run, running=False, origin=before.origin)
+    commands.take(before.run, running=False, origin=before.origin, loaded=before.loaded)
     return commands.way_back()
 
 
@@ -63,7 +64,8 @@ def take_back(commands: "RunCommands", _: Request) -> Answer:
 def restart(commands: "RunCommands", request: Request) -> None:
     """Start again with the same scenario and seed."""
     running = bool(request.get("running", commands.current.running))
-    commands.take(started(commands.current.live.scenario, commands.desk), running, commands.origin)
+    run = started(commands.current.live.scenario, commands.desk)
+    commands.take(run, running, commands.origin, commands.frames.loaded)
 
 
 @WORKER.handles("open_folder")

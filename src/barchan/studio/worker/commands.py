@@ -27,6 +27,8 @@ class SetAside(NamedTuple):
 
     run: StudioRun
     origin: Scenario | None
+    loaded: int
+    """The number of the start that loaded its scenario."""
     of_it: bool
     """Whether the other one came of it by changes."""
 
@@ -112,14 +114,18 @@ class RunCommands:
             before.take_in(self.current)
             self.aside = before._replace(of_it=of_it)
         elif before is None or of_it or self.current.has_begun:
-            self.aside = SetAside(self.current, self.origin, of_it)
+            self.aside = SetAside(self.current, self.origin, self.frames.loaded, of_it)
 
-    def take(self, run: StudioRun, running: bool, origin: Scenario | None = None) -> None:
+    def take(
+        self, run: StudioRun, running: bool, origin: Scenario | None = None, loaded: int | None = None
+    ) -> None:
         """Continue with another run, under the same speed limit, up to its scenario's end.
 
-        Without an origin it is one of its own.
+        Without an origin it is one of its own; ``loaded`` is the start that loaded its scenario, where
+        that is an earlier one.
         """
         self.origin = origin or run.live.scenario
+        self.frames.loaded = self.number if loaded is None else loaded
         if self.run:
             run.speed.limit = self.run.speed.limit
         self.run = run
@@ -265,6 +271,7 @@ class RunCommands:
             **content,
             step=run.live.steps_done,
             changed=changed,
+            loaded=self.frames.loaded,
             branches=branches,
             branch=run.branches.current,
             bookmarks=run.bookmarks.data(),

@@ -37,6 +37,8 @@ class FrameSender:
         """Frames that the browser can take now."""
         self.stale = True
         """Whether the run is no longer as the last frame shows it."""
+        self.loaded = 0
+        """The number of the start that loaded the run's scenario, which frames and descriptions name."""
         self._send = send
         self._field_budget = TimeBudget(FIELDS_SHARE)
         self._ground_sent: NDArray | None = None
@@ -61,6 +63,11 @@ class FrameSender:
         self._ground_sent = None
         self._history_sent = []
         self.paths.resend()
+
+    @property
+    def is_first(self) -> bool:
+        """Whether the next frame is the first one of a run."""
+        return self._ground_sent is None
 
     def refresh(self) -> None:
         """Send a frame with all fields as soon as possible."""
@@ -113,6 +120,7 @@ class FrameSender:
             "shown": self.fields,
             "run": self.name,
             "number": self._number,
+            "loaded": self.loaded,
             "rows": squares.rows,
             "columns": squares.columns,
             "status": run.status(),

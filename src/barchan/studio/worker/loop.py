@@ -152,6 +152,8 @@ class Worker:
             self.frames.stale = True  # measures go with frames
         self.owed.pay()
         if run.busy:
+            if self.frames.is_first and self.frames.credit:
+                self.frames.send(run)  # the first steps may wait for their kernels to be compiled
             arrived = self._advance(run)
             self.frames.stale = True
             if arrived:
