@@ -82,10 +82,10 @@ const views: DockView[] = [section, series, ...(app.watching ? [] : [new SpaceTi
 const dock = new Dock(views);
 const moments = new Moments(app, stage);
 const timeline = new Timeline(app, () => void moments.mark());
-const scenario = new Panel(app, () => files.ask("ground")).element;
+const scenario = new Panel(app, () => void files.ask("ground")).element;
 if (app.watching) readOnly(scenario);
 const changing = (): [string, HTMLElement][] => [
-  ["Wind", new WindPanel(app, () => files.ask("wind")).element],
+  ["Wind", new WindPanel(app, () => void files.ask("wind")).element],
   ["Paint", paint.element],
   ["View", new ViewPanel(app, stage).element],
   ["Moments", moments.element],

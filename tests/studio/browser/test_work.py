@@ -92,6 +92,7 @@ def test_grounds_and_records_are_chosen_in_the_panel(studio):
     studio.ask(f"window.barchan.app.create({json.dumps(scenario)}, false)")
     page.get_by_role("tab", name="Wind").click()
     page.locator("[data-path='wind.kind']").select_option("record")
+    sheet.get_by_role("button", name="the made-up record").click()
     studio.until(f"{SCENARIO}.wind.kind === 'record'")
     assert page.locator("[data-path='path']").get_attribute("placeholder") == "bundled example"
     page.get_by_role("button", name="use another record").click()
@@ -100,6 +101,28 @@ def test_grounds_and_records_are_chosen_in_the_panel(studio):
     )
     sheet.get_by_role("button", name="use it").click()
     sheet.get_by_role("alert").filter(has_text="no column for the direction").wait_for()
+
+
+def test_a_record_is_asked_for_first_and_brings_the_clock_that_it_needs(studio):
+    page = studio.page
+    assert studio.ask(f"{SCENARIO}.clock") is None
+    page.get_by_role("tab", name="Wind").click()
+    page.locator("[data-path='wind.kind']").select_option("record")
+    sheet = page.get_by_role("dialog")
+    sheet.get_by_text("it gets one with its defaults, and the run begins again").wait_for()
+    assert studio.ask(f"{SCENARIO}.wind.kind") != "record"
+    sheet.get_by_role("button", name="the made-up record").click()
+    studio.until(f"{SCENARIO}.wind.kind === 'record' && {SCENARIO}.clock !== null")
+    page.get_by_text("The winds are of the made-up record that ships with Barchan.").wait_for()
+    assert studio.page.locator(".toast.error").count() == 0
+
+
+def test_a_record_dropped_onto_a_scenario_without_a_clock_leads_to_one(studio):
+    rows = "\n".join(f"2020-01-{1 + day:02}T00:00,{8 + day % 5},90" for day in range(28))
+    studio.drop_file("east.csv", "text/csv", f"time,speed (m/s),direction\n{rows}\n".encode())
+    toast = studio.page.locator(".toast", has_text="The winds of east.csv blow by a clock")
+    toast.get_by_role("button", name="add a clock and begin again").click()
+    studio.until(f"{SCENARIO}.wind.path?.endsWith('east.csv') && {SCENARIO}.clock !== null")
 
 
 def test_all_defaults_come_back_at_once(studio):

@@ -37,7 +37,7 @@ function shown(value: Json): string {
   if (typeof value === "boolean") return value ? "on" : "off";
   if (typeof value === "string") return labelOf(value);
   if (typeof value === "number") return short(value);
-  return Array.isArray(value) ? `${value.length} items` : kindOf(value) || "…";
+  return Array.isArray(value) ? `${value.length} items` : kindOf(value) || "on";
 }
 
 function isGroup(value: Json): value is JsonObject {

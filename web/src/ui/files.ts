@@ -13,6 +13,7 @@ import { filmSheet } from "./film";
 import { menu } from "./menu";
 import { overlaySheet } from "./overlay";
 import { pictureSheet } from "./picture";
+import { SHIPPED, SHIPPED_NAME, blow, needsClock, offerToBlow } from "./record";
 import type { Recorder } from "./recorder";
 import { askForLink, copyScenarioLink } from "./scenario_links";
 import { letOthersWatch } from "./watching";
@@ -79,7 +80,7 @@ export class Files {
 
   /** Use a file that was dropped; where reading it takes long, a sheet shows how far it is. */
   private async dropped(file: File): Promise<void> {
-    await working(`Reading ${file.name}`, (progress, signal) => this.keep(file, progress, signal)).catch((error) => this.app.refused(error));
+    await working(`Reading ${file.name}`, (progress, signal) => this.keep(file, progress, signal, offerToBlow)).catch((error) => this.app.refused(error));
   }
 
   async savePicture(): Promise<void> {
@@ -128,16 +129,27 @@ export class Files {
   }
 
   /** Ask for a file of heights, or of winds, and use it. */
-  ask(purpose: "ground" | "wind"): void {
+  async ask(purpose: "ground" | "wind"): Promise<void> {
     const { heights, records } = this.app.files;
     const [title, suffixes] = purpose === "ground" ? ["Ground from a file", heights] : ["Wind from a record", records];
     const input = h("input", { type: "file", accept: suffixes.join(), required: true, "aria-label": title });
     const use: Submit = async (progress, signal) => {
       const file = input.files?.[0];
-      if (file) await this.keep(file, progress, signal);
+      if (file) await this.keep(file, progress, signal, blow);
     };
     const text = `One of ${suffixes.join(", ")}. Files can be dropped onto the scene as well.`;
-    formDialog(title, "use it", use, h("p", {}, text), input);
+    const ofWind = purpose === "wind" ? await this.ofRecords(() => sheet.close()) : [];
+    const sheet: HTMLDialogElement = formDialog(title, "use it", use, h("p", {}, text), input, ...ofWind);
+  }
+
+  /** What the sheet for a record says and offers beside the file. */
+  private async ofRecords(close: () => void): Promise<HTMLElement[]> {
+    const shipped = () => {
+      close();
+      void blow(this.app, SHIPPED, SHIPPED_NAME).catch((error) => this.app.refused(error));
+    };
+    const clock = (await needsClock(this.app)) ? [h("p", { className: "hint" }, "A record blows by a clock, which this scenario does not have: it gets one with its defaults, and the run begins again.")] : [];
+    return [...clock, h("p", {}, "Or try it out with ", h("button", { type: "button", className: "quiet", onclick: shipped }, SHIPPED_NAME), ".")];
   }
 
   private choose(): void {
@@ -153,9 +165,9 @@ export class Files {
   }
 
   /** Use a file as ground, or as a record of winds where it holds no heights; a refusal is thrown. */
-  private async keep(file: File, progress: Progress, signal: AbortSignal): Promise<void> {
+  private async keep(file: File, progress: Progress, signal: AbortSignal, use: typeof blow): Promise<void> {
     const kept = await keepFile(this.app, file, progress, signal);
-    if (ends(file.name, this.app.files.records) && !kept.heights) await this.record(file, kept);
+    if (ends(file.name, this.app.files.records) && !kept.heights) await use(this.app, { kind: "record", path: kept.path }, file.name);
     else await this.ground(file, kept);
   }
 
@@ -184,12 +196,6 @@ export class Files {
     const { rows: _rows, columns: _columns, ...rest } = scenario.lattice as JsonObject;
     const times = Math.ceil(Math.sqrt((rows * columns) / MOST_CELLS));
     return { lattice: { ...rest, kind: "from ground", cell_size: cell_size * times } };
-  }
-
-  /** Let the winds of a record blow. */
-  private async record(file: File, kept: KeptFile): Promise<void> {
-    await this.app.connection.ask({ command: "wind", wind: { kind: "record", path: kept.path }, run: this.app.selected });
-    this.app.note("info", `The winds of ${file.name} blow now.`);
   }
 
   private saveRun(): void {

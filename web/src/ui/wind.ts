@@ -7,6 +7,7 @@ import { Dial } from "./dial";
 import { h, later } from "./dom";
 import { type FormContext, group } from "./form";
 import { type Icon, icon } from "./icons";
+import { SHIPPED_NAME } from "./record";
 import { RefreshGuard } from "./refresh_guard";
 import { roses } from "./rose";
 import { labelOf } from "../core/labels";
@@ -78,7 +79,8 @@ export class WindPanel {
       "regimes" in this.wind ? this.regimes() : "direction" in this.wind ? this.steady() : this.form(this.kind, []);
     const rose = h("div", { "data-rose": "" }, ...(this.element.querySelector("[data-rose]")?.children ?? []));
     const open = new Set([...this.element.querySelectorAll("details[open]")].map((one) => one.id));
-    const another = this.kind === "record" ? [h("button", { type: "button", className: "quiet", onclick: this.fromFile }, "use another record …")] : [];
+    const another: HTMLElement[] = this.kind === "record" ? [h("button", { type: "button", className: "quiet", onclick: this.fromFile }, "use another record …")] : [];
+    if (another.length && !this.wind.path) another.unshift(h("p", { className: "hint" }, `The winds are of ${SHIPPED_NAME}.`));
     this.element.replaceChildren(
       h("div", { className: "row" }, h("span", {}, "kind"), h("div", { className: "control" }, kinds)),
       ...another,
@@ -205,6 +207,10 @@ export class WindPanel {
   }
 
   private async become(kind: string): Promise<void> {
+    if (kind === "record") {
+      this.refresh();
+      return this.fromFile();
+    }
     const direction = Number((this.wind.regimes as JsonObject[] | undefined)?.[0]?.direction ?? this.wind.direction ?? 270);
     const first: JsonObject = kind === "regimes" ? { regimes: [{ direction, steps: 100 }] } : {};
     const { model, clock } = this.app.current!.description!.scenario;
