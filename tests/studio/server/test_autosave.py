@@ -95,8 +95,7 @@ def test_a_studio_that_the_user_ends_leaves_nothing(eager, tmp_path):
     home = tmp_path / "home"
     with serving(tmp_path, small(), home=home) as served:
         until(lambda: step_on_disk(home) > 0)
-    assert len(Unfinished(home).look().runs) == 1
-    served.session.autosave.discard()
+        served.session.autosave.forsake()
     assert list(home.iterdir()) == []
 
 
@@ -189,6 +188,23 @@ def test_the_terminal_says_after_a_kill_where_the_run_stopped_and_ctrl_c_leaves_
     assert left.members[0].step == 40
     assert np.array_equal(sand, uninterrupted.bed.sand)
     assert len(list(home.iterdir())) == 1
+
+
+@pytest.mark.extended
+@pytest.mark.skipif(sys.platform != "linux", reason="the user's data are elsewhere")
+@pytest.mark.parametrize("then", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
+def test_ctrl_c_leaves_nothing_to_offer_whatever_signal_follows_it(tmp_path, then):
+    """It is pressed again, or its terminal is closed before the studio has ended."""
+    home = tmp_path / "barchan" / "studio-autosave"
+    with studio(tmp_path, tmp_path, "barchans", "--lattice.rows", "32", "--lattice.columns", "48") as process:
+        line_with(process, "http")
+        until(lambda: step_on_disk(home) > 0)
+        process.send_signal(signal.SIGINT)
+        time.sleep(0.1)  # the first signal is to be the first
+        process.send_signal(then)
+        process.wait(20)
+    assert Unfinished(home).look().runs == {}
+    assert list(home.iterdir()) == []
 
 
 @pytest.mark.extended

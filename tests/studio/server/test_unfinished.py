@@ -91,6 +91,32 @@ def test_a_studio_that_ended_before_it_kept_anything_leaves_nothing(tmp_path):
     assert not folder.path.exists()
 
 
+def test_what_the_user_has_ended_is_not_offered_even_where_it_could_not_be_deleted(tmp_path, monkeypatch):
+    folder = AutosaveFolder(tmp_path)
+    write(folder, a=10)
+
+    def interrupted(*_, **__):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(shutil, "rmtree", interrupted)
+    with pytest.raises(KeyboardInterrupt):
+        folder.discard()
+    folder.close()
+    monkeypatch.undo()
+    assert folder.path.is_dir()
+    assert steps_in(tmp_path) == {}
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_state_that_comes_after_the_user_has_ended_the_studio_is_not_kept(tmp_path):
+    folder = AutosaveFolder(tmp_path)
+    write(folder, a=10)
+    folder.forsake()
+    assert not write(folder, a=20)
+    folder.close()
+    assert steps_in(tmp_path) == {}
+
+
 def test_a_damaged_state_is_named_left_where_it_is_and_never_opened(tmp_path):
     path = ended(tmp_path, "20260101-000000-1", 10)
     whole = ended(tmp_path, "20260102-000000-1", 20).name

@@ -31,6 +31,7 @@ class Autosave:
         self._session = session
         self.folder = None if home is None else AutosaveFolder(home)
         self._adopted: list[Adopted] = []
+        self._forsaken = False
         self._known: dict[str, str | None] = {}
         self._writing = False
         self._began = 0.0
@@ -54,21 +55,25 @@ class Autosave:
         """Runs of an earlier studio go on here: its folder is deleted as soon as they are kept here."""
         self._adopted.append(adopted)
 
+    def forsake(self) -> None:
+        """The user ends the studio: what is on disk is not for the next one, and goes with this one."""
+        self._forsaken = True
+        if self.folder is not None:
+            self.folder.forsake()
+
     def close(self) -> None:
-        """Leave what is on disk to the next studio."""
+        """Leave what is on disk to the next studio, or delete it where the user has ended this one."""
         self._stop()
         for adopted in self._adopted:
-            adopted.release()
+            if self._forsaken:
+                adopted.discard()
+            else:
+                adopted.release()
         if self.folder is not None:
-            self.folder.close()
-
-    def discard(self) -> None:
-        """Delete what is on disk: the user has ended the studio."""
-        self.close()
-        for adopted in self._adopted:
-            adopted.discard()
-        if self.folder is not None:
-            self.folder.discard()
+            if self._forsaken:
+                self.folder.discard()
+            else:
+                self.folder.close()
 
     def _stop(self) -> None:
         if self._timer is not None:

@@ -2,6 +2,8 @@
 
 import os
 import shutil
+import threading
+from contextlib import suppress
 from datetime import UTC, datetime
 from io import FileIO
 from pathlib import Path
@@ -26,6 +28,9 @@ class AutosaveFolder:
         self._count = 0
         self._newest: Path | None = None
         self._members: dict[str, Member] = {}
+        self._forsaken = False
+        self._placing = threading.Lock()
+        """Held while states take their places, which is done in another thread than the rest."""
 
     def next(self) -> Path:
         """A folder for the next state to be written into; raises OSError where none can be made."""
@@ -46,8 +51,13 @@ class AutosaveFolder:
         """Let what was written take the place of the state before; returns whether it is whole.
 
         ``written`` holds title, model, step and steps by run, None for a run that is as it was in the state
-        before. Runs that are not at one step are not kept: two that are compared belong together.
+        before. Runs that are not at one step are not kept: two that are compared belong together. Nor is
+        anything once the folder was forsaken.
         """
+        with self._placing:
+            return not self._forsaken and self._commit(partial, written)
+
+    def _commit(self, partial: Path, written: dict[str, dict[str, Any] | None]) -> bool:
         members = {}
         for run, data in written.items():
             member = self._members.get(run) if data is None else Member(folder=run, **data)
@@ -59,6 +69,8 @@ class AutosaveFolder:
         name_together(partial, list(members.values()), sealed=True)
         final = partial.with_name(partial.name.removesuffix(PARTIAL))
         _to_disk(partial)
+        if self._forsaken:
+            return False
         partial.replace(final)
         _to_disk(self.path)
         before, self._newest, self._members = self._newest, final, members
@@ -79,10 +91,26 @@ class AutosaveFolder:
             self._lock.close()
             self._lock = None
 
+    def forsake(self) -> None:
+        """Offer nothing of it from now on, at once, and wait for nothing: it is to be discarded.
+
+        By one renaming the state counts as half written, also where the process ends before it is deleted.
+        """
+        self._forsaken = True
+        newest, self._newest = self._newest, None
+        if newest is not None:
+            with suppress(OSError):
+                newest.replace(newest.with_name(f"{newest.name}{PARTIAL}"))
+
     def discard(self) -> None:
-        """Delete the folder."""
-        self.close()
-        shutil.rmtree(self.path, ignore_errors=True)
+        """Delete the folder, which is held until nothing is left in it that could be offered."""
+        self.forsake()
+        with self._placing:
+            self.forsake()  # once more, for a state that has just taken its place
+            for state in (path for path in self.path.glob("*") if path.is_dir()):
+                shutil.rmtree(state, ignore_errors=True)
+            self.close()
+            shutil.rmtree(self.path, ignore_errors=True)
 
 
 def _to_disk(folder: Path) -> None:

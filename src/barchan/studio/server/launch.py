@@ -1,13 +1,16 @@
 """Starting the server and the browser, and ending both."""
 
 import asyncio
+import signal
 import socket
 import threading
 import webbrowser
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from ipaddress import ip_address
 from pathlib import Path
+from types import FrameType
 from typing import TYPE_CHECKING
 
 from barchan.errors import BarchanError
@@ -60,8 +63,6 @@ def serve(
     ``left`` is called with the runs that earlier studios have left because they ended unexpectedly.
     Raises BarchanError where the address is taken, or the page was not built or speaks another protocol.
     """
-    import uvicorn
-
     from barchan.studio.server.app import CLIENT, application
 
     check_page(CLIENT)
@@ -79,12 +80,42 @@ def serve(
         webbrowser.open(address)
     threading.Thread(target=lambda: left(session.unfinished.look()), daemon=True, name="unfinished").start()
     try:
-        asyncio.run(uvicorn.Server(config).serve([sock]))
+        asyncio.run(_server(config, session.autosave.forsake).serve([sock]))
     except KeyboardInterrupt:
-        session.autosave.discard()  # the user has ended it; a system that shuts down sends another signal
+        session.autosave.forsake()
     finally:
-        session.close()
-        sock.close()
+        with uninterrupted():
+            session.close()
+            sock.close()
+
+
+def _server(config: "uvicorn.Config", interrupted: Callable[[], None]) -> "uvicorn.Server":
+    """A server that says when the user ends it: before it closes anything, and whatever else may come then.
+
+    A system that shuts down, or a terminal that is closed, sends another signal than Ctrl-C.
+    """
+    import uvicorn
+
+    class Server(uvicorn.Server):
+        def handle_exit(self, sig: int, frame: FrameType | None) -> None:
+            if sig == signal.SIGINT:
+                interrupted()
+            super().handle_exit(sig, frame)
+
+    return Server(config)
+
+
+@contextmanager
+def uninterrupted() -> Iterator[None]:
+    """Carry something out whole, although Ctrl-C is pressed once more meanwhile."""
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    before = signal.signal(signal.SIGINT, signal.SIG_IGN)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, before)
 
 
 def configured(app: "ASGIApp") -> "uvicorn.Config":

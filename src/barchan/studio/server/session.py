@@ -79,11 +79,11 @@ class Session:
         """End all workers."""
         if self._keeping is not None:
             self._keeping.cancel()
-        self.autosave.close()
         self.films.give_up()
         for worker in self.workers.values():
             worker.close()
         self.workers.clear()
+        self.autosave.close()  # when no worker writes into its folder any more
 
     def attach(self, commands: bool = True) -> Viewer:
         """A browser came; one that commands replaces an earlier one. Returns where its data wait."""
