@@ -47,6 +47,7 @@ COMMANDS = _table(
     Command("take_back", "worker", "Return to the run that was set aside for a pair.", internal=True),
     Command("keep", "worker", "Let the server keep the newest state.", internal=True),
     Command("keep_in", "worker", "Keep the newest state in a folder.", internal=True),
+    Command("keep_aside_in", "worker", "Keep the state of the run set aside in a folder.", internal=True),
     Command("save_folder", "worker", "Save the run into a folder.", internal=True),
     Command("export_to", "worker", "Write kept states for another program.", internal=True),
     Command("space_time_to", "worker", "Write the section over time into a file.", internal=True),

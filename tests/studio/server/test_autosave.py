@@ -16,6 +16,7 @@ from barchan.archive import open_run
 from barchan.archive.checkpoint import read_checkpoint
 from barchan.simulation import SetParameter, Simulation
 from barchan.studio.server import autosave, autosave_folder
+from barchan.studio.server.together import read_together
 from barchan.studio.server.unfinished import Unfinished
 from tests.studio.conftest import PATIENCE, serving, small
 
@@ -36,7 +37,7 @@ def until(condition):
 
 def step_on_disk(home):
     """The step of the newest state in a studio's folder, whether or not the studio runs."""
-    newest = sorted(home.glob("*/[0-9][0-9][0-9][0-9][0-9][0-9]/a/checkpoint.npz"))
+    newest = sorted(home.glob("*[0-9]/[0-9][0-9][0-9][0-9][0-9][0-9]/a/checkpoint.npz"))
     try:
         return read_checkpoint(newest[-1]).step if newest else 0
     except OSError:  # it has just made room for the next one
@@ -191,6 +192,39 @@ def test_the_terminal_says_after_a_kill_where_the_run_stopped_and_ctrl_c_leaves_
 
 
 @pytest.mark.extended
+def test_a_run_that_is_set_aside_is_offered_as_a_run_of_its_own(eager, tmp_path):
+    home = tmp_path / "home"
+
+    def offered() -> list[tuple[str, int]]:
+        runs = [
+            read_together(path.parent).members
+            for path in home.glob("*/[0-9][0-9][0-9][0-9][0-9][0-9]/*.json")
+        ]
+        return sorted((run.title, run.step) for (run,) in runs)
+
+    with serving(tmp_path, small(title="First"), home=home) as served, served.browser() as browser:
+        browser.send("pause")
+        browser.send("restart", running=False)
+        browser.send("run", until=30)
+        browser.until_frame(lambda status: status["step"] == 30)
+        other = small(title="Second").data()
+        browser.send("create", scenario=other, aside=True, running=False, id=1)
+        assert browser.until_message("done", id=1)["aside"] == "First"
+        browser.send("run", until=20)
+        until(lambda: offered() == [("First", 30), ("Second", 20)])
+        browser.send("alone", id=2)
+        assert browser.until_message("done", id=2)["aside"] == "Second"
+        browser.send("run", until=40)
+        until(lambda: offered() == [("First", 40), ("Second", 20)])
+    found = Unfinished(home).look().runs
+    name = next(name for name, runs in found.items() if runs.members[0].title == "Second")
+    with serving(tmp_path, small(), home=home) as served, served.browser() as browser:
+        browser.until_frame()
+        browser.send("open_unfinished", name=name, id=1)
+        assert browser.until_message("done", id=1)["step"] == 20
+
+
+@pytest.mark.extended
 @pytest.mark.skipif(sys.platform != "linux", reason="the user's data are elsewhere")
 @pytest.mark.parametrize("then", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
 def test_ctrl_c_leaves_nothing_to_offer_whatever_signal_follows_it(tmp_path, then):
@@ -203,8 +237,8 @@ def test_ctrl_c_leaves_nothing_to_offer_whatever_signal_follows_it(tmp_path, the
         time.sleep(0.1)  # the first signal is to be the first
         process.send_signal(then)
         process.wait(20)
-    assert Unfinished(home).look().runs == {}
-    assert list(home.iterdir()) == []
+    found = Unfinished(home).look()
+    assert (found.runs, found.broken) == ({}, [])
 
 
 @pytest.mark.extended

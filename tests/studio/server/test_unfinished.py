@@ -7,7 +7,7 @@ import pytest
 
 from barchan.errors import BarchanError
 from barchan.studio.server import unfinished
-from barchan.studio.server.autosave_folder import AutosaveFolder
+from barchan.studio.server.autosave_folder import ASIDE, AutosaveFolder
 from barchan.studio.server.unfinished import Unfinished
 from barchan.studio.server.user_data import data_folder
 
@@ -115,6 +115,24 @@ def test_a_state_that_comes_after_the_user_has_ended_the_studio_is_not_kept(tmp_
     assert not write(folder, a=20)
     folder.close()
     assert steps_in(tmp_path) == {}
+
+
+def test_a_folder_that_is_emptied_offers_nothing_until_another_state_comes(tmp_path):
+    """As that of the run that is set aside, which is gone back to."""
+    folder = AutosaveFolder(tmp_path, ASIDE)
+    write(folder, a=10)
+    folder.empty()
+    assert [path.name for path in folder.path.iterdir()] == ["writer.lock"]
+    assert write(folder, a=20)
+    folder.close()
+    assert steps_in(tmp_path) == {folder.path.name: [20]}
+
+
+def test_the_run_that_was_set_aside_is_offered_after_the_one_in_its_place(tmp_path):
+    names = ["20260101-000000-1", f"20260102-000000-1{ASIDE}", "20260102-000000-1"]
+    for step, name in enumerate(names, start=1):
+        ended(tmp_path, name, step)
+    assert list(steps_in(tmp_path)) == [names[2], names[1], names[0]]
 
 
 def test_a_damaged_state_is_named_left_where_it_is_and_never_opened(tmp_path):

@@ -26,8 +26,10 @@ class Aside:
             self.of_it = aside["of_it"]
             if aside["new"]:
                 self.state = self._session.kept.newest(name)
+                self._session.autosave.aside_changed()
         elif not request.get("changed"):
             self.state = None
+            self._session.autosave.aside_changed()
 
     def take_back(self, name: str, request: Any = None) -> None:
         """Let a worker return to the run that was set aside; what ``request`` asked for is answered then."""

@@ -6,7 +6,8 @@ import time
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from barchan.studio.server.autosave_folder import AutosaveFolder
+from barchan.studio.server.autosave_aside import AutosaveAside
+from barchan.studio.server.autosave_folder import ASIDE, AutosaveFolder
 
 if TYPE_CHECKING:
     from barchan.studio.server.joint_answers import Answers
@@ -30,6 +31,7 @@ class Autosave:
         """Keep states in a new folder of ``home``."""
         self._session = session
         self.folder = None if home is None else AutosaveFolder(home)
+        self.aside = None if home is None else AutosaveAside(session, AutosaveFolder(home, ASIDE))
         self._adopted: list[Adopted] = []
         self._forsaken = False
         self._known: dict[str, str | None] = {}
@@ -51,6 +53,12 @@ class Autosave:
         if self._timer is not None and not self._writing:
             self.begin(SOON)
 
+    def aside_changed(self) -> None:
+        """Another run was set aside, or none is any more, and another one runs."""
+        if self.aside is not None:
+            self.aside.follow()
+        self.soon()
+
     def adopt(self, adopted: "Adopted") -> None:
         """Runs of an earlier studio go on here: its folder is deleted as soon as they are kept here."""
         self._adopted.append(adopted)
@@ -58,8 +66,8 @@ class Autosave:
     def forsake(self) -> None:
         """The user ends the studio: what is on disk is not for the next one, and goes with this one."""
         self._forsaken = True
-        if self.folder is not None:
-            self.folder.forsake()
+        for folder in self._folders:
+            folder.forsake()
 
     def close(self) -> None:
         """Leave what is on disk to the next studio, or delete it where the user has ended this one."""
@@ -69,11 +77,16 @@ class Autosave:
                 adopted.discard()
             else:
                 adopted.release()
-        if self.folder is not None:
+        for folder in self._folders:
             if self._forsaken:
-                self.folder.discard()
+                folder.discard()
             else:
-                self.folder.close()
+                folder.close()
+
+    @property
+    def _folders(self) -> list[AutosaveFolder]:
+        aside = [] if self.aside is None else [self.aside.folder]
+        return aside if self.folder is None else [self.folder, *aside]
 
     def _stop(self) -> None:
         if self._timer is not None:

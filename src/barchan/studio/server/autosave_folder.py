@@ -16,14 +16,17 @@ from barchan.studio.server.together import Member, name_together
 LOCK = "writer.lock"
 """The file that a studio holds for as long as its folder is its own."""
 
+ASIDE = "-aside"
+"""How the name of the folder ends that holds the run that is set aside."""
+
 
 class AutosaveFolder:
     """A folder that one process holds: each state takes the place of the one before by one renaming."""
 
-    def __init__(self, home: Path) -> None:
-        """A new folder of ``home``, made when the first state is to be written."""
+    def __init__(self, home: Path, ending: str = "") -> None:
+        """A new folder of ``home``, made when the first state is to be written; ``ending`` ends its name."""
         began = datetime.now(UTC).strftime("%Y%m%d-%H%M%S")
-        self.path = home / f"{began}-{os.getpid()}"
+        self.path = home / f"{began}-{os.getpid()}{ending}"
         self._lock: FileIO | None = None
         self._count = 0
         self._newest: Path | None = None
@@ -97,18 +100,31 @@ class AutosaveFolder:
         By one renaming the state counts as half written, also where the process ends before it is deleted.
         """
         self._forsaken = True
+        self._give_up_newest()
+
+    def empty(self) -> None:
+        """Delete the state, until there is another one."""
+        with self._placing:
+            self._give_up_newest()
+            self._delete_states()
+
+    def _give_up_newest(self) -> None:
         newest, self._newest = self._newest, None
+        self._members = {}
         if newest is not None:
             with suppress(OSError):
                 newest.replace(newest.with_name(f"{newest.name}{PARTIAL}"))
+
+    def _delete_states(self) -> None:
+        for state in (path for path in self.path.glob("*") if path.is_dir()):
+            shutil.rmtree(state, ignore_errors=True)
 
     def discard(self) -> None:
         """Delete the folder, which is held until nothing is left in it that could be offered."""
         self.forsake()
         with self._placing:
             self.forsake()  # once more, for a state that has just taken its place
-            for state in (path for path in self.path.glob("*") if path.is_dir()):
-                shutil.rmtree(state, ignore_errors=True)
+            self._delete_states()
             self.close()
             shutil.rmtree(self.path, ignore_errors=True)
 

@@ -9,7 +9,7 @@ from typing import Any
 from barchan.errors import BarchanError
 from barchan.holding import HeldError, hold, holder_of
 from barchan.replacing import PARTIAL
-from barchan.studio.server.autosave_folder import LOCK
+from barchan.studio.server.autosave_folder import ASIDE, LOCK
 from barchan.studio.server.security import is_plain_name
 from barchan.studio.server.together import Together, read_together
 
@@ -116,7 +116,7 @@ class Unfinished:
         if self._home is None or not self._home.is_dir():
             return []
         folders = [path for path in self._home.iterdir() if (path / LOCK).is_file()]
-        return sorted((one for one in folders if holder_of(one / LOCK) is None), reverse=True)
+        return sorted((one for one in folders if holder_of(one / LOCK) is None), key=_age, reverse=True)
 
     def _delete(self, folder: Path) -> None:
         try:
@@ -124,6 +124,11 @@ class Unfinished:
                 shutil.rmtree(folder, ignore_errors=True)
         except (HeldError, OSError):
             return  # another studio has just taken it
+
+
+def _age(folder: Path) -> tuple[str, bool]:
+    """What later studios have more of; of one studio the run that was set aside comes after the other."""
+    return folder.name.removesuffix(ASIDE), not folder.name.endswith(ASIDE)
 
 
 def _newest_in(folder: Path) -> Together | None:

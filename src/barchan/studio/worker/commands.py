@@ -15,7 +15,7 @@ from barchan.studio.worker.frame_sender import FrameSender
 from barchan.studio.worker.handlers import WORKER, Answer
 from barchan.studio.worker.run import StudioRun
 
-UNSEEN = ("confirm", "keep", "keep_in", "break_off")
+UNSEEN = ("confirm", "keep", "keep_in", "keep_aside_in", "break_off")
 """Commands that change nothing that a frame shows."""
 
 SLOWEST, FASTEST = 0.1, 1e6

@@ -16,7 +16,7 @@ from barchan.studio.worker.handlers import WORKER, Answer
 from barchan.studio.worker.overlay import read_overlay
 from barchan.studio.worker.rescue import MOST, newest_of, to_bytes
 from barchan.studio.worker.rose import rose_of
-from barchan.studio.worker.run import states_of
+from barchan.studio.worker.run import StudioRun, states_of
 from barchan.studio.worker.spacetime import space_time as section_over_time
 from barchan.studio.worker.spacetime_files import write_space_time
 from barchan.studio.worker.state_folder import fingerprint, write_newest
@@ -43,11 +43,22 @@ def keep_in(commands: "RunCommands", request: Request) -> Answer:
     found = fingerprint(commands)
     if found is None or found == request.get("known"):
         return {"fingerprint": found, "written": False}
-    newest, folder = newest_of(commands.current), Path(request["folder"])
+    return _kept(commands.current, Path(request["folder"]), {"fingerprint": found})
+
+
+@WORKER.handles("keep_aside_in")
+def keep_aside_in(commands: "RunCommands", request: Request) -> Answer:
+    """Write the state of the run that is set aside into a folder, unless that run has only begun."""
+    if commands.aside is None or not commands.aside.run.has_begun:
+        return {"written": False}
+    return _kept(commands.aside.run, Path(request["folder"]), {})
+
+
+def _kept(run: StudioRun, folder: Path, answer: dict[str, Any]) -> Answer:
+    newest = newest_of(run)
     if newest is None:
         raise BarchanError(f"the run's state has more than the {MOST >> 20} MB that are kept by themselves")
-    written = {"fingerprint": found, "written": True}
-    return _written(folder, lambda _: {**written, "member": write_newest(newest, folder)})
+    return _written(folder, lambda _: {**answer, "written": True, "member": write_newest(newest, folder)})
 
 
 @WORKER.handles("save_folder")

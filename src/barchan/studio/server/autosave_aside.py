@@ -1,0 +1,78 @@
+"""The run that is set aside, kept on disk as a run of its own in case that the studio ends unexpectedly."""
+
+import asyncio
+import shutil
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from barchan.studio.server.autosave_folder import AutosaveFolder
+from barchan.studio.server.session_commands import FIRST
+
+if TYPE_CHECKING:
+    from barchan.studio.server.joint_answers import Answers
+    from barchan.studio.server.session import Session
+
+
+class AutosaveAside:
+    """Writes it once, for it stands still; a folder of its own holds it for as long as it is set aside."""
+
+    def __init__(self, session: "Session", folder: AutosaveFolder) -> None:
+        """Keep it in this folder."""
+        self.folder = folder
+        self._session = session
+        self._changes = 0
+        """How often another run, or none, was set aside."""
+        self._writing = False
+
+    def follow(self) -> None:
+        """Another run was set aside, or none is any more."""
+        self._changes += 1
+        if not self._writing:
+            self._keep()
+
+    def _keep(self) -> None:
+        worker = self._session.workers.get(FIRST)
+        if worker is None or not worker.holds_aside:
+            self.folder.empty()
+            return
+        try:
+            partial = self.folder.next()
+        except OSError as error:
+            self._say(error.strerror or str(error))
+            return
+        self._writing = True
+        part = {FIRST: {"command": "keep_aside_in", "folder": str(partial / FIRST)}}
+        changes = self._changes
+        self._session.joint.ask(
+            part,
+            lambda answers: self._written(partial, changes, answers),
+            lambda why, _: self._ended(partial, changes, why),
+        )
+
+    def _written(self, partial: Path, changes: int, answers: "Answers") -> None:
+        """Put it into place, beside the loop that serves, unless another one was set aside meanwhile."""
+        member = answers[FIRST].get("member")
+        if changes != self._changes or member is None:
+            self._ended(partial, changes)
+            return
+        committing = asyncio.get_running_loop().run_in_executor(
+            None, self.folder.commit, partial, {FIRST: member}
+        )
+        committing.add_done_callback(lambda done: self._committed(done, partial, changes))
+
+    def _committed(self, done: "asyncio.Future[bool]", partial: Path, changes: int) -> None:
+        failed = done.cancelled() or done.exception() is not None
+        self._ended(partial, changes, "" if done.cancelled() or not failed else str(done.exception()))
+
+    def _ended(self, partial: Path, changes: int, why: str = "") -> None:
+        self._writing = False
+        shutil.rmtree(partial, ignore_errors=True)
+        if changes != self._changes:
+            self._keep()
+        elif why and all(worker.process.is_alive() for worker in self._session.workers.values()):
+            self._say(why)
+
+    def _say(self, why: str) -> None:
+        lost = "If the studio ended unexpectedly now, it would be lost"
+        text = f"The run that is set aside is not kept on disk: {why}. {lost}."
+        self._session.tell("refused", id=None, command="keep_in", text=text, problems=[])
