@@ -5,6 +5,7 @@ import type { Status } from "../core/protocol";
 import { titleOf } from "../core/run";
 import { button, duration, h, metres, short } from "./dom";
 import { icon } from "./icons";
+import { NumberField } from "./number_field";
 import { Speed } from "./speed";
 import { watchingNote } from "./watching";
 
@@ -14,14 +15,7 @@ export class Bar {
   private readonly model = h("span", { className: "model" });
   private readonly play: HTMLButtonElement;
   private readonly limit: Speed;
-  private readonly count = h("input", {
-    type: "number",
-    value: "100",
-    min: "1",
-    max: "1000000",
-    className: "count",
-    "aria-label": "Number of steps",
-  });
+  private readonly count = new NumberField({ label: "Number of steps", value: 100, whole: true, least: 1, most: 1_000_000, props: { className: "count" } });
   private readonly numbers: Record<string, HTMLElement> = {};
 
   constructor(
@@ -48,8 +42,8 @@ export class Bar {
       { className: "controls", role: "group", "aria-label": "Run" },
       this.play,
       button("One step (.)", icon("step"), () => this.step(1)),
-      this.count,
-      button("do these steps", "do", () => this.step(Number(this.count.value) || 1)),
+      this.count.element,
+      button("do these steps", "do", () => this.count.number !== null && this.step(this.count.number)),
       this.limit.element,
       button("Restart with the same seed (R)", icon("restart"), () => this.restart()),
     );

@@ -8,6 +8,7 @@ import { h, short } from "./dom";
 import type { Format } from "./exports";
 import { fetchFile } from "./exports";
 import { filmOfStates } from "./scene_film";
+import { NumberField } from "./number_field";
 import { wordsRows } from "./words_rows";
 
 /** Frames a second at first, and the longer side of a map (pixels) to choose from. */
@@ -27,36 +28,36 @@ export async function filmSheet(app: App, stage: Stage): Promise<void> {
   const format = formats.find((one) => one.name === "mp4") ?? formats.find((one) => one.name === "film")!;
   const view = h("select", { "aria-label": "Drawn", onchange: () => show() }, h("option", { value: "scene" }, "as the scene shows it"), h("option", { value: "map" }, "as a shaded map"));
   const states = h("input", { type: "range", min: "2", max: String(steps.length), value: String(steps.length), "aria-label": "States of the film, the last ones" });
-  const rate = h("input", { type: "number", min: "1", max: "60", step: "1", value: String(RATE), required: true, "aria-label": "Frames a second" });
+  const rate = new NumberField({ label: "Frames a second", value: RATE, whole: true, least: 1, most: 60, typing: () => show() });
   const size = h("select", { "aria-label": "Size" }, ...SIZES.map(([width, height], at) => h("option", { value: String(at) }, `${width} × ${height}`)));
-  const turn = h("input", { type: "number", min: "-720", max: "720", step: "any", value: "0", required: true, "aria-label": "Degrees that the camera turns" });
+  const turn = new NumberField({ label: "Degrees that the camera turns", value: 0, least: -720, most: 720 });
   const side = h("select", { "aria-label": "Longer side" }, ...SIDES.map((one) => h("option", { value: String(one), selected: one === 1024 }, `${one} pixels`)));
   const name = h("input", { type: "text", value: "dunes", required: true, pattern: "[A-Za-z0-9_\\-]+", "aria-label": "Name of the file" });
   const words = wordsRows(app, stage, () => {});
   const told = h("p", { role: "status" });
   const hint = h("p", { className: "hint" });
   const row = (label: string, control: HTMLElement) => h("div", { className: "row" }, h("span", {}, label), control);
-  const ofScene = [row("size (pixels)", size), row("camera turns (°)", turn), words.element];
+  const ofScene = [row("size (pixels)", size), row("camera turns (°)", turn.element), words.element];
   const ofMap = [row("longer side", side)];
   const other = format.name === "mp4" ? "" : " MP4 needs the extra ‘video’: python -m pip install av.";
 
   const show = () => {
     const [count, scene] = [Number(states.value), view.value === "scene"];
-    told.textContent = `${count} states, from step ${short(steps.at(-count), 9)} to ${short(steps.at(-1), 9)}: ${short(count / (Number(rate.value) || RATE), 2)} s of film.`;
+    told.textContent = `${count} states, from step ${short(steps.at(-count), 9)} to ${short(steps.at(-1), 9)}: ${short(count / (rate.number ?? RATE), 2)} s of film.`;
     for (const one of ofScene) one.hidden = !scene;
     for (const one of ofMap) one.hidden = scene;
     const how = scene ? "in the colours and the light of the scene, exaggeration and scale of colours held. The run rests meanwhile and then goes on" : "with the model’s layers. The run may go on meanwhile";
     hint.textContent = `The kept states up to the one that is shown, ${how}.${other}`;
   };
-  states.oninput = rate.oninput = show;
+  states.oninput = show;
   const write: Submit = async (progress, signal) => {
-    const [count, second, file] = [Number(states.value), Number(rate.value), `${name.value}${format.suffix}`];
+    const [count, second, file] = [Number(states.value), rate.number!, `${name.value}${format.suffix}`];
     const [width, height] = SIZES[Number(size.value)]!;
     const request = { command: "export" as const, name: file, format: format.name, states: count, options: { frames_per_second: second, pixels: Number(side.value) }, run: app.selected };
-    const film = { name: file, states: count, width, height, rate: second, turn: turn.valueAsNumber, words: words.chosen() };
+    const film = { name: file, states: count, width, height, rate: second, turn: turn.number!, words: words.chosen() };
     const written = view.value === "scene" ? await filmOfStates(app, stage, film, progress, signal) : await fetchFile(app, request, progress, signal);
     app.note("info", `The film ${written} is written; it is kept in studio-exports.`);
   };
-  formDialog("Film of what was just seen", "write the film", write, told, row("drawn", view), row("how far back", states), row("frames a second", rate), ...ofScene, ...ofMap, row(`name (${format.suffix})`, name), hint);
+  formDialog("Film of what was just seen", "write the film", write, told, row("drawn", view), row("how far back", states), row("frames a second", rate.element), ...ofScene, ...ofMap, row(`name (${format.suffix})`, name), hint);
   show();
 }

@@ -6,12 +6,14 @@ import { plainFields } from "../scene/colouring";
 import type { Stage } from "../scene/stage";
 import { h, id } from "./dom";
 import { labelOf } from "../core/labels";
+import { NumberField } from "./number_field";
 import { OverlayPanel } from "./overlay";
 
 export class ViewPanel {
   readonly element = h("div", { className: "forms" });
   private shown = "";
   private showExaggeration = () => {};
+  private readonly numbers = new Map<string, NumberField>();
   private readonly overlay: OverlayPanel;
 
   constructor(
@@ -40,6 +42,7 @@ export class ViewPanel {
       const value = this.app.view.look[control.dataset.look as keyof Look];
       if (control === document.activeElement) continue;
       if (control.type === "checkbox") control.checked = value === true;
+      else if (typeof value === "number" && this.numbers.has(control.dataset.look!)) this.numbers.get(control.dataset.look!)!.show(value);
       else control.value = String(value);
     }
   }
@@ -59,13 +62,13 @@ export class ViewPanel {
       this.check("ground in grey where it is bare", "bare"),
       ...(two ? [h("h2", {}, "Two at once"), this.choice("show", "side", [["surface", "each by itself"], ["difference", "right less left"]])] : []),
       ...(layers.length ? [h("h2", {}, "Layers"), ...layers.map((layer) => this.layer(layer.field, layer.title))] : []),
-      ...(description?.paths ? [h("h2", {}, "Grains"), this.number("paths", "paths", 0, 500, "grains", 1)] : []),
+      ...(description?.paths ? [h("h2", {}, "Grains"), this.number("paths", "paths", 0, 500, "grains", true)] : []),
       h("h2", {}, "Overlay"),
       this.overlay.element,
       h("h2", {}, "Lines"),
       this.choice("contours", "contours", [["off", "none"], ["interval", "at an interval"], ["count", "a number of them"]]),
-      this.number("interval", "interval", 0.05, 100, "m", 0.05),
-      this.number("count", "count", 1, 60, "", 1),
+      this.number("interval", "interval", 0.05, 100, "m"),
+      this.number("count", "count", 1, 60, "", true),
       this.check("wireframe of the cells", "wireframe"),
       h("h2", {}, "Shape and light"),
       ...this.exaggeration(),
@@ -122,17 +125,11 @@ export class ViewPanel {
     return this.row(label, box);
   }
 
-  private number(label: string, key: "interval" | "count" | "paths", min: number, max: number, unit: string, step: number): HTMLElement {
-    const input = h("input", {
-      type: "number",
-      "data-look": key,
-      min: String(min),
-      max: String(max),
-      step: String(step),
-      value: String(this.app.view.look[key]),
-      onchange: () => this.set({ [key]: Math.min(Math.max(Number(input.value) || min, min), max) }),
-    });
-    return this.row(label, input, h("span", { className: "unit" }, unit));
+  private number(label: string, key: "interval" | "count" | "paths", least: number, most: number, unit: string, whole = false): HTMLElement {
+    const take = (value: number | null) => this.set({ [key]: value! });
+    const input = new NumberField({ value: this.app.view.look[key], least, most, whole, take, props: { "data-look": key } });
+    this.numbers.set(key, input);
+    return this.row(label, input.element, h("span", { className: "unit" }, unit));
   }
 
   private slider(label: string, key: "smoothing", min: number, max: number, unit: string): HTMLElement {
@@ -222,18 +219,14 @@ export class ViewPanel {
 
   private limits(): HTMLElement {
     const { limits } = this.app.view.look;
-    const ends = [0, 1].map((end) =>
-      h("input", {
-        type: "number",
-        step: "any",
-        "aria-label": end ? "Highest value of the colours" : "Lowest value of the colours",
-        disabled: !limits,
-        value: limits ? String(limits[end]) : "",
-        onchange: () => {
-          const [low, high] = ends.map((input) => Number(input.value)) as [number, number];
-          if (low < high) this.set({ limits: [low, high] });
-        },
-      }),
+    const take = (end: number) => {
+      const [low, high] = ends.map((field) => field.number) as [number | null, number | null];
+      if (low === null || high === null) return;
+      if (low < high) this.set({ limits: [low, high] });
+      else ends[end]!.refuse("The lowest value must be below the highest.");
+    };
+    const ends = ["Lowest value of the colours", "Highest value of the colours"].map(
+      (label, end) => new NumberField({ label, value: limits?.[end] ?? null, take: () => take(end), props: { disabled: !limits } }),
     );
     const box = h("input", {
       type: "checkbox",
@@ -243,7 +236,7 @@ export class ViewPanel {
         this.set({ limits: box.checked ? (now.map((x) => Number(x.toPrecision(4))) as [number, number]) : null }, true);
       },
     });
-    return this.row("fixed scale", box, ...ends);
+    return this.row("fixed scale", box, ...ends.map((field) => field.element));
   }
 
   private layer(field: string, title: string): HTMLElement {
