@@ -147,7 +147,8 @@ def test_escape_ends_a_recording_and_saves_it_and_says_how_long_it_is(studio):
 
 
 @pytest.mark.extended
-def test_escape_while_a_film_is_written_breaks_it_off_and_says_so_before_the_sheet_closes(studio):
+def test_escape_while_a_film_is_written_asks_before_it_breaks_anything_off(studio):
+    """Escape pressed again and again loses nothing: it asks, and takes the question back."""
     page = studio.page
     studio.step_beyond(60)
     studio.pause()
@@ -155,8 +156,18 @@ def test_escape_while_a_film_is_written_breaks_it_off_and_says_so_before_the_she
     sheet.get_by_label("Name of the file").fill("escaped")
     sheet.get_by_role("button", name="write the film").click()
     sheet.get_by_role("button", name="cancel").wait_for()
-    page.keyboard.press("Escape")
+    question = sheet.get_by_role("alertdialog", name="Break it off?")
+    for asked in (True, False, True):
+        page.keyboard.press("Escape")
+        assert question.is_visible() == asked
+        assert sheet.get_by_role("button", name="cancel").is_visible()
+    sheet.get_by_role("button", name="Close").click()
+    assert question.is_hidden()
+    page.mouse.click(5, 300)
+    assert question.is_visible()
+    question.get_by_role("button", name="break it off").click()
     sheet.get_by_text("nothing was written").wait_for()
+    assert question.is_hidden()
     page.keyboard.press("Escape")
     sheet.wait_for(state="detached")
     assert list((studio.folder / "studio-exports").rglob("escaped*")) == []
