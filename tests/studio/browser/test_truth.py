@@ -75,6 +75,36 @@ def test_the_exaggeration_stands_beside_the_scale_bar_and_below_the_section(stud
     assert any(str(word).startswith("heights ×") for word in studio.ask("window.words"))
 
 
+def test_the_panel_tells_the_exaggeration_at_which_the_scene_is_drawn(studio):
+    """Of a paused run, whatever chose it: nobody, the slider, or a relief that has become another one."""
+    page = studio.page
+    studio.pause()
+    page.get_by_role("tab", name="View").click()
+    row = page.locator(".row", has_text="vertical exaggeration")
+
+    def same_as_beside_the_scale_bar() -> str:
+        studio.picture()
+        beside = page.locator(".steeper").inner_text().removeprefix("heights × ")
+        assert row.locator(".unit").inner_text() == f"{beside.replace('heights to scale', '1')} ×"
+        return beside
+
+    first = same_as_beside_the_scale_bar()
+    page.get_by_label("vertical exaggeration").evaluate(
+        "(slider) => { slider.value = Math.log(20); slider.dispatchEvent(new Event('input')); }"
+    )
+    assert same_as_beside_the_scale_bar() == "20"
+    page.get_by_label("automatic", exact=True).check()
+    assert same_as_beside_the_scale_bar() == first
+    studio.ask(
+        f"""(() => {{
+            const run = {RUN};
+            run.surface = run.surface.map((_, i) => 4 * Math.sin((2 * Math.PI * (i % 64)) / 16));
+            window.barchan.app.changed.send();
+        }})()"""
+    )
+    assert same_as_beside_the_scale_bar() == "heights to scale" != first  # 8 m over 16 m are steep as they are
+
+
 def test_exaggeration_is_chosen_from_relief_over_wavelength(studio):
     """Of a sine of height H and length L: 0.11 / (H / L), within 1 and 4 for forms that can be seen so."""
     studio.pause()

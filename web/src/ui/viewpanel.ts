@@ -4,15 +4,22 @@ import type { App } from "../core/app";
 import { LOOK, type Look } from "../core/view";
 import { plainFields } from "../scene/colouring";
 import type { Stage } from "../scene/stage";
-import { h, id } from "./dom";
+import { h, id, short } from "./dom";
 import { labelOf } from "../core/labels";
 import { NumberField } from "./number_field";
 import { OverlayPanel } from "./overlay";
 
+/** Rows, and how they show what is chosen now. */
+interface Rows {
+  rows: HTMLElement[];
+  show: () => void;
+}
+
 export class ViewPanel {
   readonly element = h("div", { className: "forms" });
   private shown = "";
-  private showExaggeration = () => {};
+  /** Let the rows of what the scene chooses by itself show what it has chosen. */
+  private showChosen = () => {};
   private readonly numbers = new Map<string, NumberField>();
   private readonly overlay: OverlayPanel;
 
@@ -24,7 +31,7 @@ export class ViewPanel {
     app.described.watch(() => this.draw());
     app.changed.watch(() => this.draw());
     app.view.changed.watch(() => this.follow());
-    app.framed.watch(() => this.showExaggeration());
+    stage.painted.watch(() => this.showChosen());
     this.draw();
   }
 
@@ -48,6 +55,8 @@ export class ViewPanel {
   }
 
   private redraw(): void {
+    const [steep, sun] = [this.exaggeration(), this.sun()];
+    this.showChosen = () => [steep, sun].forEach(({ show }) => show());
     const description = this.app.current?.description;
     const fields = [...plainFields(this.app.current?.material ?? "sand"), ...(description?.fields ?? [])];
     const layers = description?.layers ?? [];
@@ -71,9 +80,9 @@ export class ViewPanel {
       this.number("count", "count", 1, 60, "", true),
       this.check("wireframe of the cells", "wireframe"),
       h("h2", {}, "Shape and light"),
-      ...this.exaggeration(),
+      ...steep.rows,
       this.slider("smoothing (display only)", "smoothing", 0, 4, "×"),
-      ...this.sun(),
+      ...sun.rows,
       this.check("shadows of the sun", "shadows"),
       this.choice("detail", "quality", [["automatic", "automatic"], ["full", "full"], ["plain", "plain (slow graphics)"]]),
       h("h2", {}, "Camera"),
@@ -154,8 +163,8 @@ export class ViewPanel {
   }
 
   /** A slider by factors, and the choice to leave it to the lattice. */
-  private exaggeration(): HTMLElement[] {
-    const now = () => this.app.view.look.exaggeration ?? this.stage.terrain(this.app.current!)?.exaggeration ?? 1;
+  private exaggeration(): Rows {
+    const now = () => (this.app.current && this.stage.terrain(this.app.current)?.exaggeration) ?? 1;
     const value = h("span", { className: "unit" });
     const slider = h("input", {
       type: "range",
@@ -164,7 +173,6 @@ export class ViewPanel {
       step: "any",
       oninput: () => {
         this.set({ exaggeration: Number(Math.exp(Number(slider.value)).toPrecision(2)) });
-        show();
       },
     });
     const usual = h("input", {
@@ -175,16 +183,15 @@ export class ViewPanel {
     });
     const show = () => {
       usual.checked = this.app.view.look.exaggeration === null;
-      slider.value = String(Math.log(now()));
-      value.textContent = `${Number(now().toFixed(1))} ×`;
+      write(value, `${short(now(), 2)} ×`);
+      if (slider !== document.activeElement || usual.checked) slider.value = String(Math.log(now()));
     };
     show();
-    this.showExaggeration = show;
-    return [this.row("vertical exaggeration", slider, value), this.row("automatic", usual)];
+    return { rows: [this.row("vertical exaggeration", slider, value), this.row("automatic", usual)], show };
   }
 
   /** Where the sun stands, and the choice to leave it to the wind. */
-  private sun(): HTMLElement[] {
+  private sun(): Rows {
     const rows = ([["sun from", "azimuth", "sunAzimuth", 0, 360], ["sun height", "height", "sunHeight", 5, 89]] as const).map(([label, part, key, min, max]) => {
       const value = h("span", { className: "unit" });
       const slider = h("input", {
@@ -194,12 +201,11 @@ export class ViewPanel {
         step: "any",
         oninput: () => {
           this.set({ [key]: Number(Number(slider.value).toFixed(1)) });
-          show();
         },
       });
       const show = () => {
         slider.value = String(this.stage.sun()[part]);
-        value.textContent = `${Number(this.stage.sun()[part].toFixed(1))} °`;
+        write(value, `${Number(this.stage.sun()[part].toFixed(1))} °`);
         across.checked = this.app.view.look.sunAzimuth === null && this.app.view.look.sunHeight === null;
       };
       return { row: this.row(label, slider, value), show };
@@ -210,11 +216,10 @@ export class ViewPanel {
       onchange: () => {
         const { azimuth, height } = this.stage.sun();
         this.set(across.checked ? { sunAzimuth: null, sunHeight: null } : { sunAzimuth: azimuth, sunHeight: height });
-        show();
       },
     });
     show();
-    return [...rows.map((row) => row.row), this.row("across the crests", across)];
+    return { rows: [...rows.map((row) => row.row), this.row("across the crests", across)], show };
   }
 
   private limits(): HTMLElement {
@@ -251,4 +256,9 @@ export class ViewPanel {
     });
     return this.row(title, box);
   }
+}
+
+/** Let a text stand in an element, which is not drawn again where it stands there already. */
+function write(element: HTMLElement, text: string): void {
+  if (element.textContent !== text) element.textContent = text;
 }
