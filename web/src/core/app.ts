@@ -6,7 +6,7 @@ import { type Entry, type Level, Notices, problemText } from "./notices";
 import { Overlay } from "./overlay";
 import { type Command, type Description, type JsonObject, type Message, type RunName, readFrame, type Frame } from "./protocol";
 import type { Restart } from "./restarts";
-import { Run } from "./run";
+import { Run, ownTitle, titleOf } from "./run";
 import { Sharing } from "./sharing";
 import { Signal } from "./signal";
 import { Together } from "./together";
@@ -38,6 +38,8 @@ export class App {
   handedOn = false;
   readonly notices = new Notices();
   readonly overlay = new Overlay();
+  /** Another scenario or run has taken the place of the one before. */
+  readonly opened = new Signal<void>();
   readonly described = new Signal<Run>();
   readonly framed = new Signal<Run>();
   readonly changed = new Signal<void>();
@@ -136,12 +138,22 @@ export class App {
   async begin(scenario: JsonObject, running = true, changed = false): Promise<void> {
     const before = changed || this.runs.length > 1 ? undefined : this.runs[0];
     const step = before?.status?.live ?? 0;
-    const title = titleOf(before);
+    const title = toldTitle(before);
     await this.connection.ask({ command: "create", scenario, running, changed, aside: step > 0, run: this.selected });
     if (changed) return;
     this.restarts.length = 0;
     this.notices.dismissAll(); // they are of the scenario before
+    this.opened.send();
     if (step > 0) this.offerBack(title);
+  }
+
+  /** Let a run that was kept take the place of the one before; returns whether it does. What is refused is said. */
+  async open(command: Command): Promise<boolean> {
+    if (!(await this.ask(command))) return false;
+    this.restarts.length = 0;
+    this.forgetWayBack();
+    this.opened.send();
+    return true;
   }
 
   /** Offer the way back to the run that another scenario took the place of; it leads there and back again. */
@@ -150,8 +162,9 @@ export class App {
       const here = this.runs[0];
       const now = here?.status?.live ?? 0;
       this.send({ command: "alone" });
+      this.opened.send();
       this.note("info", `Back at the run “${title}”, paused.`);
-      if (now > 0) this.offerBack(titleOf(here));
+      if (now > 0) this.offerBack(toldTitle(here));
     };
     this.wayBack = this.notices.note("info", `Your run “${title}” is set aside with its moments.`, "", true, { name: "go back to it", act: back });
   }
@@ -232,6 +245,7 @@ export class App {
   private describe(run: Run, description: Description): void {
     const before = run.description;
     run.description = description;
+    if (this.watching && before && ownTitle(before) !== ownTitle(description)) this.opened.send();
     if (!description.paths) run.paths = [];
     run.lost = false;
     for (const remark of description.remarks) {
@@ -285,6 +299,6 @@ export class App {
   }
 }
 
-function titleOf(run: Run | undefined): string {
-  return String(run?.description?.scenario.title || "without a title");
+function toldTitle(run: Run | undefined): string {
+  return run?.description ? titleOf(run.description) : "";
 }

@@ -12,6 +12,11 @@ export function readable(words: string): string {
   return changes === null ? words : own + changes.split(", ").map(withoutDots).join(", ");
 }
 
+/** A title without those keys. */
+export function withoutChanges(title: string): string {
+  return title.split(`, ${CHANGED}`)[0]!;
+}
+
 function split(words: string): [string, string | null] {
   const at = words.indexOf(CHANGED);
   return at < 0 ? [words, null] : [words.slice(0, at + CHANGED.length), words.slice(at + CHANGED.length)];

@@ -1,7 +1,7 @@
 /** One simulation as the browser knows it. */
 
 import { differences } from "./beside";
-import { readable } from "./labels";
+import { readable, withoutChanges } from "./labels";
 import type { JsonObject } from "./protocol";
 import type { Description, Frame, Row, RunName, Status } from "./protocol";
 
@@ -65,6 +65,11 @@ export class Run {
 /** The title of a scenario as the page shows it. */
 export function titleOf({ scenario }: Description): string {
   return readable(String(scenario.title || "Untitled scenario"));
+}
+
+/** The title that a scenario had before values of it were changed. */
+export function ownTitle({ scenario }: Description): string {
+  return withoutChanges(String(scenario.title ?? ""));
 }
 
 /** Steps of which all runs keep a state, from the first on: models whose states are larger keep fewer. */
