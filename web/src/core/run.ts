@@ -2,7 +2,6 @@
 
 import { differences } from "./beside";
 import { readable, withoutChanges } from "./labels";
-import type { JsonObject } from "./protocol";
 import type { Description, Frame, Row, RunName, Status } from "./protocol";
 
 export class Run {
@@ -72,6 +71,13 @@ export function ownTitle({ scenario }: Description): string {
   return withoutChanges(String(scenario.title ?? ""));
 }
 
+/** The title of what is shown: of two runs side by side without what tells them apart. */
+export function titleOfShown(runs: Run[], current: Run | undefined): string {
+  const titles = new Set(runs.flatMap(({ description }) => (description ? [titleOf(description)] : [])));
+  if (!current?.description) return "";
+  return titles.size > 1 ? ownTitle(current.description) || titleOf(current.description) : titleOf(current.description);
+}
+
 /** Steps of which all runs keep a state, from the first on: models whose states are larger keep fewer. */
 export function commonHistory(runs: Run[]): number[] {
   const [first, ...others] = runs.map((run) => run.history);
@@ -85,10 +91,22 @@ export function shownSteps(runs: Run[]): number[] {
   return status ? [...commonHistory(runs).filter((step) => step < status.step), status.step] : [];
 }
 
-/** How a run is named beside another: by its model, or where both have the same, by what differs. */
+/** Groups of a scenario by which two runs of one model can differ, those first that tell more. */
+const GROUPS = ["model", "wind", "sand", "ground", "plants", "weather", "lattice", "run"];
+
+/** How a run is named beside another: by its model, or where both have the same, by what differs; two that are alike by their sides. */
 export function nameBeside(run: Run, other: Run | undefined): string {
   const [own, others] = [run.description, other?.description];
   if (!own || !others || own.model.name !== others.model.name) return own?.model.title ?? "";
-  const differ = differences(own.scenario.model as JsonObject, others.scenario.model as JsonObject);
-  return differ.length ? differ.slice(0, 2).join(", ") : own.model.title;
+  for (const group of GROUPS) {
+    const [values, beside] = [own, others].map(({ scenario }) => ({ [group]: scenario[group] ?? null }));
+    const differ = differences(values!, beside!);
+    if (differ.length) return differ.slice(0, 2).join(", ");
+  }
+  return `${own.model.title}, ${run.name === "a" ? "left" : "right"}`;
+}
+
+/** How the runs of the page are named: by what tells them apart, one alone by its model. */
+export function namesOf(runs: Run[]): string[] {
+  return runs.map((run, at) => nameBeside(run, runs[1 - at]));
 }

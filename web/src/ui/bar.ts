@@ -2,7 +2,7 @@
 
 import type { App } from "../core/app";
 import type { Status } from "../core/protocol";
-import { titleOf } from "../core/run";
+import { namesOf, titleOfShown } from "../core/run";
 import { button, duration, h, metres, short } from "./dom";
 import { icon } from "./icons";
 import { NumberField } from "./number_field";
@@ -96,10 +96,9 @@ export class Bar {
   private show(): void {
     const run = this.app.current;
     const { description, status } = run ?? {};
-    const titles = this.app.runs.map((one) => one.description?.model.title).filter(Boolean);
-    const title = description ? titleOf(description) : "";
+    const title = titleOfShown(this.app.runs, run);
     this.title.textContent = this.title.title = title;
-    this.model.textContent = titles.join("  ·  ");
+    this.model.textContent = this.model.title = namesOf(this.app.runs).filter(Boolean).join("  ·  ");
     document.title = title ? `${title} – Barchan studio` : "Barchan studio";
     const running = this.app.running;
     this.showRunning(running);

@@ -6,7 +6,7 @@ import type { App } from "../core/app";
 import { centreOf, named, nearest } from "../core/crests";
 import { type MeasuresTable, measuresCsv } from "../core/measures_csv";
 import type { Measure } from "../core/protocol";
-import { type Run, nameBeside } from "../core/run";
+import { type Run, namesOf } from "../core/run";
 import { BalanceTable } from "./balance";
 import { download, button, h, short, themeColour } from "../ui/dom";
 
@@ -84,7 +84,7 @@ export class SeriesView {
     if (!at_once && performance.now() - this.drawnAt < PAUSE) return;
     this.drawnAt = performance.now();
     this.centreCrests();
-    this.names.replaceChildren(...namesOf(this.app.runs));
+    this.names.replaceChildren(...namesWithLines(this.app.runs));
     for (const { measure, chart, value } of this.charts) {
       chart.setData(this.data(measure.name));
       const found = this.app.runs.map((run) => lastOf(run, measure.name));
@@ -195,7 +195,7 @@ function lastOf(run: Run, name: string): { text: string; doubt: string } {
 }
 
 /** The names of two runs, each with the line that its measures have; none where there is one run. */
-function namesOf(runs: Run[]): HTMLElement[] {
+function namesWithLines(runs: Run[]): HTMLElement[] {
   if (runs.length < 2) return [];
-  return runs.map((run, at) => h("span", { className: `run-${at}` }, h("i", {}), nameBeside(run, runs[1 - at])));
+  return namesOf(runs).map((name, at) => h("span", { className: `run-${at}` }, h("i", {}), name));
 }
