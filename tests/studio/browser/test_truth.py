@@ -154,6 +154,51 @@ def test_crests_are_plotted_without_jumps(studio):
     assert plotted == [-2, 2, -1, 1]
 
 
+def test_the_plot_of_crests_stays_where_it_is_while_the_wind_comes_from_several_sides(studio):
+    """A crest at 91, beyond the upper end of the plot, is one at 89 below its middle."""
+    studio.pause()
+    studio.page.keyboard.press("2")
+    studio.ask(LISTEN)
+    marks = []
+    for count, wind in enumerate((270, 0, 90, 180), start=2):  # from the second on the plot is a half turn
+        crests = [2.0, 178.0, 91.0, 3.0, 1.0][:count]
+        rows = [{"step": at, "values": {"crest_azimuth": one}, "doubts": {}} for at, one in enumerate(crests)]
+        studio.ask(f"void (window.words = [], {RUN}.measures = {json.dumps(rows)}, {RUN}.status.wind = {wind})")
+        studio.ask("window.barchan.app.changed.send()")
+        studio.until("window.words.filter((word) => String(word).endsWith('°')).length >= 3")
+        marks.append([word for word in studio.ask("window.words") if str(word).endswith("°")])
+    assert marks[0][:3] == ["150°", "0°", "30°"]
+    assert {tuple(one[:5]) for one in marks[1:]} == {("90°", "135°", "0°", "45°", "90°")}
+    assert studio.ask("window.barchan.series.data('crest_azimuth')[1]") == [2, -2, -89, 3, 1]
+
+
+def test_a_line_of_measures_has_gaps_where_there_is_no_value(studio):
+    """Of six values 3 and 5 are missing: a line from the first to the second, a dot, and a dot."""
+    studio.pause()
+    studio.page.keyboard.press("2")
+    values = [1.0, 2.0, None, 1.5, None, 1.0]
+    rows = [
+        {"step": 10 * at, "values": {"speed": one} if one else {}, "doubts": {}}
+        for at, one in enumerate(values)
+    ]
+    studio.ask(f"void ({RUN}.measures = {json.dumps(rows)})")
+    studio.ask("window.barchan.app.changed.send()")
+    studio.page.wait_for_timeout(200)
+    found = studio.ask(
+        """(() => {
+            const { chart } = window.barchan.series.charts.find(({ measure }) => measure.name === "speed");
+            const inked = (step) => {
+                const x = Math.round(chart.valToPos(step, "x", true));
+                const strip = chart.ctx.getImageData(x - 1, chart.bbox.top, 3, chart.bbox.height).data;
+                const reddish = (at) => strip[at] > 120 && strip[at + 2] < 90 && strip[at + 3] > 90;
+                return Array.from({ length: strip.length / 4 }, (_, pixel) => 4 * pixel).some(reddish);
+            };
+            return { dots: chart.series[1].points.filter(chart, 1), inked: [5, 15, 25, 30, 40, 50].map(inked) };
+        })()"""
+    )
+    assert found == {"dots": [3, 5], "inked": [True, False, False, True, False, True]}
+
+
 def test_before_the_first_picture_nothing_is_said_that_is_not_known(chromium, server):
     _, address, _ = server
     page = chromium.new_page(viewport={"width": 1000, "height": 640})
