@@ -105,7 +105,7 @@ const toasts = new Toasts(app, (key) => {
   leadTo(key);
 });
 const unfinished = new Unfinished(app);
-scene.append(h("div", { className: "messages" }, new StateNotice(app).element, unfinished.list(), toasts.element));
+const messages = h("div", { className: "messages" }, new StateNotice(app).element, unfinished.list(), toasts.element);
 
 app.notices.logged.watch((entry) => entry.level !== "info" && dock.mark(log));
 
@@ -177,7 +177,7 @@ app.connection.state.watch((state) => {
 });
 page.append(
   bar.element,
-  h("main", {}, h("div", { className: "stage-column" }, scene, tour.element, timeline.element, dock.element), side.element),
+  h("main", {}, h("div", { className: "stage-column" }, h("div", { className: "scene-and-messages" }, scene, messages), tour.element, timeline.element, dock.element), side.element),
 );
 
 const links = new ArrivingLinks(app, files);
