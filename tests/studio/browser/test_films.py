@@ -65,6 +65,21 @@ def test_a_film_of_kept_states_is_drawn_by_the_camera_of_the_scene(studio):
 
 
 @pytest.mark.extended
+@pytest.mark.parametrize(("kept", "states", "rate"), [(16, 16, 4), (100, 100, 10), (400, 300, 30)])
+def test_a_film_is_proposed_to_last_ten_seconds_where_enough_states_are_kept(studio, kept, states, rate):
+    """Of 16 states it lasts 4 s: fewer than 4 pictures a second are no film."""
+    studio.pause()
+    step = studio.status()["step"]
+    studio.ask(f"void ({RUN}.history = Array.from({{ length: {kept - 1} }}, (_, at) => at - {kept} + {step}))")
+    sheet = open_sheet(studio.page, "Film of what was just seen")
+    assert sheet.get_by_label("States of the film, the last ones").input_value() == str(states)
+    assert sheet.get_by_label("Frames a second").input_value() == str(rate)
+    assert f"a film of {states // rate} s" in sheet.get_by_role("status").inner_text()
+    sheet.get_by_label("Frames a second").fill("2")
+    assert f"a film of {states // 2} s" in sheet.get_by_role("status").inner_text()
+
+
+@pytest.mark.extended
 def test_a_film_that_is_broken_off_leaves_nothing_and_the_run_as_it_was(studio):
     page = studio.page
     studio.step_beyond(60)
