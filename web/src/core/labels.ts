@@ -17,6 +17,14 @@ export function withoutChanges(title: string): string {
   return title.split(`, ${CHANGED}`)[0]!;
 }
 
+/** What the titles of two scenarios that came of one have in common: neither names a change that the other one lacks. */
+export function commonTitle(title: string, other: string): string {
+  const [own, changes] = split(title);
+  const others = split(other)[1]?.split(", ") ?? [];
+  const common = changes?.split(", ").filter((change) => others.includes(change)) ?? [];
+  return common.length ? own + common.join(", ") : withoutChanges(title);
+}
+
 function split(words: string): [string, string | null] {
   const at = words.indexOf(CHANGED);
   return at < 0 ? [words, null] : [words.slice(0, at + CHANGED.length), words.slice(at + CHANGED.length)];

@@ -1,7 +1,7 @@
 /** One simulation as the browser knows it. */
 
 import { differences } from "./beside";
-import { readable, withoutChanges } from "./labels";
+import { commonTitle, readable, withoutChanges } from "./labels";
 import type { Description, Frame, Row, RunName, Status } from "./protocol";
 
 export class Run {
@@ -73,9 +73,9 @@ export function ownTitle({ scenario }: Description): string {
 
 /** The title of what is shown: of two runs side by side without what tells them apart. */
 export function titleOfShown(runs: Run[], current: Run | undefined): string {
-  const titles = new Set(runs.flatMap(({ description }) => (description ? [titleOf(description)] : [])));
   if (!current?.description) return "";
-  return titles.size > 1 ? ownTitle(current.description) || titleOf(current.description) : titleOf(current.description);
+  const titles = [current, ...runs].flatMap(({ description }) => (description ? [titleOf(description)] : []));
+  return titles.reduce(commonTitle);
 }
 
 /** Steps of which all runs keep a state, from the first on: models whose states are larger keep fewer. */
