@@ -105,7 +105,7 @@ const toasts = new Toasts(app, (key) => {
   leadTo(key);
 });
 const unfinished = new Unfinished(app);
-const messages = h("div", { className: "messages" }, new StateNotice(app).element, unfinished.list(), toasts.element);
+const messages = h("div", { className: "messages" }, new StateNotice(app).element, unfinished.overScene(), toasts.element);
 
 app.notices.logged.watch((entry) => entry.level !== "info" && dock.mark(log));
 

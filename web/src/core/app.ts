@@ -138,7 +138,7 @@ export class App {
   async begin(scenario: JsonObject, running = true, changed = false): Promise<void> {
     const before = changed || this.runs.length > 1 ? undefined : this.runs[0];
     const step = before?.status?.live ?? 0;
-    const title = toldTitle(before);
+    const title = before?.description ? titleOf(before.description) : "";
     await this.connection.ask({ command: "create", scenario, running, changed, aside: step > 0, run: this.selected });
     if (changed) return;
     this.restarts.length = 0;
@@ -159,12 +159,11 @@ export class App {
   /** Offer the way back to the run that another scenario took the place of; it leads there and back again. */
   private offerBack(title: string): void {
     const back = () => {
-      const here = this.runs[0];
-      const now = here?.status?.live ?? 0;
+      const { description, status } = this.runs[0]!;
       this.send({ command: "alone" });
       this.opened.send();
       this.note("info", `Back at the run “${title}”, paused.`);
-      if (now > 0) this.offerBack(toldTitle(here));
+      if (description && status?.live) this.offerBack(titleOf(description));
     };
     this.wayBack = this.notices.note("info", `Your run “${title}” is set aside with its moments.`, "", true, { name: "go back to it", act: back });
   }
@@ -297,8 +296,4 @@ export class App {
   private get shown(): string {
     return JSON.stringify([this.view.fields(), this.view.look.paths]);
   }
-}
-
-function toldTitle(run: Run | undefined): string {
-  return run?.description ? titleOf(run.description) : "";
 }

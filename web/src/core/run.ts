@@ -62,8 +62,8 @@ export class Run {
 }
 
 /** The title of a scenario as the page shows it. */
-export function titleOf({ scenario }: Description): string {
-  return readable(String(scenario.title || "Untitled scenario"));
+export function titleOf({ scenario, models }: Description): string {
+  return readable(String(scenario.title || "Untitled scenario"), models);
 }
 
 /** The title that a scenario had before values of it were changed. */

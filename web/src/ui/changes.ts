@@ -1,7 +1,7 @@
 /** The changes of parameters and wind, newest first, each of which can be undone. */
 
 import type { App } from "../core/app";
-import { labelOf } from "../core/labels";
+import { valueLabel } from "../core/labels";
 import { spokenKey } from "../core/notices";
 import type { Change, Json } from "../core/protocol";
 import { type Restart, same } from "../core/restarts";
@@ -9,10 +9,10 @@ import { h, short } from "./dom";
 
 /** The list; ``restart`` puts a value back that restarts the run. */
 export function changeList(app: App, restarts: Restart[], restart: (path: (string | number)[], value: Json) => void): HTMLElement {
-  const live = app.current?.description?.changes ?? [];
+  const { changes: live = [], models = {} } = app.current?.description ?? {};
   const rows = [
-    ...live.toReversed().map((change) => row(`step ${short(change.step, 9)}: ${told(change)}${putBack(live, change)}`, change.undo && (() => undo(app, change)))),
-    ...restarts.toReversed().map(({ path, before, value }) => row(`from the start: ${spokenKey(path.join("."))} ${between(before, value)}`, () => restart(path, before))),
+    ...live.toReversed().map((change) => row(`step ${short(change.step, 9)}: ${told(change, models)}${putBack(live, change)}`, change.undo && (() => undo(app, change)))),
+    ...restarts.toReversed().map(({ path, before, value }) => row(`from the start: ${spokenKey(path.join("."))} ${between(before, value, models)}`, () => restart(path, before))),
   ];
   if (!rows.length) return h("p", { className: "hint" }, "Nothing was changed since the scenario was loaded.");
   return h("ol", { className: "changes", reversed: true }, ...rows);
@@ -34,20 +34,20 @@ function undo(app: App, { key, before }: Change): void {
   void app.ask(key === "wind" ? { command: "wind", wind: before, run } : { command: "set", key, value: before, run });
 }
 
-function told({ key, before, value, summary }: Change): string {
-  return key === "wind" ? `wind ${summary}` : `${spokenKey(key)} ${between(before, value)}`;
+function told({ key, before, value, summary }: Change, models: Record<string, string>): string {
+  return key === "wind" ? `wind ${summary}` : `${spokenKey(key)} ${between(before, value, models)}`;
 }
 
-function between(before: Json, value: Json): string {
-  return `${shown(before)} → ${shown(value)}`;
+function between(before: Json, value: Json, models: Record<string, string>): string {
+  return `${shown(before, models)} → ${shown(value, models)}`;
 }
 
-function shown(value: Json): string {
+function shown(value: Json, models: Record<string, string>): string {
   if (value === null) return "none";
   if (typeof value === "boolean") return value ? "on" : "off";
-  if (typeof value === "string") return labelOf(value);
+  if (typeof value === "string") return valueLabel(value, models);
   if (typeof value === "number") return short(value);
   if (typeof value !== "object") return String(value);
   const kind = Array.isArray(value) ? `${value.length} items` : (value.kind ?? value.name ?? "…");
-  return String(kind);
+  return valueLabel(String(kind), models);
 }

@@ -85,7 +85,7 @@ export class Panel {
       { className: "about" },
       look && h("p", {}, look),
       question && h("p", { className: "question" }, question),
-      h("p", { className: "source" }, readable(String(this.scenario.citation ?? ""))),
+      h("p", { className: "source" }, readable(String(this.scenario.citation ?? ""), this.app.current!.description!.models)),
     );
     return [
       ...this.whose(),
