@@ -93,7 +93,7 @@ function optionRow({ name, kind, title, meaning }: Option, fields: Description["
     return { element: row(input), value: () => (given() ? { [name]: given() } : {}) };
   }
   const labels = kind === "pair" ? [`${title}: first`, `${title}: second`] : [title];
-  const inputs = labels.map((label) => new NumberField({ label, optional: true, whole: kind === "whole" }));
+  const inputs = labels.map((label) => new NumberField({ label, optional: true, signed: true, whole: kind === "whole" }));
   const value = () => {
     const numbers = inputs.map(({ number }) => number);
     return numbers.some((number) => number !== null) ? { [name]: kind === "pair" ? numbers : numbers[0]! } : {};

@@ -18,6 +18,7 @@ export function numberControl(
   const input = new NumberField({
     value: typeof value === "number" ? value : null,
     whole,
+    signed: (bounds(schema)[0] ?? -1) < 0,
     optional: true,
     take: (typed) => take(typed ?? (entry.nullable ? null : (schema.default ?? 0))),
     props: { placeholder: entry.nullable ? "none" : "" },

@@ -9,6 +9,8 @@ export interface NumberOptions {
   whole?: boolean;
   least?: number;
   most?: number;
+  /** Whether it may be negative, where no least number tells. */
+  signed?: boolean;
   /** Whether it may be empty, which counts as null. */
   optional?: boolean;
   /** Takes what was typed, once it is whole and can be read. */
@@ -24,11 +26,11 @@ export class NumberField {
   private readonly trouble = h("output", { className: "misread", role: "alert" });
 
   constructor(private readonly options: NumberOptions) {
-    const { label, value, least, props } = options;
+    const { label, value, signed = false, least = signed ? -1 : 0, props } = options;
     const { className = "", ...more } = props ?? {};
     this.element = h("input", {
       type: "text", // browsers drop a comma from fields of the type number, and read 0,5 as 5
-      inputMode: least !== undefined && least >= 0 ? "decimal" : "text", // keypads for decimals have no minus
+      inputMode: least < 0 ? "text" : "decimal", // keypads for decimals have no minus
       role: "spinbutton",
       autocomplete: "off",
       spellcheck: false,

@@ -87,8 +87,8 @@ export function overlaySheet(app: App): void {
   const input = h("input", { type: "file", accept: [...heights, ".webp"].join(), required: true, "aria-label": "Terrain or photograph", onchange: () => show() });
   const as = h("select", { "aria-label": "Read as", onchange: () => show() }, h("option", { value: "photograph" }, "a photograph"), h("option", { value: "terrain" }, "heights"));
   const level = h("input", { type: "checkbox", checked: true });
-  const lowest = new NumberField({ label: "Height of black (m)", value: 0 });
-  const highest = new NumberField({ label: "Height of white (m)", value: 10 });
+  const lowest = new NumberField({ label: "Height of black (m)", signed: true, value: 0 });
+  const highest = new NumberField({ label: "Height of white (m)", signed: true, value: 10 });
   const row = (text: string, ...controls: (HTMLElement | string)[]) => h("div", { className: "row" }, h("span", {}, text), h("div", { className: "control" }, ...controls));
   const kind = row("read as", as);
   const levelled = row("compare forms only: both with the same mean height", level);

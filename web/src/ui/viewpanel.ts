@@ -231,7 +231,7 @@ export class ViewPanel {
       else ends[end]!.refuse("The lowest value must be below the highest.");
     };
     const ends = ["Lowest value of the colours", "Highest value of the colours"].map(
-      (label, end) => new NumberField({ label, value: limits?.[end] ?? null, take: () => take(end), props: { disabled: !limits } }),
+      (label, end) => new NumberField({ label, value: limits?.[end] ?? null, signed: true, take: () => take(end), props: { disabled: !limits } }),
     );
     const box = h("input", {
       type: "checkbox",
