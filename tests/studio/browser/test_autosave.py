@@ -27,7 +27,11 @@ pytestmark = [
 @contextmanager
 def studio(tmp_path, name=None, steps="100000", more=None):
     """The studio as the command line starts it, with user data of its own: the process and its address."""
-    values = [text for key, value in {**SMALL, "run.steps": steps, **(more or {})}.items() for text in (f"--{key}", value)]
+    values = [
+        text
+        for key, value in {**SMALL, "run.steps": steps, **(more or {})}.items()
+        for text in (f"--{key}", value)
+    ]
     names = [name, *values] if name else []
     command = [sys.executable, "-c", "from barchan.cli import main; main()", "studio", *names]
     options = ["--no-browser", "--port", "0", "--folder", str(tmp_path)]

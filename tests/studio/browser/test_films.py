@@ -70,7 +70,9 @@ def test_a_film_is_proposed_to_last_ten_seconds_where_enough_states_are_kept(stu
     """Of 16 states it lasts 4 s: fewer than 4 pictures a second are no film."""
     studio.pause()
     step = studio.status()["step"]
-    studio.ask(f"void ({RUN}.history = Array.from({{ length: {kept - 1} }}, (_, at) => at - {kept} + {step}))")
+    studio.ask(
+        f"void ({RUN}.history = Array.from({{ length: {kept - 1} }}, (_, at) => at - {kept} + {step}))"
+    )
     sheet = open_sheet(studio.page, "Film of what was just seen")
     assert sheet.get_by_label("States of the film, the last ones").input_value() == str(states)
     assert sheet.get_by_label("Frames a second").input_value() == str(rate)

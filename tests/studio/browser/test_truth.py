@@ -102,7 +102,9 @@ def test_the_panel_tells_the_exaggeration_at_which_the_scene_is_drawn(studio):
             window.barchan.app.changed.send();
         }})()"""
     )
-    assert same_as_beside_the_scale_bar() == "heights to scale" != first  # 8 m over 16 m are steep as they are
+    assert (
+        same_as_beside_the_scale_bar() == "heights to scale" != first
+    )  # 8 m over 16 m are steep as they are
 
 
 def test_exaggeration_is_chosen_from_relief_over_wavelength(studio):
@@ -163,7 +165,9 @@ def test_the_plot_of_crests_stays_where_it_is_while_the_wind_comes_from_several_
     for count, wind in enumerate((270, 0, 90, 180), start=2):  # from the second on the plot is a half turn
         crests = [2.0, 178.0, 91.0, 3.0, 1.0][:count]
         rows = [{"step": at, "values": {"crest_azimuth": one}, "doubts": {}} for at, one in enumerate(crests)]
-        studio.ask(f"void (window.words = [], {RUN}.measures = {json.dumps(rows)}, {RUN}.status.wind = {wind})")
+        studio.ask(
+            f"void (window.words = [], {RUN}.measures = {json.dumps(rows)}, {RUN}.status.wind = {wind})"
+        )
         studio.ask("window.barchan.app.changed.send()")
         studio.until("window.words.filter((word) => String(word).endsWith('°')).length >= 3")
         marks.append([word for word in studio.ask("window.words") if str(word).endswith("°")])
@@ -193,7 +197,8 @@ def test_a_line_of_measures_has_gaps_where_there_is_no_value(studio):
                 const reddish = (at) => strip[at] > 120 && strip[at + 2] < 90 && strip[at + 3] > 90;
                 return Array.from({ length: strip.length / 4 }, (_, pixel) => 4 * pixel).some(reddish);
             };
-            return { dots: chart.series[1].points.filter(chart, 1), inked: [5, 15, 25, 30, 40, 50].map(inked) };
+            const steps = [5, 15, 25, 30, 40, 50];
+            return { dots: chart.series[1].points.filter(chart, 1), inked: steps.map(inked) };
         })()"""
     )
     assert found == {"dots": [3, 5], "inked": [True, False, False, True, False, True]}
