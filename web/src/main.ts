@@ -109,7 +109,7 @@ const toasts = new Toasts(app, (key) => {
 });
 const unfinished = new Unfinished(app);
 app.wayBack.allowed = mayEnd;
-scene.append(h("div", { className: "messages" }, new StateNotice(app).element, unfinished.list(), toasts.element));
+const messages = h("div", { className: "messages" }, new StateNotice(app).element, unfinished.overScene(), toasts.element);
 
 app.notices.logged.watch((entry) => entry.level !== "info" && dock.mark(log));
 
@@ -181,7 +181,7 @@ app.connection.state.watch((state) => {
 });
 page.append(
   bar.element,
-  h("main", {}, h("div", { className: "stage-column" }, scene, tour.element, timeline.element, dock.element), side.element),
+  h("main", {}, h("div", { className: "stage-column" }, h("div", { className: "scene-and-messages" }, scene, messages), tour.element, timeline.element, dock.element), side.element),
 );
 
 const links = new ArrivingLinks(app, files);

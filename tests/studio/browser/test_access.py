@@ -241,7 +241,7 @@ def test_rows_show_their_numbers_whole_beside_sliders_wide_enough_to_drag(studio
     page.set_viewport_size({"width": 1280, "height": 720})
     for details in page.locator(".panel details").all():
         details.evaluate("(one) => (one.open = true)")
-    cut = """[...document.querySelectorAll('.panel .control input[type=number]')]
+    cut = """[...document.querySelectorAll('.panel .control .number')]
         .filter((one) => one.clientWidth > 0 && one.scrollWidth > one.clientWidth)
         .map((one) => one.dataset.path)"""
     assert studio.ask(cut) == []

@@ -25,9 +25,13 @@ pytestmark = [
 
 
 @contextmanager
-def studio(tmp_path, name=None, steps="100000"):
+def studio(tmp_path, name=None, steps="100000", more=None):
     """The studio as the command line starts it, with user data of its own: the process and its address."""
-    values = [text for key, value in {**SMALL, "run.steps": steps}.items() for text in (f"--{key}", value)]
+    values = [
+        text
+        for key, value in {**SMALL, "run.steps": steps, **(more or {})}.items()
+        for text in (f"--{key}", value)
+    ]
     names = [name, *values] if name else []
     command = [sys.executable, "-c", "from barchan.cli import main; main()", "studio", *names]
     options = ["--no-browser", "--port", "0", "--folder", str(tmp_path)]
@@ -66,6 +70,28 @@ def test_a_run_whose_studio_was_killed_is_offered_and_goes_on_where_it_stopped(t
         uninterrupted.advance(step)
         assert page.evaluate(f"{RUN}.status.highest") == highest_stack(uninterrupted.bed.stack)
         assert page.evaluate(f"{RUN}.status.volume") == uninterrupted.bed.volume
+
+
+def test_an_offer_is_put_off_and_names_model_and_values_in_words(tmp_path, visit):
+    home = tmp_path / "barchan" / "studio-autosave"
+    with studio(tmp_path, "barchans", "20", {"model.name": "nield_baas"}) as (process, _):
+        wait_for(lambda: step_on_disk(home) == 20)
+        os.kill(process.pid, signal.SIGKILL)
+    with studio(tmp_path, "barchans") as (_, address):
+        page = visit(address)
+        offer = page.locator(".messages .unfinished li")
+        until(page, f"{RUN}?.status?.step >= 0")
+        assert "model Nield" in offer.inner_text()
+        assert "_" not in offer.inner_text()
+        page.screenshot(path=tmp_path / "unfinished.png")
+        offer.get_by_role("button", name="later").click()
+        offer.wait_for(state="detached")
+        page.keyboard.press("g")
+        in_gallery = page.locator("dialog .unfinished li")
+        in_gallery.wait_for()
+        assert in_gallery.get_by_role("button", name="later").count() == 0
+        page.reload()
+        offer.wait_for()
 
 
 def test_a_run_that_is_discarded_is_not_offered_again(tmp_path, visit):

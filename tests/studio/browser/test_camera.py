@@ -90,6 +90,40 @@ def test_a_view_that_somebody_has_chosen_is_kept(studio):
     assert studio.ask("window.barchan.stage.camera.position.toArray()") == pytest.approx(position)
 
 
+def test_another_scenario_begins_with_its_whole_field_in_view_and_a_changed_value_does_not(studio):
+    begin(studio, rows=48, columns=64)
+    studio.ask("window.barchan.stage.turn(0.7, 0.2, 0.3)")
+    position = studio.ask("window.barchan.stage.camera.position.toArray()")
+    scenario = "window.barchan.app.runs[0].description.scenario"
+    changed = f"{{ ...{scenario}, lattice: {{ rows: 40, columns: 64 }} }}"
+    studio.ask(f"window.barchan.app.create({changed}, false, true)")
+    studio.until("window.barchan.app.runs[0].ready && window.barchan.app.runs[0].rows === 40")
+    studio.picture()
+    assert studio.ask("window.barchan.stage.camera.position.toArray()") == pytest.approx(position)
+    begin(studio, rows=12, columns=96)
+    assert studio.ask("window.barchan.stage.fits")
+    assert_filled(studio)
+    studio.ask("window.barchan.stage.look('top')")
+    studio.ask("window.barchan.stage.turn(0, 0, 0.2)")
+    begin(studio, rows=96, columns=12)
+    assert studio.ask("window.barchan.stage.camera.isOrthographicCamera")  # still from above
+    assert_filled(studio)
+
+
+def test_a_run_that_is_opened_or_gone_back_to_begins_with_its_whole_field_in_view(studio):
+    studio.pause()
+    studio.ask("window.barchan.app.ask({ command: 'save', name: 'whole' })")
+    begin(studio, rows=12, columns=96)
+    for way in ("open({ command: 'open', name: 'whole' })", "notices.standing.at(-1).way.act()"):
+        studio.ask("window.barchan.stage.turn(0.7, 0.2, 0.3)")
+        studio.ask(f"window.barchan.app.{way}")
+        studio.until("window.barchan.app.runs[0].ready && window.barchan.app.runs[0].rows === 48")
+        studio.picture()
+        assert studio.ask("window.barchan.stage.fits")
+        assert_filled(studio)
+        begin(studio, rows=12, columns=96)
+
+
 def assert_comes_to_rest(studio):
     for _ in range(40):
         heading = studio.ask("window.barchan.stage.heading()")

@@ -65,6 +65,23 @@ def test_a_film_of_kept_states_is_drawn_by_the_camera_of_the_scene(studio):
 
 
 @pytest.mark.extended
+@pytest.mark.parametrize(("kept", "states", "rate"), [(16, 16, 4), (100, 100, 10), (400, 300, 30)])
+def test_a_film_is_proposed_to_last_ten_seconds_where_enough_states_are_kept(studio, kept, states, rate):
+    """Of 16 states it lasts 4 s: fewer than 4 pictures a second are no film."""
+    studio.pause()
+    step = studio.status()["step"]
+    studio.ask(
+        f"void ({RUN}.history = Array.from({{ length: {kept - 1} }}, (_, at) => at - {kept} + {step}))"
+    )
+    sheet = open_sheet(studio.page, "Film of what was just seen")
+    assert sheet.get_by_label("States of the film, the last ones").input_value() == str(states)
+    assert sheet.get_by_label("Frames a second").input_value() == str(rate)
+    assert f"a film of {states // rate} s" in sheet.get_by_role("status").inner_text()
+    sheet.get_by_label("Frames a second").fill("2")
+    assert f"a film of {states // 2} s" in sheet.get_by_role("status").inner_text()
+
+
+@pytest.mark.extended
 def test_a_film_that_is_broken_off_leaves_nothing_and_the_run_as_it_was(studio):
     page = studio.page
     studio.step_beyond(60)
@@ -147,7 +164,8 @@ def test_escape_ends_a_recording_and_saves_it_and_says_how_long_it_is(studio):
 
 
 @pytest.mark.extended
-def test_escape_while_a_film_is_written_breaks_it_off_and_says_so_before_the_sheet_closes(studio):
+def test_escape_while_a_film_is_written_asks_before_it_breaks_anything_off(studio):
+    """Escape pressed again and again loses nothing: it asks, and takes the question back."""
     page = studio.page
     studio.step_beyond(60)
     studio.pause()
@@ -155,8 +173,18 @@ def test_escape_while_a_film_is_written_breaks_it_off_and_says_so_before_the_she
     sheet.get_by_label("Name of the file").fill("escaped")
     sheet.get_by_role("button", name="write the film").click()
     sheet.get_by_role("button", name="cancel").wait_for()
-    page.keyboard.press("Escape")
+    question = sheet.get_by_role("alertdialog", name="Break it off?")
+    for asked in (True, False, True):
+        page.keyboard.press("Escape")
+        assert question.is_visible() == asked
+        assert sheet.get_by_role("button", name="cancel").is_visible()
+    sheet.get_by_role("button", name="Close").click()
+    assert question.is_hidden()
+    page.mouse.click(5, 300)
+    assert question.is_visible()
+    question.get_by_role("button", name="break it off").click()
     sheet.get_by_text("nothing was written").wait_for()
+    assert question.is_hidden()
     page.keyboard.press("Escape")
     sheet.wait_for(state="detached")
     assert list((studio.folder / "studio-exports").rglob("escaped*")) == []

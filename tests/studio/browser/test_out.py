@@ -61,6 +61,28 @@ def test_the_ruler_measures_a_plane_between_two_places_by_keys_and_by_mouse(stud
 
 
 @pytest.mark.extended
+def test_messages_leave_the_scene_to_the_ruler(studio):
+    show_plane(studio)
+    page = studio.page
+    studio.ask("window.barchan.app.note('error', 'Something was refused.')")
+    toast = page.locator(".toast.error", has_text="Something was refused.")
+    scene = page.locator(".scene").bounding_box()
+    assert toast.bounding_box()["y"] < scene["y"] + scene["height"] / 2
+    page.keyboard.press("m")
+    studio.picture()
+    page.screenshot(path=studio.folder / "ruler-and-messages.png")
+    measuring = page.locator(".scene").bounding_box()
+    for message in page.locator(".messages").locator(".toast, .notice").all():
+        if message.is_visible():
+            assert message.bounding_box()["y"] >= measuring["y"] + measuring["height"]
+    assert measuring["height"] > scene["height"] / 2
+    toast.get_by_role("button", name="Dismiss").click()
+    page.keyboard.press("m")
+    page.locator(".ruler").wait_for(state="hidden")
+    assert page.locator(".scene").bounding_box() == scene
+
+
+@pytest.mark.extended
 def test_two_clicks_measure_as_a_drag_does(studio):
     show_plane(studio)
     page = studio.page

@@ -2,6 +2,8 @@
 
 import pytest
 
+from tests.studio.browser.test_measures import saved
+
 WATCH = """(() => {
     const { app, stage } = window.barchan;
     window.pictures = [];
@@ -117,6 +119,65 @@ def test_measures_and_section_name_both_runs_and_give_the_values_of_both(pair):
     readout = page.locator(".readout:visible").inner_text()
     assert all(f"{name}: elevation" in readout for name in names)
     page.keyboard.press("1")
+
+
+@pytest.mark.extended
+def test_two_values_side_by_side_are_told_apart_wherever_runs_are_named(studio):
+    page = studio.page
+    page.set_viewport_size({"width": 1280, "height": 720})
+    title = page.locator(".bar .title").inner_text()
+    assert "changed: " in title  # which both have in common
+    studio.ask("window.barchan.app.ask({ command: 'compare', key: 'model.hop_length', value: 10 })")
+    studio.until(
+        "window.barchan.app.runs.length === 2"
+        " && window.barchan.app.runs.every((run) => run.ready && run.measures.length >= 2)"
+    )
+    studio.ask("window.barchan.app.send({ command: 'pause' })")
+    studio.until("!window.barchan.app.running")
+    studio.picture()
+    names = ["hop length 5", "hop length 10"]
+    assert page.locator(".bar .model").text_content() == "  ·  ".join(names)
+    assert page.locator(".bar .title").inner_text() == title
+    assert [text.split(" · ")[0] for text in page.locator(".names span").all_inner_texts()] == names
+    assert page.locator(".whose button").all_inner_texts() == [f"left: {names[0]}", f"right: {names[1]}"]
+    page.keyboard.press("2")
+    assert page.locator(".run-names > span").all_inner_texts() == names
+    assert {row["run"]: row["name"] for row in saved(studio, "Save the measures as CSV")} == dict(
+        zip("AB", names, strict=True)
+    )
+    page.keyboard.press("1")
+    page.locator(".plot:visible").hover()
+    readout = page.locator(".readout:visible").inner_text()
+    assert all(f"{name}: elevation" in readout for name in names)
+    row = saved(studio, "Save the section as CSV")[0]
+    assert [row["name_a"], row["name_b"]] == names
+    page.keyboard.press("1")
+    page.screenshot(path=studio.folder / "two-values.png")
+    studio.ask("window.barchan.app.send({ command: 'alone' })")
+    studio.until("window.barchan.app.runs.length === 1")
+
+
+@pytest.mark.extended
+def test_runs_of_equal_models_are_told_apart_by_whatever_else_differs(studio):
+    """Runs as an opened pair may have them; of those that are alike nothing but the side is left."""
+    told = """(other) => {
+        const { app } = window.barchan;
+        const run = Object.create(app.runs[0], { name: { value: "b" } });
+        run.description = structuredClone(app.runs[0].description);
+        other(run.description.scenario);
+        app.runs.push(run);
+        app.changed.send();
+        const text = document.querySelector(".bar .model").textContent;
+        app.runs.pop();
+        return text;
+    }"""
+    studio.pause()
+    for change, text in (
+        ("(one) => (one.wind.direction = 225)", "direction 270  ·  direction 225"),
+        ("(one) => (one.run.seed = 7)", "seed 3  ·  seed 7"),
+        ("() => {}", "Werner 1995, left  ·  Werner 1995, right"),
+    ):
+        assert studio.ask(f"({told})({change})") == text
 
 
 @pytest.mark.extended

@@ -75,6 +75,38 @@ def test_the_exaggeration_stands_beside_the_scale_bar_and_below_the_section(stud
     assert any(str(word).startswith("heights ×") for word in studio.ask("window.words"))
 
 
+def test_the_panel_tells_the_exaggeration_at_which_the_scene_is_drawn(studio):
+    """Of a paused run, whatever chose it: nobody, the slider, or a relief that has become another one."""
+    page = studio.page
+    studio.pause()
+    page.get_by_role("tab", name="View").click()
+    row = page.locator(".row", has_text="vertical exaggeration")
+
+    def same_as_beside_the_scale_bar() -> str:
+        studio.picture()
+        beside = page.locator(".steeper").inner_text().removeprefix("heights × ")
+        assert row.locator(".unit").inner_text() == f"{beside.replace('heights to scale', '1')} ×"
+        return beside
+
+    first = same_as_beside_the_scale_bar()
+    page.get_by_label("vertical exaggeration").evaluate(
+        "(slider) => { slider.value = Math.log(20); slider.dispatchEvent(new Event('input')); }"
+    )
+    assert same_as_beside_the_scale_bar() == "20"
+    page.get_by_label("automatic", exact=True).check()
+    assert same_as_beside_the_scale_bar() == first
+    studio.ask(
+        f"""(() => {{
+            const run = {RUN};
+            run.surface = run.surface.map((_, i) => 4 * Math.sin((2 * Math.PI * (i % 64)) / 16));
+            window.barchan.app.changed.send();
+        }})()"""
+    )
+    assert (
+        same_as_beside_the_scale_bar() == "heights to scale" != first
+    )  # 8 m over 16 m are steep as they are
+
+
 def test_exaggeration_is_chosen_from_relief_over_wavelength(studio):
     """Of a sine of height H and length L: 0.11 / (H / L), within 1 and 4 for forms that can be seen so."""
     studio.pause()
@@ -122,6 +154,54 @@ def test_crests_are_plotted_without_jumps(studio):
     studio.ask("window.barchan.app.changed.send()")
     plotted = studio.ask("window.barchan.series.data('crest_azimuth')[1]")
     assert plotted == [-2, 2, -1, 1]
+
+
+def test_the_plot_of_crests_stays_where_it_is_while_the_wind_comes_from_several_sides(studio):
+    """A crest at 91, beyond the upper end of the plot, is one at 89 below its middle."""
+    studio.pause()
+    studio.page.keyboard.press("2")
+    studio.ask(LISTEN)
+    marks = []
+    for count, wind in enumerate((270, 0, 90, 180), start=2):  # from the second on the plot is a half turn
+        crests = [2.0, 178.0, 91.0, 3.0, 1.0][:count]
+        rows = [{"step": at, "values": {"crest_azimuth": one}, "doubts": {}} for at, one in enumerate(crests)]
+        studio.ask(
+            f"void (window.words = [], {RUN}.measures = {json.dumps(rows)}, {RUN}.status.wind = {wind})"
+        )
+        studio.ask("window.barchan.app.changed.send()")
+        studio.until("window.words.filter((word) => String(word).endsWith('°')).length >= 3")
+        marks.append([word for word in studio.ask("window.words") if str(word).endswith("°")])
+    assert marks[0][:3] == ["150°", "0°", "30°"]
+    assert {tuple(one[:5]) for one in marks[1:]} == {("90°", "135°", "0°", "45°", "90°")}
+    assert studio.ask("window.barchan.series.data('crest_azimuth')[1]") == [2, -2, -89, 3, 1]
+
+
+def test_a_line_of_measures_has_gaps_where_there_is_no_value(studio):
+    """Of six values 3 and 5 are missing: a line from the first to the second, a dot, and a dot."""
+    studio.pause()
+    studio.page.keyboard.press("2")
+    values = [1.0, 2.0, None, 1.5, None, 1.0]
+    rows = [
+        {"step": 10 * at, "values": {"speed": one} if one else {}, "doubts": {}}
+        for at, one in enumerate(values)
+    ]
+    studio.ask(f"void ({RUN}.measures = {json.dumps(rows)})")
+    studio.ask("window.barchan.app.changed.send()")
+    studio.page.wait_for_timeout(200)
+    found = studio.ask(
+        """(() => {
+            const { chart } = window.barchan.series.charts.find(({ measure }) => measure.name === "speed");
+            const inked = (step) => {
+                const x = Math.round(chart.valToPos(step, "x", true));
+                const strip = chart.ctx.getImageData(x - 1, chart.bbox.top, 3, chart.bbox.height).data;
+                const reddish = (at) => strip[at] > 120 && strip[at + 2] < 90 && strip[at + 3] > 90;
+                return Array.from({ length: strip.length / 4 }, (_, pixel) => 4 * pixel).some(reddish);
+            };
+            const steps = [5, 15, 25, 30, 40, 50];
+            return { dots: chart.series[1].points.filter(chart, 1), inked: steps.map(inked) };
+        })()"""
+    )
+    assert found == {"dots": [3, 5], "inked": [True, False, False, True, False, True]}
 
 
 def test_before_the_first_picture_nothing_is_said_that_is_not_known(chromium, server):

@@ -43,6 +43,8 @@ export class App {
   readonly notices = new Notices();
   readonly overlay = new Overlay();
   readonly wayBack = new WayBack(this);
+  /** Another scenario or run has taken the place of the one before: its first frame is there. */
+  readonly opened = new Signal<void>();
   readonly described = new Signal<Run>();
   readonly framed = new Signal<Run>();
   /** A parameter or the wind of a run was changed while it went on. */
@@ -259,12 +261,17 @@ export class App {
   /** Take frames over into their runs, all before anything is drawn of them. */
   private show(frames: Frame[]): void {
     const taken = new Set<Run>();
+    let opened = false;
     for (const frame of frames) {
       const run = this.run(frame.run);
-      if (run?.coming?.description.loaded === frame.loaded) this.describe(run, run.coming.description);
+      if (run?.coming?.description.loaded === frame.loaded) {
+        this.describe(run, run.coming.description);
+        opened = true;
+      }
       run?.take(frame);
       if (run) taken.add(run);
     }
+    if (opened) this.opened.send();
     for (const run of taken) this.framed.send(run);
   }
 

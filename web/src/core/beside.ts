@@ -18,16 +18,33 @@ export function otherValue(entry: Entry, value: Json): Json {
   return half !== value && (low === null || half > low) ? half : null;
 }
 
-/** Keys and values in which one group differs from another, as words: `hop length 5`. */
-export function differences(group: JsonObject, other: JsonObject): string[] {
-  return Object.keys(group)
-    .filter((key) => JSON.stringify(group[key]) !== JSON.stringify(other[key]))
-    .map((key) => `${labelOf(key)} ${shown(group[key] ?? null)}`);
+/** Keys and values in which one group differs from another, within groups as well, as words: `hop length 5`. */
+export function differences(group: JsonObject, other: JsonObject, name = ""): string[] {
+  return Object.keys(group).flatMap((key) => between(KINDS.has(key) && name ? name : key, group[key] ?? null, other[key] ?? null));
+}
+
+/** Keys that tell of what kind a group is, which is therefore called by its own name. */
+const KINDS = new Set(["kind", "name"]);
+
+function between(key: string, own: Json, other: Json): string[] {
+  if (JSON.stringify(own) === JSON.stringify(other)) return [];
+  const [inner, others] = [own, other].map(keyed);
+  const found = inner && others ? differences(inner, others, key) : [];
+  return found.length ? found : [`${labelOf(key)} ${shown(own)}`];
+}
+
+/** A group, or a list of groups, by keys; null for anything else. */
+function keyed(value: Json): JsonObject | null {
+  if (value === null || typeof value !== "object") return null;
+  if (!Array.isArray(value)) return value;
+  return !value.length || value.some((one) => keyed(one) === null) ? null : Object.fromEntries(value.map((one, at) => [String(at + 1), one]));
 }
 
 function shown(value: Json): string {
-  if (typeof value === "number") return String(Number(value.toPrecision(4)));
+  if (typeof value === "number") return String(Number(value.toPrecision(6)));
   if (value === null) return "none";
   if (typeof value === "boolean") return value ? "on" : "off";
-  return typeof value === "string" ? labelOf(value) : JSON.stringify(value);
+  if (typeof value === "string") return labelOf(value);
+  if (!Array.isArray(value)) return String(value.kind ?? value.name ?? "given");
+  return value.some((one) => one !== null && typeof one === "object") ? `of ${value.length}` : value.map(shown).join("/") || "none";
 }

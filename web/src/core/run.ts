@@ -1,8 +1,7 @@
 /** One simulation as the browser knows it. */
 
 import { differences } from "./beside";
-import { readable } from "./labels";
-import type { JsonObject } from "./protocol";
+import { commonTitle, readable, withoutChanges } from "./labels";
 import type { Description, Frame, Row, RunName, Status } from "./protocol";
 
 export class Run {
@@ -73,8 +72,20 @@ export class Run {
 }
 
 /** The title of a scenario as the page shows it. */
-export function titleOf({ scenario }: Description): string {
-  return readable(String(scenario.title || "Untitled scenario"));
+export function titleOf({ scenario, models }: Description): string {
+  return readable(String(scenario.title || "Untitled scenario"), models);
+}
+
+/** The title that a scenario had before values of it were changed. */
+export function ownTitle({ scenario }: Description): string {
+  return withoutChanges(String(scenario.title ?? ""));
+}
+
+/** The title of what is shown: of two runs side by side without what tells them apart. */
+export function titleOfShown(runs: Run[], current: Run | undefined): string {
+  if (!current?.description) return "";
+  const titles = [current, ...runs].flatMap(({ description }) => (description ? [titleOf(description)] : []));
+  return titles.reduce(commonTitle);
 }
 
 /** Steps of which all runs keep a state, from the first on: models whose states are larger keep fewer. */
@@ -90,10 +101,22 @@ export function shownSteps(runs: Run[]): number[] {
   return status ? [...commonHistory(runs).filter((step) => step < status.step), status.step] : [];
 }
 
-/** How a run is named beside another: by its model, or where both have the same, by what differs. */
+/** Groups of a scenario by which two runs of one model can differ, those first that tell more. */
+const GROUPS = ["model", "wind", "sand", "ground", "plants", "weather", "lattice", "run"];
+
+/** How a run is named beside another: by its model, or where both have the same, by what differs; two that are alike by their sides. */
 export function nameBeside(run: Run, other: Run | undefined): string {
   const [own, others] = [run.description, other?.description];
   if (!own || !others || own.model.name !== others.model.name) return own?.model.title ?? "";
-  const differ = differences(own.scenario.model as JsonObject, others.scenario.model as JsonObject);
-  return differ.length ? differ.slice(0, 2).join(", ") : own.model.title;
+  for (const group of GROUPS) {
+    const [values, beside] = [own, others].map(({ scenario }) => ({ [group]: scenario[group] ?? null }));
+    const differ = differences(values!, beside!);
+    if (differ.length) return differ.slice(0, 2).join(", ");
+  }
+  return `${own.model.title}, ${run.name === "a" ? "left" : "right"}`;
+}
+
+/** How the runs of the page are named: by what tells them apart, one alone by its model. */
+export function namesOf(runs: Run[]): string[] {
+  return runs.map((run, at) => nameBeside(run, runs[1 - at]));
 }

@@ -48,7 +48,7 @@ export class WayBack {
     const before = this.title;
     this.forget();
     if (typeof aside !== "string") return;
-    const title = (this.title = aside ? readable(aside) : "without a title");
+    const title = (this.title = aside ? readable(aside, this.app.current?.description?.models) : "without a title");
     const ended = before !== null && before !== title ? ` “${before}”, which was set aside before, has ended.` : "";
     const way = { name: "go back to it", act: () => void this.lead() };
     this.entry = this.app.notices.note("info", `Your run “${title}” is set aside with its moments.${ended}`, "", true, way);

@@ -81,6 +81,11 @@ export class Camera {
     this.fit();
   }
 
+  /** Keep the whole field in view again, seen as it is seen now: obliquely, from above or from the side. */
+  fitAgain(): void {
+    this.look(this.viewpoint);
+  }
+
   /** Whether the whole field is kept in view, as nobody has moved the camera. */
   get fits(): boolean {
     return !this.touched;

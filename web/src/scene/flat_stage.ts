@@ -58,6 +58,7 @@ export class FlatStage {
       this.turn(0, 0, event.deltaY > 0 ? 1.1 : 0.9);
     });
     this.resized.observe(host);
+    app.opened.watch(() => this.look());
     app.framed.watch(() => this.redraw());
     app.changed.watch(() => this.redraw());
     app.view.changed.watch(() => this.redraw());
@@ -76,7 +77,7 @@ export class FlatStage {
     this.canvas.remove();
   }
 
-  look(_from: string): void {
+  look(_from = ""): void {
     this.zoom = 1;
     this.redraw();
   }

@@ -12,6 +12,8 @@ export interface Place {
 }
 
 const MARCH = 600;
+/** Parts of the field to which a place is known; finer ones at its edges would be rounding errors. */
+const PARTS = 1e6;
 
 /** The place under a point of the view (-1 to 1), null beside the field. */
 export function pick(
@@ -45,7 +47,8 @@ export function pick(
     const column = Math.min(Math.floor(x * columns), columns - 1);
     const row = Math.min(Math.floor(y * rows), rows - 1);
     if (origin.y + t * direction.y <= terrain.inScene(terrain.drawn[row * columns + column]!)) {
-      return { x: x * terrain.extent[0], y: y * terrain.extent[1], row, column };
+      const [across, up] = [x, y].map((share) => Math.round(share * PARTS) / PARTS) as [number, number];
+      return { x: across * terrain.extent[0], y: up * terrain.extent[1], row, column };
     }
   }
   return null;

@@ -57,6 +57,7 @@ export class Stage {
     this.view.onMoved = () => this.redraw();
     this.view.mayTurn = () => app.view.look.turning && !this.steady && !this.still.matches && !this.plain && this.surfaces.runs.some((run) => run.ready);
     this.resized.observe(host);
+    app.opened.watch(() => this.begin());
     app.framed.watch((run) => this.refresh(run));
     app.changed.watch(() => this.all());
     app.view.changed.watch(() => this.all());
@@ -212,6 +213,13 @@ export class Stage {
     this.renderer.dispose();
     this.renderer.forceContextLoss();
     this.canvas.remove();
+  }
+
+  /** Show a run that has taken the place of another one as if there had been none: its whole field is in view. */
+  private begin(): void {
+    this.surfaces.forget();
+    this.view.fitAgain();
+    this.all();
   }
 
   private all(): void {

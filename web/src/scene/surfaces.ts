@@ -81,6 +81,12 @@ export class Surfaces {
     return this.room;
   }
 
+  /** Other runs have taken the place of those that are shown. */
+  forget(): void {
+    this.room = EMPTY.clone();
+    for (const { terrain } of this.shown) terrain.forget();
+  }
+
   /** Draw all into a canvas of a width and height (pixels of the page). */
   paint(width: number, height: number, manner: Manner): void {
     const { renderer, count } = this;

@@ -140,11 +140,15 @@ export class Terrain {
   /** Note where the wind comes from when a run begins; to be called before `update`. */
   begin(run: Run): void {
     const { step, wind } = run.status!;
-    if (this.firstWind === null || step < this.lastStep) {
-      this.firstWind = wind;
-      this.usual = Number.POSITIVE_INFINITY;
-    }
+    if (step < this.lastStep) this.forget();
+    this.firstWind ??= wind;
     this.lastStep = step;
+  }
+
+  /** Choose sun and exaggeration anew. */
+  forget(): void {
+    this.firstWind = null;
+    this.usual = Number.POSITIVE_INFINITY;
   }
 
   private set(run: Run, plain: boolean): void {

@@ -2,9 +2,10 @@
 
 import type { App } from "../core/app";
 import type { Status } from "../core/protocol";
-import { titleOf } from "../core/run";
+import { namesOf, titleOfShown } from "../core/run";
 import { button, duration, h, metres, short } from "./dom";
 import { icon } from "./icons";
+import { NumberField } from "./number_field";
 import { Speed } from "./speed";
 import { stepsOf } from "./steps";
 import { watchingNote } from "./watching";
@@ -15,14 +16,7 @@ export class Bar {
   private readonly model = h("span", { className: "model" });
   private readonly play: HTMLButtonElement;
   private readonly limit: Speed;
-  private readonly count = h("input", {
-    type: "number",
-    value: "100",
-    min: "1",
-    max: "1000000",
-    className: "count",
-    "aria-label": "Number of steps",
-  });
+  private readonly count = new NumberField({ label: "Number of steps", value: 100, whole: true, least: 1, most: 1_000_000, props: { className: "count" } });
   private readonly numbers: Record<string, HTMLElement> = {};
 
   constructor(
@@ -49,8 +43,8 @@ export class Bar {
       { className: "controls", role: "group", "aria-label": "Run" },
       this.play,
       button("One step (.)", icon("step"), () => this.step(1)),
-      this.count,
-      button("do these steps", "do", () => this.step(Number(this.count.value) || 1)),
+      this.count.element,
+      button("do these steps", "do", () => this.count.number !== null && this.step(this.count.number)),
       this.limit.element,
       button("Restart with the same seed (R)", icon("restart"), () => this.restart()),
     );
@@ -103,10 +97,9 @@ export class Bar {
   private show(): void {
     const run = this.app.current;
     const { description, status } = run ?? {};
-    const titles = this.app.runs.map((one) => one.description?.model.title).filter(Boolean);
-    const title = description ? titleOf(description) : "";
+    const title = titleOfShown(this.app.runs, run);
     this.title.textContent = this.title.title = title;
-    this.model.textContent = titles.join("  ·  ");
+    this.model.textContent = this.model.title = namesOf(this.app.runs).filter(Boolean).join("  ·  ");
     document.title = title ? `${title} – Barchan studio` : "Barchan studio";
     const running = this.app.running;
     this.showRunning(running);

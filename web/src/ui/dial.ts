@@ -1,13 +1,14 @@
 /** A dial for directions: where the wind comes from, clockwise from north. */
 
 import { h, svg } from "./dom";
+import { NumberField } from "./number_field";
 
 const R = 46;
 
 export class Dial {
   readonly element: HTMLElement;
   private readonly arrow: SVGElement;
-  private readonly input: HTMLInputElement;
+  private readonly input: NumberField;
   private value = 270;
 
   constructor(label: string, private readonly take: (direction: number) => void, size = 120) {
@@ -36,22 +37,14 @@ export class Dial {
     face.addEventListener("pointermove", (event) => {
       if ((event as PointerEvent).buttons) this.turn(event as PointerEvent, face);
     });
-    this.input = h("input", {
-      type: "number",
-      min: "0",
-      max: "359.9",
-      step: "any",
-      "aria-label": label,
-      title: label,
-      onchange: () => this.choose(Number(this.input.value)),
-    });
-    this.element = h("div", { className: "dial-box" }, face as unknown as HTMLElement, h("label", {}, "from ", this.input, " °"));
+    this.input = new NumberField({ label, take: (direction) => this.choose(direction!), props: { title: label } });
+    this.element = h("div", { className: "dial-box" }, face as unknown as HTMLElement, h("label", {}, "from ", this.input.element, " °"));
   }
 
   show(direction: number): void {
     this.value = direction;
     this.arrow.setAttribute("transform", `rotate(${direction})`);
-    if (document.activeElement !== this.input) this.input.value = String(Number(direction.toFixed(1)));
+    if (document.activeElement !== this.input.element) this.input.show(Number(direction.toFixed(1)));
   }
 
   private drag(event: PointerEvent, face: Element): void {

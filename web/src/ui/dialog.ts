@@ -1,4 +1,4 @@
-/** Sheets over the page, closed by Escape. */
+/** Sheets over the page, closed by Escape; one that works asks before it breaks that off. */
 
 import type { Progress } from "../core/connection";
 import { h } from "./dom";
@@ -10,6 +10,11 @@ export function dialog(title: string, className: string, ...content: Content[]):
   const element = h("dialog", { className, "aria-label": title }, h("header", {}, h("h2", {}, title), close), ...content);
   element.addEventListener("click", (event) => {
     if (event.target === element) leave(element);
+  });
+  element.addEventListener("keydown", (event) => {
+    if (event.key !== "Escape" || event.defaultPrevented) return;
+    event.preventDefault(); // browsers let a sheet refuse only the first of several Escapes
+    leave(element);
   });
   element.addEventListener("close", () => element.remove());
   document.body.append(element);
@@ -28,60 +33,101 @@ const SOON = 300;
 /** Does what a sheet asks for; `progress` shows how far it is, `signal` says that it was broken off. */
 export type Submit = (progress: Progress, signal: AbortSignal) => Promise<void>;
 
-/** A sheet with a form, which Enter submits; where that is refused it stays open and says why. While it works, Escape breaks that off and leaves the sheet open, which says so. */
+/** What stands at the foot of a sheet while it works: how far that is, and the ways to break it off. */
+class Work {
+  readonly bar = h("progress", { "aria-label": "Progress" });
+  readonly stop = h("button", { type: "button", onclick: () => this.breakOff() }, "cancel");
+  /** Shown where somebody is about to leave the sheet. */
+  readonly question: HTMLElement;
+  private readonly stay = h("button", { type: "button", className: "primary", onclick: () => this.ask(false) }, "go on");
+  private running: AbortController | null = null;
+
+  constructor() {
+    const give = h("button", { type: "button", onclick: () => this.breakOff() }, "break it off");
+    this.question = h("div", { className: "notice", role: "alertdialog", "aria-label": "Break it off?", hidden: true }, h("span", {}, "This is not finished. Break it off? Nothing of it is kept then."), this.stay, give);
+    this.end();
+  }
+
+  begin(): AbortSignal {
+    this.running = new AbortController();
+    return this.running.signal;
+  }
+
+  readonly progress: Progress = (done, of) => {
+    this.bar.hidden = this.stop.hidden = false;
+    showOn(this.bar, done, of);
+  };
+
+  end(): void {
+    this.running = null;
+    this.bar.hidden = this.stop.hidden = true;
+    this.ask(false);
+  }
+
+  breakOff(): void {
+    this.running?.abort();
+    this.ask(false);
+  }
+
+  /** Let a sheet be left only where nothing runs: whoever wants to leave is asked, and wanting that again means to go on. */
+  guard(sheet: HTMLDialogElement): void {
+    sheet.addEventListener("cancel", (event) => {
+      if (!this.running) return;
+      event.preventDefault();
+      if (!this.running.signal.aborted) this.ask(this.question.hidden === true);
+    });
+    sheet.addEventListener("close", () => this.running?.abort());
+  }
+
+  private ask(asked: boolean): void {
+    this.question.hidden = !asked;
+    if (asked) this.stay.focus();
+  }
+}
+
+/** A sheet with a form, which Enter submits; where that is refused it stays open and says why. What is broken off leaves it open, too. */
 export function formDialog(title: string, action: string, submit: Submit, ...content: Content[]): HTMLDialogElement {
   const trouble = h("output", { className: "trouble", role: "alert" });
   const button = h("button", { type: "submit", className: "primary" }, action);
-  const stop = h("button", { type: "button", hidden: true, onclick: () => work?.abort() }, "cancel");
-  const bar = h("progress", { hidden: true, "aria-label": "Progress" });
-  let work: AbortController | null = null;
-  const progress = (done: number, of: number) => {
-    bar.hidden = stop.hidden = false;
-    showOn(bar, done, of);
-  };
+  const work = new Work();
   const send = async (event: Event) => {
     event.preventDefault();
     button.disabled = true;
     trouble.textContent = "";
-    const own = (work = new AbortController());
+    const signal = work.begin();
     try {
-      await submit(progress, own.signal);
+      await submit(work.progress, signal);
       element.close();
     } catch (error) {
-      trouble.textContent = own.signal.aborted ? "Broken off; nothing was written." : error instanceof Error ? error.message : String(error);
+      trouble.textContent = signal.aborted ? "Broken off; nothing was written." : error instanceof Error ? error.message : String(error);
     } finally {
       button.disabled = false;
-      bar.hidden = stop.hidden = true;
-      work = null;
+      work.end();
     }
   };
-  const form = h("form", { method: "dialog", onsubmit: (event: Event) => void send(event) }, ...content.filter((one) => one !== false), trouble, bar, h("div", { className: "buttons" }, button, stop));
+  const form = h("form", { method: "dialog", onsubmit: (event: Event) => void send(event) }, ...content.filter((one) => one !== false), trouble, work.bar, h("div", { className: "buttons" }, button, work.stop), work.question);
   const element = dialog(title, "small", form);
-  element.addEventListener("cancel", (event) => {
-    if (!work) return;
-    event.preventDefault();
-    work.abort();
-  });
-  element.addEventListener("close", () => work?.abort());
+  work.guard(element);
   return element;
 }
 
-/** Do what may take long; where it does, a sheet shows how far it is, and closing it breaks it off. A refusal is thrown. */
-export async function working(title: string, work: Submit): Promise<void> {
-  const own = new AbortController();
-  const bar = h("progress", { "aria-label": "Progress" });
-  const stop = h("button", { type: "button", onclick: () => own.abort() }, "cancel");
+/** Do what may take long; where it does, a sheet shows how far it is, and can break it off. A refusal is thrown. */
+export async function working(title: string, act: Submit): Promise<void> {
+  const work = new Work();
+  const signal = work.begin();
   let sheet: HTMLDialogElement | undefined;
   const soon = setTimeout(() => {
-    sheet = dialog(title, "small", bar, h("div", { className: "buttons" }, stop));
-    sheet.addEventListener("close", () => own.abort());
+    work.bar.hidden = work.stop.hidden = false;
+    sheet = dialog(title, "small", work.bar, h("div", { className: "buttons" }, work.stop), work.question);
+    work.guard(sheet);
   }, SOON);
   try {
-    await work((done, of) => showOn(bar, done, of), own.signal);
+    await act(work.progress, signal);
   } catch (error) {
-    if (!own.signal.aborted) throw error;
+    if (!signal.aborted) throw error;
   } finally {
     clearTimeout(soon);
+    work.end();
     sheet?.close();
   }
 }

@@ -6,6 +6,7 @@ import type { Command, Description, JsonObject } from "../core/protocol";
 import { shownSteps } from "../core/run";
 import { type Submit, formDialog } from "./dialog";
 import { download, h } from "./dom";
+import { NumberField } from "./number_field";
 
 /** An option of a format, as the server lists it. */
 export interface Option {
@@ -85,15 +86,19 @@ function optionRow({ name, kind, title, meaning }: Option, fields: Description["
     const field = h("select", { "aria-label": title }, h("option", { value: "" }, "natural colours"), ...fields.map((one) => h("option", { value: one.name }, one.meaning)));
     return { element: h("div", { className: "row", title: meaning }, h("span", {}, title), field), value: () => (field.value ? { [name]: field.value } : {}) };
   }
-  const input = (type: string, label: string) => h("input", { type, "aria-label": label, ...(type === "number" ? { step: kind === "whole" ? "1" : "any" } : {}) });
-  const inputs = kind === "pair" ? ["first", "second"].map((which) => input("number", `${title}: ${which}`)) : [input({ flag: "checkbox", moment: "datetime-local" }[kind as string] ?? "number", title)];
-  const [first, second] = inputs as [HTMLInputElement, HTMLInputElement?];
+  const row = (...controls: HTMLElement[]) => h("div", { className: "row", title: meaning }, h("span", {}, title), h("div", { className: "control" }, ...controls));
+  if (kind === "flag" || kind === "moment") {
+    const input = h("input", { type: kind === "flag" ? "checkbox" : "datetime-local", "aria-label": title });
+    const given = () => (kind === "flag" ? input.checked : input.value);
+    return { element: row(input), value: () => (given() ? { [name]: given() } : {}) };
+  }
+  const labels = kind === "pair" ? [`${title}: first`, `${title}: second`] : [title];
+  const inputs = labels.map((label) => new NumberField({ label, optional: true, signed: true, whole: kind === "whole" }));
   const value = () => {
-    if (kind === "flag") return first.checked ? { [name]: true } : {};
-    if (second) return first.value || second.value ? { [name]: inputs.map((one) => (one.value ? one.valueAsNumber : null)) } : {};
-    return first.value ? { [name]: kind === "moment" ? first.value : first.valueAsNumber } : {};
+    const numbers = inputs.map(({ number }) => number);
+    return numbers.some((number) => number !== null) ? { [name]: kind === "pair" ? numbers : numbers[0]! } : {};
   };
-  return { element: h("div", { className: "row", title: meaning }, h("span", {}, title), h("div", { className: "control" }, ...inputs)), value };
+  return { element: row(...inputs.map(({ element }) => element)), value };
 }
 
 /** Let the server write a file, and give it to the user; returns its name. */

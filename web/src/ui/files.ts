@@ -222,8 +222,7 @@ export class Files {
     const names = answer.saved as string[];
     const begin = async (name: string) => {
       sheet.close();
-      if (!(await this.app.open({ command: "open", name }))) return;
-      this.app.note("info", `Opened ${name}; it goes on from its newest state.`);
+      if (await this.app.open({ command: "open", name })) this.app.note("info", `Opened ${name}; it goes on from its newest state.`);
     };
     const list = names.map((name) => h("li", {}, h("button", { type: "button", onclick: () => void begin(name) }, name)));
     const sheet: HTMLDialogElement = dialog(

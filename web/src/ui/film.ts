@@ -8,10 +8,14 @@ import { h, short } from "./dom";
 import type { Format } from "./exports";
 import { fetchFile } from "./exports";
 import { filmOfStates } from "./scene_film";
+import { NumberField } from "./number_field";
 import { wordsRows } from "./words_rows";
 
-/** Frames a second at first, and the longer side of a map (pixels) to choose from. */
-const RATE = 12;
+/** How long a film is at first (s), where enough states are kept for it, and the frames a second by which that is sought. */
+const LONG = 10;
+const SLOWEST = 4;
+const FASTEST = 30;
+/** The longer side of a map (pixels), to choose from. */
 const SIDES = [512, 1024, 1920];
 /** Sizes (pixels) of pictures of the scene. */
 const SIZES: [number, number][] = [
@@ -20,43 +24,53 @@ const SIZES: [number, number][] = [
   [3840, 2160],
 ];
 
+/** How many of the kept states a film shows at first, and how many a second. */
+export function proposed(kept: number): { states: number; rate: number } {
+  const rate = Math.min(Math.max(Math.round(kept / LONG), SLOWEST), FASTEST);
+  return { states: Math.min(kept, LONG * FASTEST), rate };
+}
+
 export async function filmSheet(app: App, stage: Stage): Promise<void> {
   const steps = shownSteps(app.runs);
   if (steps.length < 2) throw new Error("A film needs two kept states at least; run some steps first.");
   const formats = await app.connection.fetch<Format[]>("formats");
   const format = formats.find((one) => one.name === "mp4") ?? formats.find((one) => one.name === "film")!;
   const view = h("select", { "aria-label": "Drawn", onchange: () => show() }, h("option", { value: "scene" }, "as the scene shows it"), h("option", { value: "map" }, "as a shaded map"));
-  const states = h("input", { type: "range", min: "2", max: String(steps.length), value: String(steps.length), "aria-label": "States of the film, the last ones" });
-  const rate = h("input", { type: "number", min: "1", max: "60", step: "1", value: String(RATE), required: true, "aria-label": "Frames a second" });
+  const first = proposed(steps.length);
+  const states = h("input", { type: "range", min: "2", max: String(steps.length), value: String(first.states), "aria-label": "States of the film, the last ones" });
+  const rate = new NumberField({ label: "Frames a second", value: first.rate, whole: true, least: 1, most: 60, typing: () => show() });
   const size = h("select", { "aria-label": "Size" }, ...SIZES.map(([width, height], at) => h("option", { value: String(at) }, `${width} × ${height}`)));
-  const turn = h("input", { type: "number", min: "-720", max: "720", step: "any", value: "0", required: true, "aria-label": "Degrees that the camera turns" });
+  const turn = new NumberField({ label: "Degrees that the camera turns", value: 0, least: -720, most: 720 });
   const side = h("select", { "aria-label": "Longer side" }, ...SIDES.map((one) => h("option", { value: String(one), selected: one === 1024 }, `${one} pixels`)));
   const name = h("input", { type: "text", value: "dunes", required: true, pattern: "[A-Za-z0-9_\\-]+", "aria-label": "Name of the file" });
   const words = wordsRows(app, stage, () => {});
-  const told = h("p", { role: "status" });
+  const count = h("span", { className: "unit" });
+  const told = h("p", { className: "source", role: "status" });
   const hint = h("p", { className: "hint" });
   const row = (label: string, control: HTMLElement) => h("div", { className: "row" }, h("span", {}, label), control);
-  const ofScene = [row("size (pixels)", size), row("camera turns (°)", turn), words.element];
+  const ofScene = [row("size (pixels)", size), row("camera turns (°)", turn.element), words.element];
   const ofMap = [row("longer side", side)];
   const other = format.name === "mp4" ? "" : " MP4 needs the extra ‘video’: python -m pip install av.";
 
   const show = () => {
-    const [count, scene] = [Number(states.value), view.value === "scene"];
-    told.textContent = `${count} states, from step ${short(steps.at(-count), 9)} to ${short(steps.at(-1), 9)}: ${short(count / (Number(rate.value) || RATE), 2)} s of film.`;
+    const [shown, scene] = [Number(states.value), view.value === "scene"];
+    count.textContent = `${shown} states`;
+    const long = rate.number === null ? "" : `: a film of ${short(shown / rate.number, 2)} s`;
+    told.textContent = `From step ${short(steps.at(-shown), 9)} to ${short(steps.at(-1), 9)}${long}.`;
     for (const one of ofScene) one.hidden = !scene;
     for (const one of ofMap) one.hidden = scene;
     const how = scene ? "in the colours and the light of the scene, exaggeration and scale of colours held. The run rests meanwhile and then goes on" : "with the model’s layers. The run may go on meanwhile";
     hint.textContent = `The kept states up to the one that is shown, ${how}.${other}`;
   };
-  states.oninput = rate.oninput = show;
+  states.oninput = show;
   const write: Submit = async (progress, signal) => {
-    const [count, second, file] = [Number(states.value), Number(rate.value), `${name.value}${format.suffix}`];
+    const [last, second, file] = [Number(states.value), rate.number!, `${name.value}${format.suffix}`];
     const [width, height] = SIZES[Number(size.value)]!;
-    const request = { command: "export" as const, name: file, format: format.name, states: count, options: { frames_per_second: second, pixels: Number(side.value) }, run: app.selected };
-    const film = { name: file, states: count, width, height, rate: second, turn: turn.valueAsNumber, words: words.chosen() };
+    const request = { command: "export" as const, name: file, format: format.name, states: last, options: { frames_per_second: second, pixels: Number(side.value) }, run: app.selected };
+    const film = { name: file, states: last, width, height, rate: second, turn: turn.number!, words: words.chosen() };
     const written = view.value === "scene" ? await filmOfStates(app, stage, film, progress, signal) : await fetchFile(app, request, progress, signal);
     app.note("info", `The film ${written} is written; it is kept in studio-exports.`);
   };
-  formDialog("Film of what was just seen", "write the film", write, told, row("drawn", view), row("how far back", states), row("frames a second", rate), ...ofScene, ...ofMap, row(`name (${format.suffix})`, name), hint);
+  formDialog("Film of what was just seen", "write the film", write, row("drawn", view), row("how far back", h("div", { className: "control" }, states, count)), row("frames a second", rate.element), told, ...ofScene, ...ofMap, row(`name (${format.suffix})`, name), hint);
   show();
 }

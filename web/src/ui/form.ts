@@ -4,6 +4,7 @@ import type { Json, JsonObject } from "../core/protocol";
 import { otherValue } from "../core/beside";
 import { type Entry, type Schema, allowedIn, entryOf, initial } from "../core/schema";
 import { h, id, short } from "./dom";
+import { numberIn } from "../core/number_text";
 import { numberControl } from "./number";
 import { icon } from "./icons";
 import { labelOf } from "../core/labels";
@@ -230,8 +231,7 @@ function control(
 
 function readText(text: string, nullable: boolean, mixed: boolean): Json {
   if (text === "" && nullable) return null;
-  if (mixed && text.trim() !== "" && !Number.isNaN(Number(text))) return Number(text);
-  return text;
+  return (mixed ? numberIn(text) : null) ?? text;
 }
 
 function explained(schema: Schema, live: boolean): string {

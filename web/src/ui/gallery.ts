@@ -47,7 +47,7 @@ export async function gallery(app: App, onTour: () => void, unfinished: Unfinish
   const groups = h("nav", { className: "groups", "aria-label": "Landforms" }, ...sections.map(({ title }) => h("button", { type: "button", onclick: () => jump(title) }, title)));
   const first = presets.find((preset) => preset.start);
   const start = first && lead(app, first, close, onTour);
-  const sheet: HTMLDialogElement = dialog("Presets", "gallery", h("div", { className: "finder" }, search, groups), h("div", { className: "sections" }, unfinished.list(close), start ?? "", ...sections.map((section) => section.element)));
+  const sheet: HTMLDialogElement = dialog("Presets", "gallery", h("div", { className: "finder" }, search, groups), h("div", { className: "sections" }, unfinished.inSheet(close), start ?? "", ...sections.map((section) => section.element)));
   search.focus();
 }
 

@@ -1,7 +1,7 @@
 /** The display over the scene: compass with the wind, scale bar, colour bar, values under the mouse. */
 
 import type { App } from "../core/app";
-import { nameBeside } from "../core/run";
+import { namesOf } from "../core/run";
 import type { Stage } from "../scene/stage";
 import { slopes } from "../scene/smooth";
 import { h, heights, metres, short, svg } from "./dom";
@@ -77,7 +77,7 @@ export class Hud {
     const two = this.app.runs.length > 1;
     this.names.hidden = !two;
     if (two) {
-      const names = this.app.runs.map((one, at) => `${nameBeside(one, this.app.runs[1 - at])} · step ${short(one.status?.step, 9)}`);
+      const names = namesOf(this.app.runs).map((name, at) => `${name} · step ${short(this.app.runs[at]!.status?.step, 9)}`);
       if (this.names.dataset.text !== names.join("|")) {
         this.names.dataset.text = names.join("|");
         this.names.replaceChildren(...names.map((name) => h("span", {}, name)));

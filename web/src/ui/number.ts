@@ -4,6 +4,7 @@ import type { Json } from "../core/protocol";
 import { type Entry, type Schema, bounds } from "../core/schema";
 import { h, later } from "./dom";
 import { labelOf } from "../core/labels";
+import { NumberField } from "./number_field";
 
 export function numberControl(
   entry: Entry,
@@ -14,21 +15,16 @@ export function numberControl(
 ): HTMLElement[] {
   const { schema } = entry;
   const whole = entry.kind === "integer";
-  const input = h("input", {
-    type: "number",
-    step: whole ? "1" : "any",
-    value: value === null ? "" : String(value),
-    placeholder: entry.nullable ? "none" : "",
-    onchange: () => {
-      if (input.value === "") take(entry.nullable ? null : (schema.default ?? 0));
-      else take(whole ? Math.round(Number(input.value)) : Number(input.value));
-    },
+  const input = new NumberField({
+    value: typeof value === "number" ? value : null,
+    whole,
+    signed: (bounds(schema)[0] ?? -1) < 0,
+    optional: true,
+    take: (typed) => take(typed ?? (entry.nullable ? null : (schema.default ?? 0))),
+    props: { placeholder: entry.nullable ? "none" : "" },
   });
-  const [low, high] = bounds(schema);
-  if (low !== null) input.min = String(low);
-  if (high !== null) input.max = String(high);
   const range = sliderRange(schema, value);
-  if (!range) return [mark(input)];
+  if (!range) return [mark(input.element)];
   const { from, to, log } = range;
   const place = (x: number) => (log ? Math.log(x / from) / Math.log(to / from) : (x - from) / (to - from));
   const number = (share: number) => {
@@ -44,12 +40,12 @@ export function numberControl(
     value: String(place(Number(value))),
     "aria-label": labelOf(String(path.at(-1))),
     oninput: () => {
-      input.value = String(number(Number(slider.value)));
+      input.show(number(Number(slider.value)));
       send(number(Number(slider.value)));
     },
   });
   slider.dataset.path = `${path.join(".")}~`;
-  return [slider, mark(input)];
+  return [slider, mark(input.element)];
 }
 
 /** The range of a slider: the bounds, or without any a factor of ten around the default. */

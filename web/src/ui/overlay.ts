@@ -8,6 +8,7 @@ import type { Json } from "../core/protocol";
 import { photograph, shadedMap } from "../scene/draped";
 import { type Submit, formDialog } from "./dialog";
 import { h } from "./dom";
+import { NumberField } from "./number_field";
 
 const PHOTOGRAPHS = [".png", ".jpg", ".jpeg", ".webp"];
 const IMAGES = [".png", ".jpg", ".jpeg"];
@@ -86,12 +87,12 @@ export function overlaySheet(app: App): void {
   const input = h("input", { type: "file", accept: [...heights, ".webp"].join(), required: true, "aria-label": "Terrain or photograph", onchange: () => show() });
   const as = h("select", { "aria-label": "Read as", onchange: () => show() }, h("option", { value: "photograph" }, "a photograph"), h("option", { value: "terrain" }, "heights"));
   const level = h("input", { type: "checkbox", checked: true });
-  const number = (name: string, value: string) => h("input", { type: "number", step: "any", value, "aria-label": name });
-  const [lowest, highest] = [number("Height of black (m)", "0"), number("Height of white (m)", "10")];
+  const lowest = new NumberField({ label: "Height of black (m)", signed: true, value: 0 });
+  const highest = new NumberField({ label: "Height of white (m)", signed: true, value: 10 });
   const row = (text: string, ...controls: (HTMLElement | string)[]) => h("div", { className: "row" }, h("span", {}, text), h("div", { className: "control" }, ...controls));
   const kind = row("read as", as);
   const levelled = row("compare forms only: both with the same mean height", level);
-  const ends = row("black and white (m)", lowest, highest);
+  const ends = row("black and white (m)", lowest.element, highest.element);
   const name = () => input.files?.[0]?.name ?? "";
   const terrain = () => !has(name(), PHOTOGRAPHS) || as.value === "terrain";
   const show = () => {
@@ -102,7 +103,7 @@ export function overlaySheet(app: App): void {
   const use: Submit = async (progress, signal) => {
     const file = input.files![0]!;
     if (!terrain()) return drape(app, file, signal);
-    const between = has(file.name, IMAGES) ? { lowest: lowest.valueAsNumber, highest: highest.valueAsNumber } : {};
+    const between = has(file.name, IMAGES) ? { lowest: lowest.number, highest: highest.number } : {};
     await compareWith(app, file, { level: level.checked, ...between }, progress, signal);
   };
   const words = `A photograph (PNG, JPEG, WebP) is stretched over the field, its upper edge in the north. A terrain (${heights.join(", ")}) is read as ground from a file is: an elevation model at its own scale from its south-west corner, which must cover the field.`;

@@ -5,6 +5,7 @@ import type { Brush, BrushNumber } from "../core/protocol";
 import type { Run } from "../core/run";
 import type { Place } from "../scene/pick";
 import { button, h, id } from "./dom";
+import { NumberField } from "./number_field";
 
 /** Metres from the south-west corner. */
 type Point = [number, number];
@@ -39,9 +40,9 @@ export class Paint {
   private readonly toggle: HTMLButtonElement;
   private readonly undo: HTMLButtonElement;
   private readonly redo: HTMLButtonElement;
-  private readonly radiusInput: HTMLInputElement;
+  private readonly radiusInput = new NumberField({ value: 8, take: (radius) => this.resize(radius!), props: { "data-paint": "radius" } });
   private readonly what = h("select", { "data-paint": "what", onchange: () => this.choose(this.what.value) });
-  private readonly strength = h("input", { type: "number", "data-paint": "strength", onchange: () => this.strengthen(Number(this.strength.value)) });
+  private readonly strength = new NumberField({ take: (strength) => this.strengthen(strength!), props: { "data-paint": "strength" } });
   private readonly unit = h("span", { className: "unit" });
   private readonly numbers = h("div", {});
   /** Further numbers of brushes, by brush and key. */
@@ -62,15 +63,14 @@ export class Paint {
       { onchange: () => (this.falloff = falloff.value) },
       ...["smooth", "linear", "none"].map((name) => h("option", { value: name }, name)),
     );
-    this.radiusInput = h("input", { type: "number", min: "0.1", step: "any", value: "8", onchange: () => this.resize(Number(this.radiusInput.value)) });
     this.element = h(
       "div",
       { className: "forms" },
       this.toggle,
       row("paint", this.what),
       row("brush", way),
-      row("radius", this.radiusInput, h("span", { className: "unit" }, "m")),
-      row("strength", this.strength, this.unit),
+      row("radius", this.radiusInput.element, h("span", { className: "unit" }, "m")),
+      row("strength", this.strength.element, this.unit),
       this.numbers,
       row("falloff", falloff),
       h("div", { className: "buttons" }, this.undo, this.redo),
@@ -93,7 +93,7 @@ export class Paint {
 
   resize(radius: number): void {
     this.radius = Math.max(radius, 1e-3);
-    this.radiusInput.value = String(Number(this.radius.toPrecision(3)));
+    this.radiusInput.show(Number(this.radius.toPrecision(3)));
   }
 
   grow(factor: number): void {
@@ -141,9 +141,6 @@ export class Paint {
     this.painted = this.what.value = title;
     const brush = this.brush!;
     this.unit.textContent = brush.unit;
-    this.strength.min = String(brush.least);
-    this.strength.max = String(brush.most);
-    this.strength.step = brush.whole ? "1" : "any";
     this.strengthen(this.strengths.get(title) ?? brush.usual);
     this.numbers.replaceChildren(...brush.numbers.map((number) => this.numberRow(title, number)));
   }
@@ -152,14 +149,13 @@ export class Paint {
     const at = `${title}.${key}`;
     const value = this.chosen.get(at) ?? usual;
     this.chosen.set(at, value);
-    const take = () => {
-      const held = Math.min(Math.max(Number(input.value) || usual, least), most);
+    const take = (typed: number | null) => {
+      const held = Math.min(Math.max(typed || usual, least), most);
       this.chosen.set(at, held);
-      input.value = String(held);
+      input.show(held);
     };
-    const input = h("input", { type: "number", min: String(least), max: String(most), step: "any", value: String(value), onchange: take });
-    input.dataset.paint = key;
-    return row(name, input, h("span", { className: "unit" }, unit));
+    const input = new NumberField({ value, take, props: { "data-paint": key } });
+    return row(name, input.element, h("span", { className: "unit" }, unit));
   }
 
   private strengthen(asked: number): void {
@@ -167,7 +163,7 @@ export class Paint {
     const held = Math.min(Math.max(asked || usual, least), most);
     const strength = whole ? Math.round(held) : Number(held.toPrecision(3));
     this.strengths.set(this.painted, strength);
-    this.strength.value = String(strength);
+    this.strength.show(strength);
   }
 
   private send(places: Point[], when: { begin?: boolean }): void {

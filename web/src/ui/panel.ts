@@ -6,7 +6,7 @@ import { compare } from "./compare";
 import { type Schema, at, entryOf, replaced } from "../core/schema";
 import { readable } from "../core/labels";
 import { remaining } from "../core/restarts";
-import { nameBeside } from "../core/run";
+import { namesOf } from "../core/run";
 import { h, id, later } from "./dom";
 import { type FormContext, type Path, field, group, restartMark, variantField } from "./form";
 import { noteRestart } from "./change_log";
@@ -51,7 +51,7 @@ export class Panel {
   private show(): void {
     const description = this.app.current?.description;
     if (!description || !this.app.schema.properties || this.guard.busy || this.unsent.length) return;
-    const text = JSON.stringify([description.scenario, description.changes, description.materials, description.facts, this.app.selected, this.app.runs.map((run) => run.description?.model.title)]);
+    const text = JSON.stringify([description.scenario, description.changes, description.materials, description.facts, this.app.selected, namesOf(this.app.runs)]);
     if (text === this.shown) return;
     this.shown = text;
     this.scenario = description.scenario;
@@ -86,7 +86,7 @@ export class Panel {
       { className: "about" },
       look && h("p", {}, look),
       question && h("p", { className: "question" }, question),
-      h("p", { className: "source" }, readable(String(this.scenario.citation ?? ""))),
+      h("p", { className: "source" }, readable(String(this.scenario.citation ?? ""), this.app.current!.description!.models)),
     );
     return [
       ...this.whose(),
@@ -114,11 +114,12 @@ export class Panel {
       this.app.selected = name;
       this.app.changed.send();
     };
+    const names = namesOf(this.app.runs);
     const tabs = this.app.runs.map((run, at) =>
       h(
         "button",
         { type: "button", "aria-pressed": String(run.name === this.app.selected), onclick: () => choose(run.name) },
-        `${at ? "right" : "left"}: ${nameBeside(run, this.app.runs[1 - at])}`,
+        `${at ? "right" : "left"}: ${names[at]}`,
       ),
     );
     return [h("div", { className: "whose", role: "group", "aria-label": "Whose parameters" }, ...tabs)];

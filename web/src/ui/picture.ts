@@ -6,6 +6,7 @@ import { type Shot, blobOf } from "../scene/shots";
 import type { Stage } from "../scene/stage";
 import { formDialog } from "./dialog";
 import { download, h, later } from "./dom";
+import { NumberField } from "./number_field";
 import { drawWords } from "./picture_words";
 import { type WordsRows, wordsRows } from "./words_rows";
 
@@ -29,8 +30,8 @@ export function pictureSheet(app: App, stage: Stage): void {
 class PictureSheet {
   private readonly preview = h("canvas", { className: "preview", role: "img", "aria-label": "Preview of the picture" });
   private readonly size = h("select", { "aria-label": "Size", onchange: () => this.resize() }, ...SIZES.map(([value, text]) => h("option", { value }, text)));
-  private readonly width = h("input", { type: "number", min: String(LEAST), max: String(MOST), step: "1", required: true, "aria-label": "Width (pixels)", oninput: () => this.changed() });
-  private readonly height = h("input", { type: "number", min: String(LEAST), max: String(MOST), step: "1", required: true, "aria-label": "Height (pixels)", oninput: () => this.changed() });
+  private readonly width = this.pixels("Width (pixels)");
+  private readonly height = this.pixels("Height (pixels)");
   private readonly light = h(
     "select",
     { "aria-label": "Light", onchange: () => this.changed() },
@@ -55,7 +56,7 @@ class PictureSheet {
       (progress, signal) => this.save(progress, signal),
       this.preview,
       row("size", this.size),
-      row("width × height", this.width, h("span", {}, "×"), this.height, h("span", { className: "unit" }, "pixels")),
+      row("width × height", this.width.element, h("span", {}, "×"), this.height.element, h("span", { className: "unit" }, "pixels")),
       row("light", this.light),
       this.words.element,
     );
@@ -63,14 +64,18 @@ class PictureSheet {
     this.resize();
   }
 
+  private pixels(label: string): NumberField {
+    return new NumberField({ label, whole: true, least: LEAST, most: MOST, typing: () => this.changed() });
+  }
+
   private resize(): void {
     const { clientWidth, clientHeight } = this.stage.host;
     const ratio = window.devicePixelRatio || 1;
     const chosen = SIZES.find(([name]) => name === this.size.value)!;
     const free = chosen[0] === "free";
-    this.width.readOnly = this.height.readOnly = !free;
+    this.width.element.readOnly = this.height.element.readOnly = !free;
     const [width, height] = chosen[2] ?? [Math.round(clientWidth * ratio), Math.round(clientHeight * ratio)];
-    if (!free) [this.width.value, this.height.value] = [String(width), String(height)];
+    if (!free) [width, height].forEach((side, at) => [this.width, this.height][at]!.show(side));
     this.changed();
   }
 
@@ -82,7 +87,7 @@ class PictureSheet {
 
   /** The picture with its words; `share` of its size. */
   private async shot(share: number, progress?: Progress): Promise<Shot> {
-    const [width, height] = [this.width, this.height].map((input) => Math.max(Math.round(input.valueAsNumber * share), 1)) as [number, number];
+    const [width, height] = [this.width, this.height].map((input) => Math.max(Math.round(input.number! * share), 1)) as [number, number];
     const shot = await this.stage.shoot({ width, height, dark: this.dark, transparent: this.clear.checked, ...(progress ? { progress } : {}) });
     drawWords(this.app, this.stage, shot, this.words.chosen(), this.dark);
     return shot;
@@ -91,10 +96,11 @@ class PictureSheet {
   /** Draw the preview; what changes meanwhile is drawn after it. */
   private async show(): Promise<void> {
     this.again = this.drawing;
-    if (this.drawing || !this.sheet.open || !this.width.validity.valid || !this.height.validity.valid) return;
+    const [width, height] = [this.width.number, this.height.number];
+    if (this.drawing || !this.sheet.open || width === null || height === null) return;
     this.drawing = true;
     try {
-      const share = Math.min(PREVIEW[0] / this.width.valueAsNumber, PREVIEW[1] / this.height.valueAsNumber, 1);
+      const share = Math.min(PREVIEW[0] / width, PREVIEW[1] / height, 1);
       const { canvas } = await this.shot(share);
       [this.preview.width, this.preview.height] = [canvas.width, canvas.height];
       this.preview.getContext("2d")!.drawImage(canvas, 0, 0);

@@ -1,7 +1,7 @@
 /** What is written and drawn over a picture: title block, scale bar, compass, legend. */
 
 import type { App } from "../core/app";
-import { nameBeside } from "../core/run";
+import { namesOf } from "../core/run";
 import type { Shot } from "../scene/shots";
 import type { Stage } from "../scene/stage";
 import { duration, heights, metres, short } from "./dom";
@@ -28,13 +28,11 @@ export function titleLines(app: App, { statuses }: Pick<Shot, "statuses">, headi
   const run = app.current;
   const [description, status] = [run?.description, run && statuses.get(run)];
   if (!description || !status) return [];
-  const [first, second] = app.runs;
-  const models = second ? [nameBeside(first!, second), nameBeside(second, first)].join("  |  ") : description.model.title;
   const time = status.time === null ? "" : ` · ${duration(status.time)}`;
   const seed = (description.scenario.run as { seed?: number }).seed;
   return [
     ...(heading ? [heading] : []),
-    models,
+    namesOf(app.runs).join("  |  "),
     `step ${stepsOf(app.runs.map((one) => statuses.get(one)))}${time} · seed ${seed ?? "–"} · Barchan ${app.version}`,
   ];
 }

@@ -6,6 +6,7 @@ import { type Run, nameBeside } from "../core/run";
 import type { SectionLine } from "../core/section";
 import type { Stage } from "../scene/stage";
 import { button, copyText, h, short, suitedLength } from "./dom";
+import { NumberField } from "./number_field";
 
 const ROWS: [string, string, (of: Distance) => string][] = [
   ["distance", "Metres on a map", (of) => suitedLength(of.horizontal)],
@@ -26,7 +27,7 @@ export class Ruler {
   onActive: () => void = () => {};
   /** Whether the first place is chosen and the second is not. */
   private half = false;
-  private readonly inputs: HTMLInputElement[];
+  private readonly inputs: NumberField[];
   private readonly table = h("table", {});
   private readonly hint = h("p", { className: "hint" }, HINT);
 
@@ -34,8 +35,8 @@ export class Ruler {
     private readonly app: App,
     private readonly stage: Stage,
   ) {
-    this.inputs = PLACES.map((name) => h("input", { type: "number", step: "any", "aria-label": name, title: `The ${name}`, onchange: () => this.type() }));
-    const [x0, y0, x1, y1] = this.inputs as [HTMLInputElement, HTMLInputElement, HTMLInputElement, HTMLInputElement];
+    this.inputs = PLACES.map((label) => new NumberField({ label, optional: true, take: () => this.type(), props: { title: `The ${label}` } }));
+    const fields = this.inputs.map(({ element }) => element);
     this.element.append(
       h(
         "header",
@@ -44,8 +45,8 @@ export class Ruler {
         button("Copy the values", "copy", () => void this.copy()),
         h("button", { type: "button", className: "close", title: "Close (M)", "aria-label": "Close the ruler", onclick: () => this.toggle() }, "×"),
       ),
-      h("div", { className: "places" }, "from", x0, y0, "m"),
-      h("div", { className: "places" }, "to", x1, y1, "m"),
+      h("div", { className: "places" }, "from", ...fields.slice(0, 2), "m"),
+      h("div", { className: "places" }, "to", ...fields.slice(2), "m"),
       this.table,
       this.hint,
     );
@@ -60,7 +61,7 @@ export class Ruler {
   toggle(): void {
     this.active = !this.active;
     this.element.hidden = !this.active;
-    if (this.active) this.inputs[0]!.focus();
+    if (this.active) this.inputs[0]!.element.focus();
     else {
       this.half = false;
       this.stage.canvas.focus();
@@ -91,8 +92,8 @@ export class Ruler {
 
   /** The places as they are typed. */
   private type(): void {
-    const numbers = this.inputs.map((input) => input.valueAsNumber);
-    if (!numbers.every(Number.isFinite)) return;
+    const numbers = this.inputs.flatMap(({ number }) => number ?? []);
+    if (numbers.length < PLACES.length) return;
     const run = this.app.current!;
     const { columns, rows, cell_size } = run.description!.lattice;
     const within = (place: number, count: number) => Math.min(Math.max(place, 0), count * cell_size);
@@ -110,7 +111,7 @@ export class Ruler {
     this.hint.hidden = this.line !== null && !this.half;
     this.line?.forEach((place, at) => {
       const input = this.inputs[at]!;
-      if (input !== document.activeElement || !this.half) input.value = String(Number(place.toPrecision(5)));
+      if (input.element !== document.activeElement || !this.half) input.show(Number(place.toPrecision(5)));
     });
     this.table.replaceChildren(...this.rows());
   }

@@ -2,6 +2,7 @@
 
 import type { App } from "../core/app";
 import type { JsonObject, Problem } from "../core/protocol";
+import { readable, valueLabel } from "../core/labels";
 import { holdsScenario, scenarioIn, scenarioLink } from "../core/scenario_link";
 import { copyRow } from "./copy_row";
 import { dialog, formDialog } from "./dialog";
@@ -42,12 +43,13 @@ async function offer(app: App, files: Files, link: string): Promise<void> {
 }
 
 function show(app: App, scenario: JsonObject): void {
-  const title = String(scenario.title || "Untitled scenario");
+  const models = app.current?.description?.models ?? {};
+  const title = readable(String(scenario.title || "Untitled scenario"), models);
   const { rows, columns, kind } = scenario.lattice as JsonObject;
   const model = String((scenario.model as JsonObject).name);
   const cells = rows === undefined ? `lattice ${String(kind)}` : `${String(columns)} × ${String(rows)} cells`;
   const { steps, seed } = scenario.run as { steps: number; seed: number | null };
-  const facts = [app.current?.description?.models[model] ?? model, cells, `${short(steps, 9)} steps`, seed === null ? "no seed" : `seed ${seed}`];
+  const facts = [valueLabel(model, models), cells, `${short(steps, 9)} steps`, seed === null ? "no seed" : `seed ${seed}`];
   const start = async () => {
     sheet.close();
     if (await app.create(scenario)) app.note("info", `Started ${title}, from a link.`);

@@ -1,6 +1,7 @@
 /** Runs that an earlier studio left because it ended unexpectedly: each is offered, to be opened or discarded. */
 
 import type { App } from "../core/app";
+import { readable, valueLabel } from "../core/labels";
 import { Signal } from "../core/signal";
 import { h, short } from "./dom";
 
@@ -29,20 +30,34 @@ export class Unfinished {
   private left: Left[] = [];
   private readonly changed = new Signal<void>();
   private looked = false;
+  /** Names of those that are not offered over the scene any more. */
+  private readonly put = new Set<string>();
 
   constructor(private readonly app: App) {
+    app.described.watch(() => this.left.length && this.changed.send()); // which tells the titles of models
     if (!app.watching) app.connection.state.watch((state) => state === "open" && void this.look());
   }
 
-  /** A list of the offers, which is hidden where there are none; `onOpen` is called when one was opened. */
-  list(onOpen: () => void = () => undefined): HTMLElement {
+  /** The offers over the scene, each of which can be put off. */
+  overScene(): HTMLElement {
+    return this.list(() => this.left.filter(({ name }) => !this.put.has(name)), true, () => undefined);
+  }
+
+  /** All offers, in a sheet; `onOpen` is called when one was opened. */
+  inSheet(onOpen: () => void): HTMLElement {
+    return this.list(() => this.left, false, onOpen);
+  }
+
+  /** A list of offers, which is hidden where there are none. */
+  private list(offered: () => Left[], wait: boolean, onOpen: () => void): HTMLElement {
     const element = h("ul", { className: "unfinished", "aria-label": "Runs that stopped unexpectedly" });
     let shown = false;
     const draw = () => {
       if (shown && !element.isConnected) return this.changed.leave(draw); // its sheet was closed
       shown = element.isConnected;
-      element.hidden = this.left.length === 0;
-      element.replaceChildren(...this.left.map((one) => this.offer(one, onOpen)));
+      const offers = offered();
+      element.hidden = offers.length === 0;
+      element.replaceChildren(...offers.map((one) => this.offer(one, wait, onOpen)));
     };
     this.changed.watch(draw);
     draw();
@@ -67,14 +82,15 @@ export class Unfinished {
     this.changed.send();
   }
 
-  private offer(one: Left, onOpen: () => void): HTMLElement {
+  private offer(one: Left, wait: boolean, onOpen: () => void): HTMLElement {
     const discard = h("button", { type: "button", onclick: () => this.confirm(discard, one) }, "discard it");
     return h(
       "li",
       {},
-      h("span", {}, words(one)),
+      h("span", {}, words(one, this.app.current?.description?.models ?? {})),
       h("button", { type: "button", className: "primary", onclick: () => void this.open(one, onOpen) }, "open it"),
       discard,
+      wait && h("button", { type: "button", onclick: () => this.putOff(one) }, "later"),
     );
   }
 
@@ -83,6 +99,13 @@ export class Unfinished {
     this.app.note("info", "The run goes on from where it stopped; of its past the measures and moments are left.");
     this.set(this.left.filter((other) => other !== one));
     onOpen();
+  }
+
+  /** Take an offer from the scene for now. */
+  private putOff(one: Left): void {
+    this.put.add(one.name);
+    this.changed.send();
+    this.app.note("info", "The run is kept; Presets offers it further on, and so does the next start of the studio.");
   }
 
   /** The first click asks, the second deletes. */
@@ -96,9 +119,9 @@ export class Unfinished {
   }
 }
 
-function words({ runs, saved }: Left): string {
+function words({ runs, saved }: Left, models: Record<string, string>): string {
   const [first] = runs;
-  const names = [...new Set(runs.map((run) => run.title || run.model))].map((name) => `“${name}”`).join(" and ");
+  const names = [...new Set(runs.map((run) => readable(run.title, models) || valueLabel(run.model, models)))].map((name) => `“${name}”`).join(" and ");
   const moment = new Date(saved).toLocaleString(undefined, { dateStyle: "long", timeStyle: "short" });
   const of = first!.steps > first!.step ? ` of ${short(first!.steps, 9)}` : "";
   const what = runs.length > 1 ? `Your two runs side by side of ${names}` : `Your run of ${names}`;

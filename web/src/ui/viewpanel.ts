@@ -4,14 +4,23 @@ import type { App } from "../core/app";
 import { LOOK, type Look } from "../core/view";
 import { plainFields } from "../scene/colouring";
 import type { Stage } from "../scene/stage";
-import { h, id } from "./dom";
+import { h, id, short } from "./dom";
 import { labelOf } from "../core/labels";
+import { NumberField } from "./number_field";
 import { OverlayPanel } from "./overlay";
+
+/** Rows, and how they show what is chosen now. */
+interface Rows {
+  rows: HTMLElement[];
+  show: () => void;
+}
 
 export class ViewPanel {
   readonly element = h("div", { className: "forms" });
   private shown = "";
-  private showExaggeration = () => {};
+  /** Let the rows of what the scene chooses by itself show what it has chosen. */
+  private showChosen = () => {};
+  private readonly numbers = new Map<string, NumberField>();
   private readonly overlay: OverlayPanel;
 
   constructor(
@@ -22,7 +31,7 @@ export class ViewPanel {
     app.described.watch(() => this.draw());
     app.changed.watch(() => this.draw());
     app.view.changed.watch(() => this.follow());
-    app.framed.watch(() => this.showExaggeration());
+    stage.painted.watch(() => this.showChosen());
     this.draw();
   }
 
@@ -40,11 +49,14 @@ export class ViewPanel {
       const value = this.app.view.look[control.dataset.look as keyof Look];
       if (control === document.activeElement) continue;
       if (control.type === "checkbox") control.checked = value === true;
+      else if (typeof value === "number" && this.numbers.has(control.dataset.look!)) this.numbers.get(control.dataset.look!)!.show(value);
       else control.value = String(value);
     }
   }
 
   private redraw(): void {
+    const [steep, sun] = [this.exaggeration(), this.sun()];
+    this.showChosen = () => [steep, sun].forEach(({ show }) => show());
     const description = this.app.current?.description;
     const fields = [...plainFields(this.app.current?.material ?? "sand"), ...(description?.fields ?? [])];
     const layers = description?.layers ?? [];
@@ -59,18 +71,18 @@ export class ViewPanel {
       this.check("ground in grey where it is bare", "bare"),
       ...(two ? [h("h2", {}, "Two at once"), this.choice("show", "side", [["surface", "each by itself"], ["difference", "right less left"]])] : []),
       ...(layers.length ? [h("h2", {}, "Layers"), ...layers.map((layer) => this.layer(layer.field, layer.title))] : []),
-      ...(description?.paths ? [h("h2", {}, "Grains"), this.number("paths", "paths", 0, 500, "grains", 1)] : []),
+      ...(description?.paths ? [h("h2", {}, "Grains"), this.number("paths", "paths", 0, 500, "grains", true)] : []),
       h("h2", {}, "Overlay"),
       this.overlay.element,
       h("h2", {}, "Lines"),
       this.choice("contours", "contours", [["off", "none"], ["interval", "at an interval"], ["count", "a number of them"]]),
-      this.number("interval", "interval", 0.05, 100, "m", 0.05),
-      this.number("count", "count", 1, 60, "", 1),
+      this.number("interval", "interval", 0.05, 100, "m"),
+      this.number("count", "count", 1, 60, "", true),
       this.check("wireframe of the cells", "wireframe"),
       h("h2", {}, "Shape and light"),
-      ...this.exaggeration(),
+      ...steep.rows,
       this.slider("smoothing (display only)", "smoothing", 0, 4, "×"),
-      ...this.sun(),
+      ...sun.rows,
       this.check("shadows of the sun", "shadows"),
       this.choice("detail", "quality", [["automatic", "automatic"], ["full", "full"], ["plain", "plain (slow graphics)"]]),
       h("h2", {}, "Camera"),
@@ -122,17 +134,11 @@ export class ViewPanel {
     return this.row(label, box);
   }
 
-  private number(label: string, key: "interval" | "count" | "paths", min: number, max: number, unit: string, step: number): HTMLElement {
-    const input = h("input", {
-      type: "number",
-      "data-look": key,
-      min: String(min),
-      max: String(max),
-      step: String(step),
-      value: String(this.app.view.look[key]),
-      onchange: () => this.set({ [key]: Math.min(Math.max(Number(input.value) || min, min), max) }),
-    });
-    return this.row(label, input, h("span", { className: "unit" }, unit));
+  private number(label: string, key: "interval" | "count" | "paths", least: number, most: number, unit: string, whole = false): HTMLElement {
+    const take = (value: number | null) => this.set({ [key]: value! });
+    const input = new NumberField({ value: this.app.view.look[key], least, most, whole, take, props: { "data-look": key } });
+    this.numbers.set(key, input);
+    return this.row(label, input.element, h("span", { className: "unit" }, unit));
   }
 
   private slider(label: string, key: "smoothing", min: number, max: number, unit: string): HTMLElement {
@@ -157,8 +163,8 @@ export class ViewPanel {
   }
 
   /** A slider by factors, and the choice to leave it to the lattice. */
-  private exaggeration(): HTMLElement[] {
-    const now = () => this.app.view.look.exaggeration ?? this.stage.terrain(this.app.current!)?.exaggeration ?? 1;
+  private exaggeration(): Rows {
+    const now = () => (this.app.current && this.stage.terrain(this.app.current)?.exaggeration) ?? 1;
     const value = h("span", { className: "unit" });
     const slider = h("input", {
       type: "range",
@@ -167,7 +173,6 @@ export class ViewPanel {
       step: "any",
       oninput: () => {
         this.set({ exaggeration: Number(Math.exp(Number(slider.value)).toPrecision(2)) });
-        show();
       },
     });
     const usual = h("input", {
@@ -178,16 +183,15 @@ export class ViewPanel {
     });
     const show = () => {
       usual.checked = this.app.view.look.exaggeration === null;
-      slider.value = String(Math.log(now()));
-      value.textContent = `${Number(now().toFixed(1))} ×`;
+      write(value, `${short(now(), 2)} ×`);
+      if (slider !== document.activeElement || usual.checked) slider.value = String(Math.log(now()));
     };
     show();
-    this.showExaggeration = show;
-    return [this.row("vertical exaggeration", slider, value), this.row("automatic", usual)];
+    return { rows: [this.row("vertical exaggeration", slider, value), this.row("automatic", usual)], show };
   }
 
   /** Where the sun stands, and the choice to leave it to the wind. */
-  private sun(): HTMLElement[] {
+  private sun(): Rows {
     const rows = ([["sun from", "azimuth", "sunAzimuth", 0, 360], ["sun height", "height", "sunHeight", 5, 89]] as const).map(([label, part, key, min, max]) => {
       const value = h("span", { className: "unit" });
       const slider = h("input", {
@@ -197,12 +201,11 @@ export class ViewPanel {
         step: "any",
         oninput: () => {
           this.set({ [key]: Number(Number(slider.value).toFixed(1)) });
-          show();
         },
       });
       const show = () => {
         slider.value = String(this.stage.sun()[part]);
-        value.textContent = `${Number(this.stage.sun()[part].toFixed(1))} °`;
+        write(value, `${Number(this.stage.sun()[part].toFixed(1))} °`);
         across.checked = this.app.view.look.sunAzimuth === null && this.app.view.look.sunHeight === null;
       };
       return { row: this.row(label, slider, value), show };
@@ -213,27 +216,22 @@ export class ViewPanel {
       onchange: () => {
         const { azimuth, height } = this.stage.sun();
         this.set(across.checked ? { sunAzimuth: null, sunHeight: null } : { sunAzimuth: azimuth, sunHeight: height });
-        show();
       },
     });
     show();
-    return [...rows.map((row) => row.row), this.row("across the crests", across)];
+    return { rows: [...rows.map((row) => row.row), this.row("across the crests", across)], show };
   }
 
   private limits(): HTMLElement {
     const { limits } = this.app.view.look;
-    const ends = [0, 1].map((end) =>
-      h("input", {
-        type: "number",
-        step: "any",
-        "aria-label": end ? "Highest value of the colours" : "Lowest value of the colours",
-        disabled: !limits,
-        value: limits ? String(limits[end]) : "",
-        onchange: () => {
-          const [low, high] = ends.map((input) => Number(input.value)) as [number, number];
-          if (low < high) this.set({ limits: [low, high] });
-        },
-      }),
+    const take = (end: number) => {
+      const [low, high] = ends.map((field) => field.number) as [number | null, number | null];
+      if (low === null || high === null) return;
+      if (low < high) this.set({ limits: [low, high] });
+      else ends[end]!.refuse("The lowest value must be below the highest.");
+    };
+    const ends = ["Lowest value of the colours", "Highest value of the colours"].map(
+      (label, end) => new NumberField({ label, value: limits?.[end] ?? null, signed: true, take: () => take(end), props: { disabled: !limits } }),
     );
     const box = h("input", {
       type: "checkbox",
@@ -243,7 +241,7 @@ export class ViewPanel {
         this.set({ limits: box.checked ? (now.map((x) => Number(x.toPrecision(4))) as [number, number]) : null }, true);
       },
     });
-    return this.row("fixed scale", box, ...ends);
+    return this.row("fixed scale", box, ...ends.map((field) => field.element));
   }
 
   private layer(field: string, title: string): HTMLElement {
@@ -258,4 +256,9 @@ export class ViewPanel {
     });
     return this.row(title, box);
   }
+}
+
+/** Let a text stand in an element, which is not drawn again where it stands there already. */
+function write(element: HTMLElement, text: string): void {
+  if (element.textContent !== text) element.textContent = text;
 }

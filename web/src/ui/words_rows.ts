@@ -1,7 +1,7 @@
 /** The boxes that choose what is written over a picture or a film. */
 
 import type { App } from "../core/app";
-import { titleOf } from "../core/run";
+import { titleOfShown } from "../core/run";
 import type { Stage } from "../scene/stage";
 import { h } from "./dom";
 import type { Words } from "./picture_words";
@@ -16,8 +16,7 @@ const typed = new WeakMap<App, Map<string, string>>();
 
 /** The field of the title: that of the scenario, until another one is typed, which is kept for the next picture of it. */
 function headingField(app: App, changed: () => void): HTMLInputElement {
-  const { description } = app.current ?? {};
-  const own = description ? titleOf(description) : "";
+  const own = titleOfShown(app.runs, app.current);
   const titles = typed.get(app) ?? new Map<string, string>();
   typed.set(app, titles);
   const take = () => {

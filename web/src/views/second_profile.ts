@@ -1,6 +1,7 @@
 /** The profile of the other of two runs, along the same line, in the section of the first. */
 
 import type { App } from "../core/app";
+import { cell } from "../core/csv";
 import { type Profile, ends, profile } from "../core/profile";
 import { type Run, nameBeside } from "../core/run";
 import type { SectionLine } from "../core/section";
@@ -46,8 +47,10 @@ export function sectionCsv(run: Run, own: Profile, second: Second | null): strin
     [`slope${mark}_degrees`, (i) => p.slope[i]!.toFixed(4)],
     [`shadow${mark}`, (i) => (p.shadow ? String(Number(p.shadow[i]! > 0.5)) : "")],
   ];
-  const mark = (one: Run) => (second ? `_${one.name}` : "");
-  const all = [...columns(own, mark(run)), ...(second ? columns(second.profile, mark(second.run)) : [])];
+  const named = (one: Run, other: Run): [string, (i: number) => string] => [`name_${one.name}`, () => cell(nameBeside(one, other))];
+  const all = second
+    ? [named(run, second.run), ...columns(own, `_${run.name}`), named(second.run, run), ...columns(second.profile, `_${second.run.name}`)]
+    : columns(own, "");
   const rows = Array.from(own.distance, (d, i) => [d.toFixed(4), ...all.map(([, value]) => value(i))].join());
   return `${[["distance_m", ...all.map(([name]) => name)].join(), ...rows].join("\n")}\n`;
 }

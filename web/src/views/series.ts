@@ -3,10 +3,10 @@
 import uPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
 import type { App } from "../core/app";
-import { centreOf, named, nearest } from "../core/crests";
+import { centreOf, crestMarks, named, nearest, reachOf } from "../core/crests";
 import { type MeasuresTable, measuresCsv } from "../core/measures_csv";
 import type { Measure } from "../core/protocol";
-import { type Run, nameBeside } from "../core/run";
+import { type Run, namesOf } from "../core/run";
 import { BalanceTable } from "./balance";
 import { download, button, h, short, themeColour } from "../ui/dom";
 
@@ -84,7 +84,7 @@ export class SeriesView {
     if (!at_once && performance.now() - this.drawnAt < PAUSE) return;
     this.drawnAt = performance.now();
     this.centreCrests();
-    this.names.replaceChildren(...namesOf(this.app.runs));
+    this.names.replaceChildren(...namesWithLines(this.app.runs));
     for (const { measure, chart, value } of this.charts) {
       chart.setData(this.data(measure.name));
       const found = this.app.runs.map((run) => lastOf(run, measure.name));
@@ -103,16 +103,30 @@ export class SeriesView {
     return uPlot.join(tables);
   }
 
+  /** The middle of the plot of crests, and how far it reaches to either side (degrees). */
   private centre = 90;
+  private reach = 90;
+  /** The run of which that is the middle, and its last measured step then. */
+  private centred: { identity: string; step: number } | null = null;
 
   /** A value as it is plotted: crests on the side of their line that is nearest to the plot's middle. */
   private plotted(name: string, value: number | null): number | null {
     return name === CREST && value !== null ? nearest(value, this.centre) : value;
   }
 
+  private readonly crestAxis: uPlot.Axis = {
+    splits: () => crestMarks(this.centre, this.reach),
+    values: (_, marks) => marks.map((mark) => `${named(mark)}°`),
+  };
+
   private centreCrests(): void {
     const found = this.app.runs.flatMap((run) => run.measures.map((row) => row.values[CREST])).filter((value) => value != null);
-    this.centre = centreOf(found, this.app.current?.status?.wind ?? 0);
+    const { description, measures = [], status } = this.app.runs[0] ?? {};
+    const now = { identity: description?.identity ?? "", step: measures.at(-1)?.step ?? 0 };
+    const same = this.centred?.identity === now.identity && this.centred.step <= now.step;
+    this.centre = centreOf(found, status?.wind ?? 0, same ? this.centre : null);
+    this.reach = reachOf(found, this.centre);
+    this.centred = now;
   }
 
   private choices(): void {
@@ -156,10 +170,10 @@ export class SeriesView {
       height: 120,
       legend: { show: false },
       cursor: { drag: { x: false, y: false }, points: { size: 6 } },
-      scales: { x: { time: false }, ...(measure.name === CREST ? { y: { range: () => [this.centre - 90, this.centre + 90] } } : {}) },
+      scales: { x: { time: false }, ...(measure.name === CREST ? { y: { range: () => [this.centre - this.reach, this.centre + this.reach] } } : {}) },
       axes: [
         { ...axis, size: 26, space: 50, font: "10px system-ui", values: (_, marks) => marks.map((mark) => short(mark)) },
-        { ...axis, size: 48, space: 22, font: "10px system-ui", values: (_, marks) => marks.map((mark) => short(measure.name === CREST ? named(mark) : mark, 3)) },
+        { ...axis, size: 48, space: 22, font: "10px system-ui", values: (_, marks) => marks.map((mark) => short(mark, 3)), ...(measure.name === CREST ? this.crestAxis : {}) },
       ],
       series: [
         {},
@@ -167,8 +181,8 @@ export class SeriesView {
           stroke: colours[at] ?? "",
           width: 1.5,
           ...(at ? { dash: [6, 3] } : {}),
-          spanGaps: true,
-          ...(dots ? { paths: () => null, points: { show: true, size: 3, fill: colours[at] ?? "" } } : { points: { show: false } }),
+          points: { show: true, size: 3, fill: colours[at] ?? "", ...(dots ? {} : { filter: (chart: uPlot, series: number) => alone(chart.data[series]!) }) },
+          ...(dots ? { paths: () => null } : {}),
         })),
       ],
     } as uPlot.Options;
@@ -195,7 +209,14 @@ function lastOf(run: Run, name: string): { text: string; doubt: string } {
 }
 
 /** The names of two runs, each with the line that its measures have; none where there is one run. */
-function namesOf(runs: Run[]): HTMLElement[] {
+function namesWithLines(runs: Run[]): HTMLElement[] {
   if (runs.length < 2) return [];
-  return runs.map((run, at) => h("span", { className: `run-${at}` }, h("i", {}), nameBeside(run, runs[1 - at])));
+  return namesOf(runs).map((name, at) => h("span", { className: `run-${at}` }, h("i", {}), name));
+}
+
+/** Where values stand that a line cannot show, as neither side of them has one; what a run has no row for is no gap. */
+export function alone(values: ArrayLike<number | null | undefined>): number[] {
+  const rows = Array.from(values, (value, at) => ({ value, at })).filter(({ value }) => value !== undefined);
+  const has = (row: number) => rows[row]?.value != null;
+  return rows.flatMap(({ at }, row) => (has(row) && !has(row - 1) && !has(row + 1) ? [at] : []));
 }

@@ -1,0 +1,88 @@
+"""Numbers that are typed: a decimal comma is one, and what is no number is refused at its field."""
+
+import pytest
+
+RUN = "window.barchan.app.runs[0]"
+SCENARIO = f"{RUN}.description.scenario"
+
+
+def write(box, text: str) -> None:
+    """Type a text key by key, which browsers may sieve, in place of the one that stands there."""
+    box.click()
+    box.press("Control+A")
+    box.press_sequentially(text)
+    box.press("Enter")
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [("0,5", 0.5), (" .25 ", 0.25), ("5e-1", 0.5), ("0\u202f,7", None), ("1,234", None), ("0,1,2", None)],
+)
+def test_a_decimal_comma_is_read_and_doubt_is_refused(studio, text, value):
+    """1,234 is one and a bit for some and more than a thousand for others."""
+    box = studio.page.locator("[data-path='model.p_s']")
+    before = studio.ask(f"{SCENARIO}.model.p_s")
+    write(box, text)
+    if value is None:
+        assert text.strip() in studio.page.locator(".misread").inner_text()
+        assert box.get_attribute("aria-invalid") == "true"
+        studio.catch_up()
+        assert studio.ask(f"{SCENARIO}.model.p_s") == before
+    else:
+        studio.until(f"{SCENARIO}.model.p_s === {value}")
+        assert studio.page.locator(".misread").count() == 0
+
+
+@pytest.mark.extended
+def test_digits_in_groups_are_one_number_and_a_fraction_no_whole_one(studio):
+    page = studio.page
+    hops = page.locator("[data-path='model.max_hops']")
+    write(hops, "12 500")
+    studio.until(f"{SCENARIO}.model.max_hops === 12500")
+    write(hops, "2,5")
+    assert "whole number" in page.locator(".misread").inner_text()
+    write(hops, "9000")
+    studio.until(f"{SCENARIO}.model.max_hops === 9000")
+    assert page.locator(".misread").count() == 0
+
+
+@pytest.mark.extended
+def test_every_place_that_takes_a_number_reads_a_decimal_comma(studio):
+    page = studio.page
+    studio.pause()
+    page.get_by_role("tab", name="Wind").click()
+    write(page.locator(".dial-box input"), "292,5")
+    studio.until(f"{SCENARIO}.wind.direction === 292.5")
+    page.get_by_role("tab", name="Paint").click()
+    write(page.get_by_label("radius"), "2,5")
+    assert studio.page.get_by_label("radius").input_value() == "2.5"
+    page.get_by_role("tab", name="View").click()
+    page.get_by_label("fixed scale").check()
+    write(page.get_by_label("Highest value of the colours"), "7,5")
+    write(page.get_by_label("Lowest value of the colours"), "0,5")
+    assert studio.ask("window.barchan.app.view.look.limits") == [0.5, 7.5]
+    write(page.get_by_label("Lowest value of the colours"), "9")
+    assert "below the highest" in page.locator(".misread").inner_text()
+    assert studio.ask("window.barchan.app.view.look.limits") == [0.5, 7.5]
+    page.get_by_label("fixed scale").uncheck()
+    page.locator(".scene canvas").first.focus()
+    page.keyboard.press("m")
+    for box, text in zip(page.locator(".ruler input").all(), ("1,5", "2", "31,5", "42"), strict=True):
+        write(box, text)
+    rows = page.locator(".ruler table").inner_text()
+    assert "50 m" in rows  # of a way of 30 m to the east and 40 m to the north
+
+
+@pytest.mark.extended
+def test_a_sheet_is_not_sent_while_a_number_is_wrong(studio):
+    page = studio.page
+    page.locator("summary", has_text="File").click()
+    page.get_by_role("menuitem", name="Picture with title").click()
+    sheet = page.get_by_role("dialog")
+    sheet.get_by_label("Size").select_option("free")
+    write(sheet.get_by_label("Width (pixels)"), "12")
+    assert "From 64 to 8192" in sheet.locator(".misread").inner_text()
+    sheet.get_by_role("button", name="save PNG").click()
+    assert sheet.is_visible()
+    sheet.get_by_label("Width (pixels)").fill("640")
+    assert sheet.locator(".misread").count() == 0

@@ -1,0 +1,120 @@
+/** The field of a number, wherever the page takes one: what cannot be read as a number is refused at the field. */
+
+import { numberIn, unreadable } from "../core/number_text";
+import { h } from "./dom";
+
+export interface NumberOptions {
+  label?: string;
+  value?: number | null;
+  whole?: boolean;
+  least?: number;
+  most?: number;
+  /** Whether it may be negative, where no least number tells. */
+  signed?: boolean;
+  /** Whether it may be empty, which counts as null. */
+  optional?: boolean;
+  /** Takes what was typed, once it is whole and can be read. */
+  take?: (value: number | null) => void;
+  /** Called at every key. */
+  typing?: () => void;
+  /** Further properties of the element. */
+  props?: Record<string, unknown>;
+}
+
+export class NumberField {
+  readonly element: HTMLInputElement;
+  private readonly trouble = h("output", { className: "misread", role: "alert" });
+
+  constructor(private readonly options: NumberOptions) {
+    const { label, value, signed = false, least = signed ? -1 : 0, props } = options;
+    const { className = "", ...more } = props ?? {};
+    this.element = h("input", {
+      type: "text", // browsers drop a comma from fields of the type number, and read 0,5 as 5
+      inputMode: least < 0 ? "text" : "decimal", // keypads for decimals have no minus
+      role: "spinbutton",
+      autocomplete: "off",
+      spellcheck: false,
+      ...more,
+      ...(label ? { "aria-label": label } : {}),
+      className: `number ${String(className)}`.trim(),
+      oninput: () => this.typed(),
+      onchange: () => this.finished(),
+      onkeydown: (event: KeyboardEvent) => this.step(event),
+    });
+    this.show(value ?? null);
+  }
+
+  /** The number that stands there; null where there is none, or none that can be taken. */
+  get number(): number | null {
+    return this.wrong() ? null : numberIn(this.element.value);
+  }
+
+  get valid(): boolean {
+    return this.wrong() === "";
+  }
+
+  /** Let a number stand there. */
+  show(value: number | null): void {
+    this.element.value = value === null ? "" : String(value);
+    this.say("");
+    this.check();
+  }
+
+  /** Say at the field why its number is not taken. */
+  refuse(why: string): void {
+    this.say(why);
+  }
+
+  /** Why what stands there cannot be taken; empty where it can. */
+  private wrong(): string {
+    const { optional, whole, least = Number.NEGATIVE_INFINITY, most = Number.POSITIVE_INFINITY } = this.options;
+    const text = this.element.value;
+    if (text.trim() === "") return optional ? "" : "A number is needed here.";
+    const value = numberIn(text);
+    if (value === null) return unreadable(text);
+    if (whole && !Number.isInteger(value)) return "A whole number is needed here.";
+    if (value >= least && value <= most) return "";
+    return most === Number.POSITIVE_INFINITY ? `At least ${least}.` : `From ${least} to ${most}.`;
+  }
+
+  private typed(): void {
+    if (this.check()) this.say("");
+    this.options.typing?.();
+  }
+
+  /** Tell the form, which is not sent while its fields are wrong, and those who listen instead of looking. */
+  private check(): boolean {
+    const wrong = this.wrong();
+    this.element.setCustomValidity(wrong);
+    const value = numberIn(this.element.value);
+    if (value === null) this.element.removeAttribute("aria-valuenow");
+    else this.element.setAttribute("aria-valuenow", String(value));
+    return wrong === "";
+  }
+
+  private finished(): void {
+    const wrong = this.wrong();
+    this.say(wrong);
+    if (!wrong) this.options.take?.(this.number);
+  }
+
+  private say(why: string): void {
+    this.element.setAttribute("aria-invalid", String(why !== ""));
+    this.trouble.textContent = why;
+    if (why) this.element.after(this.trouble);
+    else this.trouble.remove();
+  }
+
+  /** The arrows up and down change the last digit that is written. */
+  private step(event: KeyboardEvent): void {
+    const sign = { ArrowUp: 1, ArrowDown: -1 }[event.key];
+    const value = this.number;
+    if (!sign || value === null || this.element.readOnly) return;
+    event.preventDefault();
+    const { least = Number.NEGATIVE_INFINITY, most = Number.POSITIVE_INFINITY } = this.options;
+    const digits = String(value).split(".")[1]?.length ?? 0;
+    const next = Number((value + sign * 10 ** -digits).toFixed(digits));
+    this.show(Math.min(Math.max(next, least), most));
+    this.finished();
+  }
+}
