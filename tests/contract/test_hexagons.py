@@ -6,7 +6,7 @@ import pytest
 from barchan.errors import ScenarioError
 from barchan.models import models
 from barchan.simulation import Simulation, Stroke
-from tests.contract.test_every_model import BOUNDARIES, GROUNDS, scenario
+from tests.contract.test_every_model import BOUNDARIES, grounds_and_winds, scenario
 
 SMALL = {"kind": "hex", "rows": 18, "columns": 23}
 ON_HEXAGONS = pytest.mark.parametrize(
@@ -19,6 +19,7 @@ ON_HEXAGONS = pytest.mark.parametrize(
     ],
 )
 WINDS = pytest.mark.parametrize("direction", [270.0, 0.0, 33.0])
+GROUNDS_AND_WINDS = grounds_and_winds(0.0)
 
 
 def steps_to_neighbours(heights):
@@ -32,8 +33,7 @@ def steps_to_neighbours(heights):
 
 @ON_HEXAGONS
 @BOUNDARIES
-@WINDS
-@GROUNDS
+@GROUNDS_AND_WINDS
 def test_sand_on_hexagons_is_conserved_exactly_and_no_stack_is_negative(name, boundary, direction, ground):
     edges = {"boundary_x": boundary, "boundary_y": boundary}
     simulation = Simulation(
