@@ -28,12 +28,11 @@ def _rows_near(view, row, grid, upwind):
 
 
 @internal(error_model="numpy")
-def _among_squares(view, along, across, here, peak, grid, box):
+def _among_squares(faces, view, along, across, here, peak, grid, width):
     rise = np.float64(peak - here)
     surface = view.now
     row, col = across >> 32, along >> 32
     across &= CELL - 1
-    faces = box.squares
     if faces.upwind > 0:
         across = CELL - across
     next_column = np.float64(along & (CELL - 1)) * _PLACE * faces.column_fall
@@ -61,7 +60,7 @@ def _among_squares(view, along, across, here, peak, grid, box):
             rows_near -= 1
         if fall >= rise:
             return False
-        if np.float64(load_at(surface + (row * grid.cols + col) * box.width, here) - here) > fall:
+        if np.float64(load_at(surface + (row * grid.cols + col) * width, here) - here) > fall:
             return True
 
 
@@ -83,12 +82,12 @@ def _place_among_near(view, row, grid):
 
 
 @internal(error_model="numpy")
-def _among_hexagons(view, along, across, here, peak, grid, box):
+def _among_hexagons(faces, view, along, across, here, peak, grid, width):
     rise = np.float64(peak - here)
     row, col = across >> 32, along >> 32
     along_middle = np.float64(along & (CELL - 1)) * _PLACE - 0.5
     across_middle = np.float64(across & (CELL - 1)) * _PLACE - 0.5
-    ahead, clockwise, anticlockwise = box.hexagons
+    ahead, clockwise, anticlockwise = faces
     next_ahead = _fall_to(ahead, along_middle, across_middle)
     next_clockwise = _fall_to(clockwise, along_middle, across_middle)
     next_anticlockwise = _fall_to(anticlockwise, along_middle, across_middle)
@@ -125,16 +124,19 @@ def _among_hexagons(view, along, across, here, peak, grid, box):
                 return False
             row += grid.rows if row < 0 else -grid.rows
         surface = view.now if 0 <= beside < near else view.before
-        if np.float64(load_at(surface + (row * grid.cols + col) * box.width, here) - here) > fall:
+        if np.float64(load_at(surface + (row * grid.cols + col) * width, here) - here) > fall:
             return True
 
 
 @internal(forceinline=True)
-def in_box_shadow(hexagons, view, along, across, here, peak, grid, box):
+def in_box_shadow(squares, hexagons, view, along, across, here, peak, grid, width):
     """Whether a place (fixed-point cells) on top of a stack of height ``here`` lies in shadow of the stacks.
 
-    The compiler leaves squares out where there are ``hexagons``, and else those.
+    One of ``squares`` and ``hexagons`` is None.
     """
+    shaded = False
+    if squares is not None:
+        shaded = _among_squares(squares, view, along, across, here, peak, grid, width)
     if hexagons is not None:
-        return _among_hexagons(view, along, across, here, peak, grid, box)
-    return _among_squares(view, along, across, here, peak, grid, box)
+        shaded = _among_hexagons(hexagons, view, along, across, here, peak, grid, width)
+    return shaded
