@@ -9,7 +9,7 @@ from barchan.scenario import Scenario
 ROWS, COLUMNS = 16, 24
 
 DATA: dict[str, Any] = {
-    "barchan": 3,
+    "barchan": 4,
     "title": "Tiny",
     "lattice": {"rows": ROWS, "columns": COLUMNS},
     "ground": {"kind": "flat"},

@@ -69,7 +69,7 @@ class Case:
             wind = {"kind": "regimes", "regimes": turns}
         return barchan.load(
             {
-                "barchan": 3,
+                "barchan": 4,
                 "lattice": lattice,
                 "sand": {"kind": "random", "mean": self.mean},
                 "wind": wind,

@@ -32,7 +32,7 @@ paths = st.sampled_from(["/data/dunes.tif", "/data/dunes.png"])
 
 def scenarios() -> st.SearchStrategy[dict[str, Any]]:
     """Plain data of valid scenarios; every key may be there or be left to its default."""
-    return group(Scenario).map(lambda data: {"barchan": 3, **data})
+    return group(Scenario).map(lambda data: {"barchan": 4, **data})
 
 
 def group(parameters: type[Parameters]) -> st.SearchStrategy[dict[str, Any]]:
@@ -194,8 +194,6 @@ def _timeless(data: dict[str, Any]) -> dict[str, Any]:
     parts = (data.get("ground"), data.get("sand"), data.get("model", {}).get("vegetation"))
     if "hex" not in model.lattices or any((part or {}).get("kind") == "file" for part in parts):
         data["lattice"] = {key: value for key, value in data.get("lattice", {}).items() if key != "kind"}
-    if data.get("lattice", {}).get("kind") == "hex" and data.get("model", {}).get("shadow_from") == "place":
-        data["model"] = {**data["model"], "shadow_from": "centre"}
     return data if model.temperature_range is None else _cold(data)
 
 

@@ -76,12 +76,40 @@ def test_the_default_model_of_an_earlier_file_keeps_its_shadow_lines(data):
     assert load_scenario({"barchan": 2, **data}).model.shadow_from == "centre"
 
 
+HEX = {"lattice": {"kind": "hex"}}
+
+
+@pytest.mark.parametrize("version", [1, 2, 3])
+@pytest.mark.parametrize("model", [{}, {"shadow_from": "auto"}, {"name": "momiji"}])
+def test_on_hexagons_shadow_lines_of_an_earlier_file_start_at_the_centre(version, model):
+    assert shadow_from({**HEX, "model": model}, version) == "centre"
+
+
+def test_on_hexagons_shadow_lines_start_where_an_earlier_file_says():
+    assert shadow_from({**HEX, "model": {"shadow_from": "edge"}}, 3) == "edge"
+    assert shadow_from(HEX, 3) == "centre"
+
+
+@pytest.mark.parametrize("model", [{"name": "ripples"}, {"name": 3}, "werner", None])
+def test_on_hexagons_too_what_has_no_shadow_lines_is_left_as_it_is(model):
+    assert migrate({"barchan": 3, **HEX, "model": model}) == ({"barchan": 4, **HEX, "model": model}, "")
+
+
+@pytest.mark.parametrize("lattice", [{}, {"lattice": {}}, {"lattice": {"kind": "square"}}, {"lattice": 3}])
+def test_a_file_of_format_3_on_squares_keeps_its_automatic_choice(lattice):
+    for model in ({"name": "werner"}, {"name": "werner", "shadow_from": "auto"}):
+        assert migrate({"barchan": 3, **lattice, "model": model}) == (
+            {"barchan": 4, **lattice, "model": model},
+            "",
+        )
+
+
 def test_a_file_of_today_says_nothing_of_shadow_lines_and_gets_todays_default():
-    assert load_scenario({"barchan": 3}).model.shadow_from == "auto"
+    assert load_scenario({"barchan": 4}).model.shadow_from == "auto"
 
 
 @pytest.mark.parametrize(
     "model", [{"name": "ripples"}, {"name": "unknown"}, {"name": 3}, "werner", None, [1]]
 )
 def test_models_without_shadow_lines_and_no_models_at_all_are_left_as_they_are(model):
-    assert migrate({"barchan": 2, "model": model}) == ({"barchan": 3, "model": model}, "")
+    assert migrate({"barchan": 2, "model": model}) == ({"barchan": 4, "model": model}, "")

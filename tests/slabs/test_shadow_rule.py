@@ -5,7 +5,7 @@ import pytest
 from barchan import Simulation, load
 from barchan.simulation.events import event_from, in_force
 
-SMALL = {"barchan": 3, "lattice": {"rows": 8, "columns": 8}, "run": {"seed": 1, "steps": 4}}
+SMALL = {"barchan": 4, "lattice": {"rows": 8, "columns": 8}, "run": {"seed": 1, "steps": 4}}
 
 
 def scenario(wind, lattice=None, clock=None, **model):
@@ -52,11 +52,32 @@ def test_records_and_storms_count_as_winds_off_the_axes():
         assert scenario({"kind": kind}, clock={}).new_model().shadow_rule == "place"
 
 
-def test_hexagons_have_no_rule_of_the_place_and_keep_the_centre():
-    hexagons = scenario(steady(285), {"kind": "hex"})
+@pytest.mark.parametrize("direction", [30, 90, 150, 210, 270, 330])
+def test_hexagons_have_six_axes_along_which_lines_start_at_the_centre(direction):
+    hexagons = scenario(steady(direction), {"kind": "hex"})
     assert hexagons.new_model().shadow_rule == "centre"
-    assert hexagons.facts()["shadow from"] == "centre (auto, on hexagons)"
-    assert not any("shadow_from" in remark for remark in hexagons.remarks())
+    assert hexagons.facts()["shadow from"] == "centre (auto: all winds blow along axes)"
+
+
+@pytest.mark.parametrize(
+    "wind",
+    [
+        steady(285),
+        steady(0),  # along a symmetry of the lattice, but along no line of cells
+        steady(240),
+        steady(30, spread=5),
+        regimes({"direction": 30}, {"direction": 45}),
+        {"kind": "mixed_axes", "first": 270, "second": 0},
+    ],
+)
+def test_under_other_winds_lines_start_from_each_slabs_place_on_hexagons(wind):
+    assert scenario(wind, {"kind": "hex"}).new_model().shadow_rule == "place"
+
+
+def test_winds_in_turn_along_axes_of_hexagons_start_lines_at_the_centre():
+    winds = regimes(*({"direction": direction} for direction in (270, 150, 30)))
+    assert scenario(winds, {"kind": "hex"}).new_model().shadow_rule == "centre"
+    assert scenario(winds).new_model().shadow_rule == "place"
 
 
 @pytest.mark.parametrize("rule", ["centre", "edge", "place"])
@@ -73,19 +94,27 @@ def test_the_rule_is_told_with_its_reason():
 
 
 def test_a_rule_by_which_the_lattice_steers_crests_is_remarked():
-    def remarked(wind, rule):
-        return [text for text in scenario(wind, shadow_from=rule).remarks() if "shadow_from" in text]
+    def remarked(wind, rule, kind="square"):
+        remarks = scenario(wind, {"kind": kind}, shadow_from=rule).remarks()
+        return [text for text in remarks if "shadow_from" in text]
 
     (text,) = remarked(steady(285), "centre")
     assert "shadow_from centre" in text
     assert "model.shadow_from place avoids it" in text
     assert not remarked(steady(285), "auto")
     assert not remarked(steady(270), "centre")
+    assert "by up to 24°" in remarked(steady(285), "edge", "hex")[0]
+    assert not remarked(steady(285), "auto", "hex")
+    assert not remarked(steady(210), "centre", "hex")
 
 
 def test_shadow_lines_of_the_kernel_follow_the_rule():
-    for wind, boxes in ((steady(270), False), (steady(285), True)):
-        chosen = scenario(wind)
+    for kind, direction, boxes in (
+        *(("square", 270, False), ("square", 285, True), ("square", 210, True)),
+        *(("hex", 270, False), ("hex", 285, True), ("hex", 210, False)),
+    ):
+        wind = steady(direction)
+        chosen = scenario(wind, {"kind": kind})
         model = chosen.new_model()
         arguments, _ = model._enter(chosen.first_bed(), model._frame(wind["direction"]), 5.0, None)
         assert (arguments.rules.box is not None) == boxes

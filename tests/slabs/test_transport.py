@@ -55,10 +55,11 @@ def test_bits_are_those_of_one_thread(threads, direction):
     assert alone[1] == beside[1]
 
 
+@pytest.mark.parametrize("shadow", ["centre", "place"])
 @pytest.mark.parametrize("direction", WINDS)
-def test_bits_on_hexagons_are_those_of_one_thread(direction):
+def test_bits_on_hexagons_are_those_of_one_thread(direction, shadow):
     lattice = Lattice(kind="hex", rows=90, columns=80, boundary_x="open")
-    model = Werner(Werner.Parameters(band_rows=8), lattice)
+    model = Werner(Werner.Parameters(band_rows=8, shadow_from=shadow), lattice)
     alone, beside = (moved_by(n, model, field_of(lattice, 1), direction) for n in (1, 3))
     np.testing.assert_array_equal(alone[0], beside[0])
     assert alone[1] == beside[1]

@@ -121,14 +121,30 @@ def _to_3(data: Data) -> Data:
     model = data.setdefault("model", {})
     if not isinstance(model, dict):
         return data
-    name = model.setdefault("name", DEFAULT_MODEL)
-    kind = models().get(name) if isinstance(name, str) else None
-    if kind is not None and "shadow_from" in kind.Parameters.model_fields:
+    if _has_shadow_lines(model):
         model.setdefault("shadow_from", "centre")
     return data
 
 
-STEPS: dict[int, Callable[[Data], Data]] = {1: _to_2, 2: _to_3}
+def _to_4(data: Data) -> Data:
+    """On hexagons shadow lines started at the centre unless a file said otherwise, whatever the winds."""
+    lattice = data.get("lattice")
+    if not isinstance(lattice, dict) or lattice.get("kind") != "hex":
+        return data
+    model = data.setdefault("model", {})
+    if isinstance(model, dict) and _has_shadow_lines(model) and model.get("shadow_from", "auto") == "auto":
+        model["shadow_from"] = "centre"
+    return data
+
+
+def _has_shadow_lines(model: Data) -> bool:
+    """Whether the model's parameters say where shadow lines start; a model without a name is the default."""
+    name = model.setdefault("name", DEFAULT_MODEL)
+    kind = models().get(name) if isinstance(name, str) else None
+    return kind is not None and "shadow_from" in kind.Parameters.model_fields
+
+
+STEPS: dict[int, Callable[[Data], Data]] = {1: _to_2, 2: _to_3, 3: _to_4}
 """For each earlier format, what turns its data into the next one's."""
 
 

@@ -87,7 +87,7 @@ class Simulation:
     def wind(self, wind: Wind) -> None:
         self._wind = wind
         self.forcing = replace(self.forcing, wind=wind)
-        self.model.winds_off_axes = wind.off_axes
+        self.model.winds_off_axes = wind.off_axes(self.lattice.hexagonal)
 
     @property
     def wind_direction(self) -> float:

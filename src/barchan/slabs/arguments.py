@@ -25,7 +25,6 @@ from barchan.kernels.slabs.state import (
     CELL,
     MOBILE,
     AxisShadow,
-    BoxShadow,
     ObstacleRule,
     RayShadow,
     Schedule,
@@ -36,6 +35,7 @@ from barchan.kernels.slabs.state import (
     prepared_polls,
 )
 from barchan.lattice import HEX_ROWS, Lattice
+from barchan.slabs.boxes import box_shadow
 from barchan.slabs.neighbours import neighbour_groups, order_table
 from barchan.slabs.parameters import ShadowRule, SlabParameters
 from barchan.slabs.rays import ray_shadow
@@ -79,11 +79,11 @@ def build(
     repose = _repose(parameters, rules, lattice, 1 if flat else 1 << FRACTION_BITS)
     axis: AxisShadow | None = None
     ray: RayShadow | None = None
+    fall_of_units, width = fall * (1.0 if flat else 2.0**FRACTION_BITS), 4 if flat else 8
     if frame.angle == 0.0:
         axis, memory = _axis_shadow(cols, fall, start, flat)
     else:
-        slabs = fall * (1.0 if flat else 2.0**FRACTION_BITS)
-        ray, memory = ray_shadow(grid, frame.angle, slabs, start, 4 if flat else 8)
+        ray, memory = ray_shadow(grid, frame.angle, fall_of_units, start, width)
     found = SlabRules(
         grid=grid,
         wind=_wind(parameters, rules.erosion, frame, hop, lattice),
@@ -92,7 +92,7 @@ def build(
         repose=repose,
         axis=axis,
         ray=ray,
-        box=_box_shadow(frame.angle, fall, flat) if shadow == "place" else None,
+        box=box_shadow(grid, frame.angle, fall_of_units, width) if shadow == "place" else None,
         orders=orders,
         relaxation_orders=_relaxation_orders(parameters, lattice, orders),
         interruption=new_interruption(),
@@ -182,9 +182,3 @@ def _axis_shadow(cols: int, fall: float, start: float, flat: bool) -> tuple[Axis
     reach = math.ceil(2**16 / fall)
     address = falls.ctypes.data + SIMD_WIDTH * falls.itemsize
     return AxisShadow(address, size, shift, reach, falls.itemsize), (falls,)
-
-
-def _box_shadow(angle: float, fall: float, flat: bool) -> BoxShadow:
-    fall *= 1.0 if flat else 2.0**FRACTION_BITS
-    row_fall = fall / abs(math.sin(angle)) if angle else math.inf
-    return BoxShadow(fall / math.cos(angle), row_fall, 1 if angle < 0.0 else -1, 4 if flat else 8)

@@ -192,13 +192,6 @@ class SlabModel(Model):
             raise ValueError(f"is given, but {reason}: a step of no known volume has no duration")
         return given * hop_length / self.parameters.p_s
 
-    def problems(self, step_seconds: float | None) -> list[tuple[str, str]]:
-        """Rules that hold on squares alone."""
-        if self.lattice.hexagonal and self.parameters.shadow_from == "place":
-            text = "is place, which sees stacks as square boxes; allowed with lattice.kind hex: centre, edge"
-            return [("shadow_from", text)]
-        return []
-
     def slope_limits(self) -> dict[str, tuple[int, ...]]:
         """The repose limits (slabs) towards faces and corners, of bare cells and of stabilised ones."""
         angles = {"bare": self.parameters.static_repose_angle, "stabilised": self.rules().stabilised_angle}
@@ -241,7 +234,7 @@ class SlabModel(Model):
     @property
     def shadow_rule(self) -> ShadowRule:
         """Where shadow lines start under the winds that blow now."""
-        return self.parameters.shadow_rule(self.lattice, self.winds_off_axes)
+        return self.parameters.shadow_rule(self.winds_off_axes)
 
     def unsheltered(self, field: NDArray[np.float64], bed: Bed, direction: float) -> NDArray[np.float64]:
         """A field of the wind, 0 on cells that give nothing because they lie in shadow."""
@@ -263,8 +256,6 @@ class SlabModel(Model):
         rule = self.shadow_rule
         if self.parameters.shadow_from != "auto":
             return rule
-        if self.lattice.hexagonal:
-            return f"{rule} (auto, on hexagons)"
         winds = "a wind blows off the lattice's axes" if self.winds_off_axes else "all winds blow along axes"
         return f"{rule} (auto: {winds})"
 
@@ -290,10 +281,11 @@ class SlabModel(Model):
 
     def wind_remarks(self) -> list[str]:
         """Warn of winds under which the lattice steers crests, where a rule avoids that."""
-        if not self.winds_off_axes or self.lattice.hexagonal or self.shadow_rule == "place":
+        if not self.winds_off_axes or self.shadow_rule == "place":
             return []
         text = f"with shadow_from {self.shadow_rule} the lattice turns crests under winds off its axes"
-        return [f"{text}, in some models by up to 40°; model.shadow_from place avoids it"]
+        most = 24 if self.lattice.hexagonal else 40
+        return [f"{text}, in some models by up to {most}°; model.shadow_from place avoids it"]
 
     def _frame(self, direction: float) -> WindFrame:
         return WindFrame.of(direction, self.lattice.hexagonal)

@@ -79,8 +79,8 @@ class SlabParameters(Parameters):
         meaning="Where the line starts: at the upwind cell's centre; at its downwind edge so that a cell is "
         "sheltered when more than half of its top lies under the line; or at that edge, with each slab "
         "sheltered or not at its own place in its cell, which treats every wind direction alike. auto is "
-        "place where any wind of the run blows off the axes of square cells, because the lattice steers "
-        "crests under the other two rules then, and centre elsewhere.",
+        "place where any wind of the run blows off the lattice's axes, because the lattice steers crests "
+        "under the other two rules then, and centre elsewhere.",
         source="centre: Prague thesis, Alg. 6; edge: Elder 2009, Fig. 2; place, auto: ours",
     )
     lee_erosion: bool = parameter(
@@ -202,11 +202,11 @@ class SlabParameters(Parameters):
             )
         return self
 
-    def shadow_rule(self, lattice: Lattice, winds_off_axes: bool) -> ShadowRule:
-        """The rule of ``shadow_from`` that acts on a lattice, under winds of which any blows off its axes."""
+    def shadow_rule(self, winds_off_axes: bool) -> ShadowRule:
+        """The rule of ``shadow_from`` that acts, by whether any wind blows off the lattice's axes."""
         if self.shadow_from != "auto":
             return self.shadow_from
-        return "place" if winds_off_axes and not lattice.hexagonal else "centre"
+        return "place" if winds_off_axes else "centre"
 
     def face_limit(self, lattice: Lattice, angle: float | None = None) -> int:
         """Largest step (slabs) to a face neighbour that stands, at the repose angle or another one."""

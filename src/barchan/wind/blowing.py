@@ -6,7 +6,7 @@ import numpy as np
 from pydantic import Field, ValidationError, model_validator
 
 from barchan.parameters import mistake, parameter
-from barchan.wind.frame import WindFrame
+from barchan.wind.frame import off_axes
 from barchan.wind.gusts import Gusts, normal
 from barchan.wind.interval import StepClock, WindInterval
 from barchan.wind.weather import Weather, WithWeather
@@ -115,10 +115,9 @@ class Blowing(WithWeather):
         """Whether it is no wind at all."""
         return self.speed == 0.0
 
-    @property
-    def off_axes(self) -> bool:
-        """Whether it ever blows off the axes of a lattice of squares, at random or on the whole."""
-        return not self.calm and (self.spread > 0.0 or WindFrame.of(self.direction).angle != 0.0)
+    def off_axes(self, hexagonal: bool = False) -> bool:
+        """Whether it ever blows off the axes of a lattice, at random or on the whole."""
+        return not self.calm and (self.spread > 0.0 or off_axes(self.direction, hexagonal))
 
     @property
     def varies(self) -> bool:

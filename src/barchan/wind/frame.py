@@ -17,6 +17,17 @@ _AXIS = 1e-9
 """Angles (rad) to an axis below this are the axis itself."""
 
 
+def off_axes(direction: float, hexagonal: bool = False) -> bool:
+    """Whether a wind from ``direction`` (degrees) blows along no line of cells that share faces.
+
+    Those are the rows and columns of squares, and of hexagons the rows and what lies at 60 degrees to them.
+    """
+    x, y = downwind(direction)
+    towards = math.atan2(y, x)
+    between = math.pi / 3 if hexagonal else math.pi / 2
+    return abs(towards - math.floor(towards / between + 0.5) * between) >= _AXIS
+
+
 @dataclass(frozen=True)
 class WindFrame:
     """How the lattice lies to a wind."""

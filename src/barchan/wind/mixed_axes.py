@@ -83,10 +83,9 @@ class MixedAxes(Parameters):
         """Steps after which the wind comes again: 0, as every step is the same."""
         return 0.0
 
-    @property
-    def off_axes(self) -> bool:
-        """Whether it ever blows off the axes of a lattice of squares: never."""
-        return False
+    def off_axes(self, hexagonal: bool = False) -> bool:
+        """Whether it ever blows off the axes of a lattice: on hexagons, which have none at right angles."""
+        return hexagonal
 
     def placed_parts(self) -> list[tuple[tuple[str | int, ...], Blowing]]:
         """The winds of both axes, with their keys."""

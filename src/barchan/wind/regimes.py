@@ -272,10 +272,9 @@ class Regimes(Parameters):
             time -= regime.duration(clock)
         return self.regimes[0], 0.0
 
-    @property
-    def off_axes(self) -> bool:
-        """Whether any of them ever blows off the axes of a lattice of squares."""
-        return any(regime.off_axes for regime in self.regimes)
+    def off_axes(self, hexagonal: bool = False) -> bool:
+        """Whether any of them ever blows off the axes of a lattice."""
+        return any(regime.off_axes(hexagonal) for regime in self.regimes)
 
     def placed_parts(self) -> list[tuple[tuple[str | int, ...], Blowing]]:
         """The winds that it is made of, and under which keys they stand."""

@@ -132,9 +132,8 @@ class SeriesWind(Parameters):
         kept = shares > _ROUNDING
         return Rows(shares[kept], numbers[kept])
 
-    @property
-    def off_axes(self) -> bool:
-        """Whether it ever blows off the axes of a lattice of squares: taken as true of any series."""
+    def off_axes(self, _hexagonal: bool = False) -> bool:
+        """Whether it ever blows off the axes of a lattice: taken as true of any series."""
         return True
 
     def placed_parts(self) -> list[tuple[tuple[str | int, ...], Blowing]]:

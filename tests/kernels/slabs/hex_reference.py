@@ -57,6 +57,8 @@ class HexField(Field):
     # --- the shadow zone ---------------------------------------------------------------------------
 
     def in_shadow(self, row, col, place=None):
+        if self.rules.shadow_from == "place":
+            return self.in_shadow_of_prisms(row, col, *place)
         fall = math.tan(math.radians(self.rules.shadow_angle)) / self.aspect
         start = 0.5 if self.rules.shadow_from == "edge" else 0.0
         here = self.height(row, col)
@@ -104,6 +106,34 @@ class HexField(Field):
             heights.append(float(seen(*cell)))
         return heights[0] + weight * (heights[1] - heights[0]) if weight else heights[0]
 
+    def in_shadow_of_prisms(self, row, col, x, y):
+        """Walk upwind from a place, and go on to the neighbour that is the first to be as near as the cell.
+
+        The line leaves a hexagon where it comes to the bisector between its centre and a neighbour's.
+        """
+        fall = math.tan(math.radians(self.rules.shadow_angle)) / self.aspect * SCALE
+        middle, centre = self.middle(row, col), self.centre(row, col)
+        start = centre[0] + (x - middle[0]) / CELL, centre[1] + (y - middle[1]) / CELL / ROW
+        upwind = -math.cos(self.angle), -math.sin(self.angle)
+        here, highest = self.height(row, col), max(map(max, self.heights()))
+        r, c = row, col
+        while True:
+            distance, (r, c) = min(self.ways_out(start, upwind, r, c))
+            if distance * fall >= highest - here or self.inside(r, c) is None:
+                return False
+            seen = self.height if self.sees(row, r - row) else self.height_before
+            if seen(*self.inside(r, c)) - here > distance * fall:
+                return True
+
+    def ways_out(self, start, upwind, row, col):
+        """Distances along the line to the bisectors with the neighbours that it nears, and those cells."""
+        x, y = self.centre(row, col)
+        for step in map(unit, WAYS):
+            nearing = upwind[0] * step[1] + upwind[1] * step[0]
+            if nearing > 1e-9:
+                to_face = (x + step[1] / 2 - start[0]) * step[1] + (y + step[0] / 2 - start[1]) * step[0]
+                yield to_face / nearing, self.cell_at(x + step[1], y + step[0])
+
     def is_centre(self, x, y):
         cx, cy = self.centre(*self.cell_at(x, y))
         return math.hypot(cx - x, cy - y) < 1e-6
@@ -138,12 +168,17 @@ class HexField(Field):
     def take_off(self, row, col, hop, draws):
         dx, dy = self.fixed(hop)
         x, y = self.middle(row, col)
-        if dx % CELL or dy % CELL or (self.extra.hop is not None and not self.extra.hop.whole):
-            draw = draws.next()
-            px, py = high(draw), low(draw) * 3 // 4
-            mx, my = self.middle(*self.nearest(px, py))
-            x, y = x + px - mx, y + py - my
+        if self.rules.shadow_from == "place":
+            x, y = self.start
+        elif dx % CELL or dy % CELL or (self.extra.hop is not None and not self.extra.hop.whole):
+            x, y = self.place_in(row, col, draws.next())
         return x, y, dx, dy, 0, draws
+
+    def place_in(self, row, col, draw):
+        x, y = self.middle(row, col)
+        px, py = high(draw), low(draw) * 3 // 4
+        mx, my = self.middle(*self.nearest(px, py))
+        return x + px - mx, y + py - my
 
     def hops_far(self, x, y, dx, dy):
         if self.near is None:

@@ -129,7 +129,7 @@ class Field:
         """Walk upwind from a place, edge by edge, and look at the box behind each edge."""
         fall = math.tan(math.radians(self.rules.shadow_angle)) / self.aspect * SCALE
         column_fall = fall / math.cos(self.angle)
-        row_fall = fall / abs(math.sin(self.angle)) if self.angle else math.inf
+        row_fall = fall / abs(math.sin(self.angle)) if self.angle else 1e300
         upwind = 1 if self.angle < 0.0 else -1
         to_column = x % CELL / CELL * column_fall
         to_row = (y % CELL if upwind < 0 else CELL - y % CELL) / CELL * row_fall
@@ -291,8 +291,7 @@ class Field:
 
     def gives(self, row, col, draws):
         if self.rules.shadow_from == "place":
-            draw = draws.next()
-            self.start = col * CELL + high(draw), row * CELL + low(draw)
+            self.start = self.place_in(row, col, draws.next())
         chance = high(draws.next()) if self.mobile is not None else 0
         if self.sand[row][col] == 0:
             return False
@@ -417,6 +416,10 @@ class Field:
         late, self.aside = self.aside, []
         for flight in late:
             self.land(self.carry(*flight), flight[-1])
+
+    def place_in(self, row, col, draw):
+        """A place in a cell, drawn evenly."""
+        return col * CELL + high(draw), row * CELL + low(draw)
 
     def fixed(self, hop):
         return round(hop * (math.cos(self.angle) * CELL)), round(hop * (math.sin(self.angle) * CELL))

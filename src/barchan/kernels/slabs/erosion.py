@@ -10,6 +10,7 @@ from barchan.kernels.bed.slopes import has_sand
 from barchan.kernels.core.borrow import borrowed
 from barchan.kernels.core.internal import internal
 from barchan.kernels.core.random import GOLDEN, below, high, low, mix
+from barchan.kernels.slabs.hexagons import place_within
 from barchan.kernels.slabs.hop import hop_cells
 from barchan.kernels.slabs.shadow import in_shadow
 from barchan.kernels.slabs.state import MOBILE
@@ -48,6 +49,14 @@ def _erodes_outside_shadow(ray, axis, box, grid, wind, erodes, view, along, acro
 
 
 @internal(forceinline=True)
+def _spread(hexagons, beside, above):
+    """A place within a cell, all equally likely, from two random numbers of 32 bits."""
+    if hexagons is not None:
+        return place_within(beside, above)
+    return beside, above
+
+
+@internal(forceinline=True)
 def place_in_cell(box, row, col, state):
     """Where in a cell its topmost slab lies (fixed-point cells), and the random state.
 
@@ -58,8 +67,9 @@ def place_in_cell(box, row, col, state):
     if box is not None:
         state += GOLDEN
         draw = mix(state)
-        along |= np.int64(high(draw))
-        across |= np.int64(low(draw))
+        beside, above = _spread(box.hexagons, np.int64(high(draw)), np.int64(low(draw)))
+        along |= beside
+        across |= above
     return along, across, state
 
 

@@ -6,7 +6,7 @@ degrees, and heights are whole numbers, so the answers are exact. Along a lattic
 stand side by side in memory and are tested sixteen at a time; for an oblique wind the ray crosses each
 column (of hexagons, each of the lattice's lines that lie most squarely across it) between two cells and the
 height there is interpolated linearly between them. Where slabs have a place in their cell, the line from that
-place meets the stacks as the boxes that they are, cell by cell.
+place meets the stacks as they are, cell by cell (``boxes``).
 """
 
 import numpy as np
@@ -15,13 +15,10 @@ from numba import njit
 from barchan.kernels.core.internal import internal
 from barchan.kernels.core.simd import any_above, any_of_last_above, load_at
 from barchan.kernels.core.state import SIMD_WIDTH
+from barchan.kernels.slabs.boxes import in_box_shadow
 from barchan.kernels.slabs.state import CELL, Rows, View
 
 _BLOCK = np.int64(SIMD_WIDTH)
-
-_PLACE = 1.0 / CELL
-
-_ENDLESS = np.int64(1 << 62)
 
 
 @internal(error_model="numpy")
@@ -163,54 +160,6 @@ def _in_ray_shadow(view, row, col, here, peak, grid, ray):
     return False
 
 
-@internal(forceinline=True)
-def _rows_near(view, row, grid, upwind):
-    """How many rows upwind of a near row are near as well."""
-    near = view.near
-    if near.number == grid.rows:
-        return _ENDLESS
-    beside = row - near.first
-    beside += grid.rows if beside < 0 else 0
-    return beside if upwind < 0 else near.number - 1 - beside
-
-
-@internal(error_model="numpy")
-def _in_box_shadow(view, along, across, here, peak, grid, box):
-    rise = np.float64(peak - here)
-    surface = view.now
-    row, col = across >> 32, along >> 32
-    across &= CELL - 1
-    if box.upwind > 0:
-        across = CELL - across
-    next_column = np.float64(along & (CELL - 1)) * _PLACE * box.column_fall
-    next_row = np.float64(across) * _PLACE * box.row_fall
-    rows_near = _rows_near(view, row, grid, box.upwind)
-    while True:
-        if next_column <= next_row:
-            fall = next_column
-            next_column += box.column_fall
-            col -= 1
-            if col < 0:
-                if not grid.wrap_along:
-                    return False
-                col += grid.cols
-        else:
-            fall = next_row
-            next_row += box.row_fall
-            row += box.upwind
-            if row < 0 or row >= grid.rows:
-                if not grid.wrap_across:
-                    return False
-                row -= box.upwind * grid.rows
-            if rows_near == 0:
-                surface = view.before
-            rows_near -= 1
-        if fall >= rise:
-            return False
-        if np.float64(load_at(surface + (row * grid.cols + col) * box.width, here) - here) > fall:
-            return True
-
-
 @njit(cache=True, error_model="numpy")
 def in_shadow(view, along, across, here, peak, grid, axis, ray, box):
     """Whether a place (fixed-point cells) on top of a stack of height ``here`` lies in shadow.
@@ -221,7 +170,8 @@ def in_shadow(view, along, across, here, peak, grid, axis, ray, box):
     """
     shaded = False
     if box is not None:
-        shaded = peak > here and _in_box_shadow(view, along, across, here, peak, grid, box)
+        place = view, along, across, here, peak, grid
+        shaded = peak > here and in_box_shadow(box.squares, box.hexagons, *place, box.width)
     else:
         row, col = across >> 32, along >> 32
         if axis is not None:

@@ -101,15 +101,48 @@ class RayShadow(NamedTuple):
     next_col: int = 0
 
 
-class BoxShadow(NamedTuple):
-    """Shadow lines over stacks that are boxes, from a slab's own place in its cell."""
+class SquareFaces(NamedTuple):
+    """The faces of square boxes that a shadow line meets on its way upwind."""
 
     column_fall: float
     """How far a line falls from one column's upwind edge to the next."""
     row_fall: float
-    """How far it falls from one row's upwind edge to the next; infinite along an axis."""
+    """How far it falls from one row's upwind edge to the next; along an axis more than any stack is high."""
     upwind: int
     """Upwind across the rows: -1 or 1."""
+
+
+class Face(NamedTuple):
+    """A face of a hexagon, one of the three through which shadow lines leave upwind."""
+
+    fall: float
+    """How far a line falls from one face of this kind to the next."""
+    along: float
+    """How much nearer (widths of a cell) a place is that lies a width of a cell farther along."""
+    across: float
+    """The same of a place that lies a height of a cell farther across."""
+    row: int
+    """Row of the cell behind it, relative to the cell."""
+    col: int
+    """Column of that cell, relative to the cell in an even row; from an odd row to another it is one more."""
+
+
+class HexagonFaces(NamedTuple):
+    """The faces of hexagons that a shadow line meets on its way upwind, sixty degrees apart."""
+
+    ahead: Face
+    """The one that lies most squarely to the wind."""
+    clockwise: Face
+    """The next one clockwise."""
+    anticlockwise: Face
+
+
+class BoxShadow(NamedTuple):
+    """Shadow lines over stacks as the boxes or prisms that they are, from a slab's own place in its cell."""
+
+    squares: SquareFaces | None
+    """One of ``squares`` and ``hexagons`` is None."""
+    hexagons: HexagonFaces | None
     width: int
     """Bytes of one height."""
 

@@ -1,0 +1,52 @@
+"""The faces of boxes and prisms that shadow lines from a slab's own place meet."""
+
+import math
+
+from barchan.kernels.bed.state import Grid
+from barchan.kernels.slabs.state import BoxShadow, Face, HexagonFaces, SquareFaces
+
+_ROUNDING = 1e-9
+"""Slack for winds half way between two faces."""
+
+_PARALLEL = 1e-12
+"""Sine of the angle to a face below which a line is taken to come to the next one no sooner than that."""
+
+_NEVER = 1e300
+"""A fall that no line reaches; finite, so that none of it is nothing for a place on the edge itself."""
+
+_FACES = {
+    0: (1.0, 0.0, 0, 1),
+    60: (0.5, 1.0, 1, 0),
+    120: (-0.5, 1.0, 1, -1),
+    180: (-1.0, 0.0, 0, -1),
+    240: (-0.5, -1.0, -1, -1),
+    300: (0.5, -1.0, -1, 0),
+}
+"""Faces of a hexagon by direction (degrees anticlockwise from along): how much nearer a place is that lies
+one width of a cell farther along, or one height farther across; row and column of the cell behind."""
+
+
+def box_shadow(grid: Grid, angle: float, fall: float, width: int) -> BoxShadow:
+    """Shadow lines of a wind at an ``angle`` (rad) to the rows, over boxes or prisms.
+
+    Lines fall by ``fall`` units of height a cell; heights have ``width`` bytes.
+    """
+    if grid.hexagonal:
+        return BoxShadow(None, _hexagon_faces(angle, fall), width)
+    row_fall = fall / abs(math.sin(angle)) if angle else _NEVER
+    faces = SquareFaces(fall / math.cos(angle), row_fall, 1 if angle < 0.0 else -1)
+    return BoxShadow(faces, None, width)
+
+
+def _hexagon_faces(angle: float, fall: float) -> HexagonFaces:
+    """The upwind faces: the one that lies most squarely to the wind, and its two neighbours."""
+    ahead = 180
+    if abs(angle) > math.pi / 6 + _ROUNDING:
+        ahead += 60 if angle > 0.0 else -60
+    return HexagonFaces(*(_face(way % 360, angle, fall) for way in (ahead, ahead - 60, ahead + 60)))
+
+
+def _face(way: int, angle: float, fall: float) -> Face:
+    along, across, row, col = _FACES[way]
+    squarely = math.cos(math.pi + angle - math.radians(way))
+    return Face(fall / max(squarely, _PARALLEL), along, across, row, col)

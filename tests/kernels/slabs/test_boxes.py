@@ -1,0 +1,122 @@
+"""Shadow over boxes and prisms: walls and stacks whose shadows are known from geometry alone."""
+
+import math
+
+import numpy as np
+import pytest
+
+from barchan.bed import Bed
+from barchan.kernels.slabs.shadow import in_shadow
+from barchan.kernels.slabs.state import CELL, Rows, View
+from barchan.lattice import HEX_ROWS, Lattice
+from barchan.slabs.arguments import build
+from barchan.slabs.parameters import SlabParameters
+from barchan.slabs.rules import Rules
+from barchan.slabs.stacks import stacks_of
+from barchan.wind.frame import WindFrame
+from tests.kernels.slabs.test_shadow import zone
+from tests.kernels.slabs.test_step import rough_bed
+
+HIGH = 6
+"""Slabs of a wall."""
+
+
+def nearest_hexagon(x, y):
+    """Row and column of the hexagon with the centre nearest to a point (cells from the first centre)."""
+    rows = np.floor(y / HEX_ROWS)[..., None] + np.arange(2)
+    columns = np.rint(x[..., None] - 0.5 * (rows % 2))
+    away = np.hypot(x[..., None] - columns - 0.5 * (rows % 2), y[..., None] - rows * HEX_ROWS)
+    nearer = np.argmin(away, axis=-1)[..., None]
+    row, column = (np.take_along_axis(part, nearer, -1)[..., 0].astype(int) for part in (rows, columns))
+    return row, column
+
+
+def sheltered(lattice, sand, angle, points):
+    """Which points (cells) lie in shadow, of a wind at an angle (degrees) to the rows."""
+    frame = WindFrame(0, math.radians(angle))
+    rules = build(SlabParameters(), Rules(), lattice, frame, 5.0, True, "place").rules
+    surface = stacks_of(Bed(lattice, np.zeros(lattice.shape), sand), frame, None).surface
+    view = View(surface.ctypes.data, surface.ctypes.data, Rows(0, lattice.rows))
+    x, y = points.T
+    if lattice.hexagonal:
+        row, column = nearest_hexagon(x, y)
+        beside, above = x - column - 0.5 * (row % 2) + 0.5, (y - row * HEX_ROWS) * HEX_ROWS + 0.5
+    else:
+        row, column = np.floor(y + 0.5).astype(int), np.floor(x + 0.5).astype(int)
+        beside, above = x - column + 0.5, y - row + 0.5
+    found = []
+    for r, c, u, v in zip(row % lattice.rows, column % lattice.columns, beside, above, strict=True):
+        place = (int(c) << 32) + int(u * CELL), (int(r) << 32) + int(v * CELL)
+        here = surface[r * lattice.columns + c]
+        shadows = rules.grid, rules.axis, rules.ray, rules.box
+        found.append(in_shadow(view, *place, here, HIGH, *shadows))
+    return np.array(found)
+
+
+def wall(lattice, way):
+    """A wall one cell wide, from edge to edge in a direction (degrees to the rows)."""
+    sand = np.zeros(lattice.shape, np.int32)
+    if way == 0:
+        sand[lattice.rows // 2] = HIGH
+    elif lattice.hexagonal:  # two rows up it has come a cell to the east (60 degrees) or to the west
+        rows = np.arange(lattice.rows)
+        sand[rows, (rows // 2 if way == 60 else -((rows + 1) // 2)) % lattice.columns] = HIGH
+    else:
+        sand[:, lattice.columns // 2] = HIGH
+    return sand
+
+
+@pytest.mark.parametrize(
+    ("kind", "way", "angle"),
+    [
+        *(("square", 90, angle) for angle in (0.0, 17.0, -45.0)),
+        ("square", 0, 30.0),
+        *(("hex", 0, angle) for angle in (45.0, 77.0, -90.0)),
+        *(("hex", 60, angle) for angle in (0.0, -30.0, -52.0)),
+        *(("hex", 120, angle) for angle in (0.0, 30.0, 38.0)),
+    ],
+)
+def test_behind_a_wall_a_strip_of_its_height_over_the_tangent_lies_in_shadow_on_the_average(kind, way, angle):
+    """Along the wind the strip is as wide wherever a line leaves the wall, for no line meets it twice.
+
+    That holds at more than 30 degrees to a wall of hexagons, whose two sides zigzag by 30 degrees.
+    """
+    lattice = Lattice(kind=kind, rows=48, columns=24)
+    sand = wall(lattice, way)
+    rows = HEX_ROWS if lattice.hexagonal else 1.0
+    parts = np.stack(np.meshgrid(np.arange(80), np.arange(100)), -1).reshape(-1, 2)
+    within = np.random.default_rng(1).random(parts.shape)  # a point drawn in each part of the field
+    points = (parts + within) / (80, 100) * (lattice.columns, lattice.rows * rows)
+    strip = HIGH * lattice.aspect / math.tan(math.radians(15.0))
+    long = lattice.columns if way == 0 else lattice.rows * rows / math.sin(math.radians(way))
+    area = strip * long * abs(math.sin(math.radians(angle - way)))
+    share = area / (lattice.columns * lattice.rows * rows)
+    # parts that the strip's borders cross, some 300 of 8000, are in or out by chance
+    error = math.sqrt(300 / 4) / len(points)
+    assert sheltered(lattice, sand, angle, points).mean() == pytest.approx(share, abs=4 * error)
+
+
+@pytest.mark.parametrize("direction", [270.0, 255.0, 225.5, 287.0, 200.0, 1.0])
+def test_shadow_among_hexagons_equals_lines_marched_finely_over_prisms(direction):
+    """From the middle of each cell the prism under each point of the line is looked up, 50 a cell."""
+    lattice = Lattice(kind="hex", rows=10, columns=13)
+    sand = rough_bed(lattice, 3, top=6)
+    towards = math.radians(270.0 - direction)
+    slope = math.tan(math.radians(15)) / lattice.aspect
+    distances = np.arange(0.01, 40.0, 0.02)
+    shaded = zone(lattice, sand, direction=direction, shadow_from="place")
+    for row, col in np.ndindex(lattice.shape):
+        x = col + 0.5 * (row % 2) - distances * math.cos(towards)
+        rows, cols = nearest_hexagon(x, row * HEX_ROWS - distances * math.sin(towards))
+        above = sand[rows % lattice.rows, cols % lattice.columns] - slope * distances - sand[row, col]
+        assert shaded[row, col] if above.max() > 0.0 else True
+        assert not shaded[row, col] if above.max() < -0.02 * slope else True
+
+
+def test_a_line_that_leaves_an_open_edge_of_hexagons_is_sheltered_by_nothing_beyond():
+    lattice = Lattice(kind="hex", rows=6, columns=10, boundary_x="open", boundary_y="open")
+    sand = np.zeros(lattice.shape, np.int32)
+    sand[:, -1] = HIGH
+    for direction in (270.0, 255.0, 250.0):
+        assert not zone(lattice, sand, direction=direction, shadow_from="place")[:, :-1].any()
+    assert zone(lattice, sand, direction=90.0, shadow_from="place")[:, -4:-1].all()
