@@ -111,7 +111,11 @@ def test_a_mistake_in_an_event_names_the_keys_of_its_kind():
 
 @pytest.mark.parametrize(
     ("name", "key"),
-    [("werner", "static_repose_angle"), ("ripples", "repose_angle"), ("wang_hu", "repose_angle")],
+    [
+        ("werner", "static_repose_angle"),
+        ("ripples", "repose_angle"),
+        pytest.param("wang_hu", "repose_angle", marks=pytest.mark.extended),
+    ],
 )
 def test_slopes_next_to_the_vertical_are_no_overflow(name, key):
     """The tangent of the steepest angle is 5e15, and a lattice of flat slabs multiplies it."""

@@ -14,23 +14,19 @@ def write(box, text: str) -> None:
     box.press("Enter")
 
 
-@pytest.mark.parametrize(
-    ("text", "value"),
-    [("0,5", 0.5), (" .25 ", 0.25), ("5e-1", 0.5), ("0\u202f,7", None), ("1,234", None), ("0,1,2", None)],
-)
-def test_a_decimal_comma_is_read_and_doubt_is_refused(studio, text, value):
+def test_a_decimal_comma_is_read_and_doubt_is_refused(studio):
     """1,234 is one and a bit for some and more than a thousand for others."""
     box = studio.page.locator("[data-path='model.p_s']")
-    before = studio.ask(f"{SCENARIO}.model.p_s")
-    write(box, text)
-    if value is None:
-        assert text.strip() in studio.page.locator(".misread").inner_text()
-        assert box.get_attribute("aria-invalid") == "true"
-        studio.catch_up()
-        assert studio.ask(f"{SCENARIO}.model.p_s") == before
-    else:
+    for text, value in (("0,5", 0.5), (" .25 ", 0.25), ("5e-1", 0.5)):
+        write(box, text)
         studio.until(f"{SCENARIO}.model.p_s === {value}")
         assert studio.page.locator(".misread").count() == 0
+    for text in ("0\u202f,7", "1,234", "0,1,2"):
+        write(box, text)
+        assert text in studio.page.locator(".misread").inner_text()
+        assert box.get_attribute("aria-invalid") == "true"
+        studio.catch_up()
+        assert studio.ask(f"{SCENARIO}.model.p_s") == 0.5
 
 
 @pytest.mark.extended

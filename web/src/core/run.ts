@@ -1,7 +1,7 @@
 /** One simulation as the browser knows it. */
 
 import { differences } from "./beside";
-import { commonTitle, readable, withoutChanges } from "./labels";
+import { commonTitle, readable } from "./labels";
 import type { Description, Frame, Row, RunName, Status } from "./protocol";
 
 export class Run {
@@ -74,11 +74,6 @@ export class Run {
 /** The title of a scenario as the page shows it. */
 export function titleOf({ scenario, models }: Description): string {
   return readable(String(scenario.title || "Untitled scenario"), models);
-}
-
-/** The title that a scenario had before values of it were changed. */
-export function ownTitle({ scenario }: Description): string {
-  return withoutChanges(String(scenario.title ?? ""));
 }
 
 /** The title of what is shown: of two runs side by side without what tells them apart. */
