@@ -35,7 +35,7 @@ FLAT, BUMP = {"kind": "flat"}, {"kind": "bump", "height": 3.0, "radius": 6.0}
 
 
 def grounds_and_winds(oblique):
-    """Grounds under winds along the axes; oblique winds over the flat only: each ground has its own kernels."""
+    """Grounds under winds along the axes; oblique ones over the flat only, as each ground has its kernels."""
     return pytest.mark.parametrize(
         ("ground", "direction"),
         [
