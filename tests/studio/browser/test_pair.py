@@ -110,9 +110,15 @@ def test_measures_and_section_name_both_runs_and_give_the_values_of_both(pair):
     page.keyboard.press("2")
     names = pair.ask("window.barchan.app.runs.map((run) => run.description.model.title)")
     assert page.locator(".run-names > span").all_inner_texts() == names
-    last = pair.ask("window.barchan.app.runs.map((run) => run.measures.at(-1).values.highest_stack)")
-    shown = page.locator("figcaption", has_text="highest stack").locator("b").all_inner_texts()
-    assert [float(text.rstrip(" ?")) for text in shown] == last
+    pair.until(
+        """(() => {
+            const last = window.barchan.app.runs.map((run) => run.measures.at(-1).values.highest_stack);
+            const captions = [...document.querySelectorAll("figcaption")];
+            const said = captions.find((one) => one.textContent.includes("highest stack"));
+            const shown = [...said.querySelectorAll("b")].map((one) => parseFloat(one.textContent));
+            return JSON.stringify(shown) === JSON.stringify(last);
+        })()"""
+    )
     assert f"balance of {names[0]}" in page.locator(".balance").inner_text()
     page.keyboard.press("1")
     page.locator(".plot:visible").hover()

@@ -28,6 +28,7 @@ export class SeriesView {
   private charts: { measure: Measure; chart: uPlot; box: HTMLElement; value: HTMLElement }[] = [];
   private declared = "";
   private visible = false;
+  private late: ReturnType<typeof setTimeout> | null = null;
   private drawnAt = 0;
 
   constructor(private readonly app: App) {
@@ -81,7 +82,13 @@ export class SeriesView {
     }
     this.intervals();
     this.plots.classList.toggle("two", this.app.runs.length > 1);
-    if (!at_once && performance.now() - this.drawnAt < PAUSE) return;
+    const wait = this.drawnAt + PAUSE - performance.now();
+    if (!at_once && wait > 0) {
+      this.late ??= setTimeout(() => this.update(true), wait); // no other frame may come
+      return;
+    }
+    clearTimeout(this.late ?? undefined);
+    this.late = null;
     this.drawnAt = performance.now();
     this.centreCrests();
     this.names.replaceChildren(...namesWithLines(this.app.runs));
