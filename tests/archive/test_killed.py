@@ -24,10 +24,10 @@ BARCHAN = [sys.executable, "-c", "from barchan.cli import main; main()"]
 EARLY = ["1", "2", "3", "4", "5", "6"]
 """Moments before there is a store of frames."""
 
-MAKING = [f"{0.05 + 0.5 * (n + random.Random(n).random()) / 6:.4f}" for n in range(6)]
+MAKING = [f"{0.05 + 0.5 * (n + random.Random(n).random()) / 4:.4f}" for n in range(4)]
 """Shares of a run, at random, in the time that making the store takes."""
 
-LATER = [f"{0.6 + 0.4 * (n + random.Random(n).random()) / 16:.4f}" for n in range(16)]
+LATER = [f"{0.6 + 0.4 * (n + random.Random(n).random()) / 8:.4f}" for n in range(8)]
 """Shares of a run, at random, in the time after that."""
 
 

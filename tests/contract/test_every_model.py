@@ -34,13 +34,13 @@ WINDS = pytest.mark.parametrize("direction", [270.0, 0.0, 33.0])
 FLAT, BUMP = {"kind": "flat"}, {"kind": "bump", "height": 3.0, "radius": 6.0}
 
 
-def grounds_and_winds(oblique):
+def grounds_and_winds(*oblique):
     """Grounds under winds along the axes; oblique ones over the flat only, as each ground has its kernels."""
     return pytest.mark.parametrize(
         ("ground", "direction"),
         [
             pytest.param(
-                ground, wind, marks=[pytest.mark.extended] if ground is BUMP and wind == oblique else []
+                ground, wind, marks=[pytest.mark.extended] if ground is BUMP and wind in oblique else []
             )
             for ground in (FLAT, BUMP)
             for wind in (270.0, 0.0, 33.0)

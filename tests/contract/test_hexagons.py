@@ -19,7 +19,7 @@ ON_HEXAGONS = pytest.mark.parametrize(
     ],
 )
 WINDS = pytest.mark.parametrize("direction", [270.0, 0.0, 33.0])
-GROUNDS_AND_WINDS = grounds_and_winds(0.0)
+GROUNDS_AND_WINDS = grounds_and_winds(0.0, 33.0)
 
 
 def steps_to_neighbours(heights):

@@ -175,6 +175,7 @@ def test_without_plants_there_is_no_field_and_nothing_to_paint_or_draw():
     assert simulation.model.ground_of(simulation.bed, 270.0).arrays.canopy is None
 
 
+@pytest.mark.extended
 def test_frames_carry_plants_and_pictures_show_them():
     scenario = barchan.load(SMALL, run__steps=2)
     frame = simulate(scenario).isel(step=-1)

@@ -106,6 +106,7 @@ def test_whole_parcels_are_right_in_the_mean():
     assert (fine + middle + coarse == 7).all()
 
 
+@pytest.mark.extended
 def test_a_resumed_run_of_several_sizes_goes_on_with_the_same_bits():
     whole = sorted_sand(THREE)
     whole.advance(15)

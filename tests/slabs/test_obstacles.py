@@ -1,6 +1,7 @@
 """Distances kept for one ground never outlive that ground, its limits or the wind."""
 
 import numpy as np
+import pytest
 
 from barchan.bed import Bed
 from barchan.lattice import Lattice
@@ -23,6 +24,7 @@ def moved(model, ground, sand, direction):
     return bed.sand
 
 
+@pytest.mark.extended
 def test_a_model_that_has_seen_other_grounds_and_winds_moves_sand_like_a_new_one():
     parameters = Momiji.Parameters(path_test="hard")
     model = Momiji(parameters, LATTICE)

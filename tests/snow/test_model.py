@@ -21,7 +21,7 @@ def counted(simulation):
     return sum(quanta_of(words) for words in layers_of(simulation.bed))
 
 
-@pytest.mark.parametrize("direction", [270.0, 0.0, 250.0])
+@pytest.mark.parametrize("direction", [270.0, 0.0, pytest.param(250.0, marks=pytest.mark.extended)])
 def test_snow_of_one_density_without_closures_moves_as_werners_sand(direction):
     closures = {**SWITCHED_OFF, "erosion_chance": 1.0, "start_density": 100.0, "drift": {"density": 100.0}}
     rules = {"repose": {"drift": 33.7, "fallen": 33.7}, "p_ns": 0.4, "shadow_angle": 15.0, "hop": 0.5}

@@ -41,6 +41,7 @@ def test_a_refused_value_goes_back_and_hinders_no_later_change(studio):
     assert row.inner_text() == ""
 
 
+@pytest.mark.extended
 def test_a_refusal_leads_to_its_row_and_goes_when_another_value_is_taken(studio):
     page = studio.page
     fill(studio, "model.p_s", "5")  # a probability
@@ -55,6 +56,7 @@ def test_a_refusal_leads_to_its_row_and_goes_when_another_value_is_taken(studio)
     studio.until("document.querySelectorAll('.toast.error').length === 0")
 
 
+@pytest.mark.extended
 def test_a_refusal_stays_marked_at_the_log_until_the_log_is_opened(studio):
     page = studio.page
     fill(studio, "model.p_s", "5")
@@ -103,6 +105,7 @@ def test_photographs_and_names_with_spaces_and_accents_are_grounds(studio):
         studio.until_logged(f"{name} is the ground")
 
 
+@pytest.mark.extended
 def test_a_broken_image_is_refused_without_having_been_called_the_ground(studio):
     studio.drop_file("broken.png", "image/png", b"\x89PNG and nothing more")
     toasts(studio).wait_for()

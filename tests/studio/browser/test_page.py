@@ -66,6 +66,7 @@ def test_the_page_names_the_material_that_the_model_declares(studio):
     assert page.locator("[data-status=volume]").locator("xpath=preceding-sibling::dt").inner_text() == "snow"
 
 
+@pytest.mark.extended
 def test_a_wrong_value_is_reported_beside_its_row(studio):
     box = studio.page.locator("[data-path='model.p_s']")
     box.fill("5")
@@ -354,6 +355,7 @@ def test_the_space_time_diagram_begins_where_the_run_began(studio):
     studio.until("parseInt(document.querySelector('.view:not([hidden]) .readout')?.textContent) >= 6")
 
 
+@pytest.mark.extended
 def test_an_image_dropped_onto_the_scene_is_the_ground(studio):
     heights = np.zeros((48, 64), np.uint8)
     heights[:, :32] = 255
@@ -388,6 +390,7 @@ def test_an_elevation_model_brings_its_own_lattice_and_its_holes_are_reported(st
     assert studio.ask(told)
 
 
+@pytest.mark.extended
 def test_a_dropped_file_that_cannot_be_used_is_reported(studio):
     studio.drop_file("tune.mp3", "audio/mpeg", b"0")
     studio.until_logged("tune.mp3 is of an unknown kind")

@@ -121,6 +121,7 @@ def test_the_last_frame_of_a_paused_run_is_followed_by_its_fields(served):
         assert browser.frames[-1][0]["shown"] == ["shadow"]
 
 
+@pytest.mark.extended
 def test_paths_of_grains_come_with_frames_as_many_as_asked_for(served):
     lattice = {"rows": 16, "columns": 32, "cell_size": 0.01, "slab_height": 0.15e-3}
     grains = small(

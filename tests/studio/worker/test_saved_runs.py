@@ -51,6 +51,7 @@ def test_an_opened_run_can_be_looked_at_and_goes_on_from_its_newest_state(scenar
     assert np.array_equal(again.live.bed.sand, run.live.bed.sand)
 
 
+@pytest.mark.extended
 def test_a_saved_run_of_several_sizes_is_opened_looked_at_measured_and_saved_again(tmp_path):
     """Its frames hold the sizes of the active layer alone, which do not add up to all sand of a cell."""
     sizes = {**SMALL, "model": {**SMALL["model"], "sizes": {"classes": TWO}}}
