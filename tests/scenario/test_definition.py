@@ -91,7 +91,13 @@ def test_the_text_of_a_scenario_leaves_nothing_to_defaults():
     assert set(text["run"]) == {"steps", "seed", "save_every", "threads", "until"}
 
 
-REASONS = ("so thicker slabs", "no grain can be lifted", "model.time_step: is", "model.footprint: is")
+REASONS = (
+    "so thicker slabs",
+    "no grain can be lifted",
+    "model.time_step: is",
+    "model.footprint: is",
+    "and the snow on it come to",
+)
 """What is only known of a bed once it is made."""
 
 

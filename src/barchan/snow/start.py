@@ -75,9 +75,8 @@ def check_counts(bed: Bed, parameters: SnowParameters) -> None:
     thickest = int(quantum_heights(parameters.quantum)[int(LEAST_DENSITY)])
     relief = float(np.ptp(bed.ground)) / HEIGHT_UNIT + total * thickest
     if relief > HIGHEST:
-        text = (
-            f"and the snow on it come to {relief * HEIGHT_UNIT:.3g} m; allowed: {HIGHEST * HEIGHT_UNIT:g} m"
-        )
+        height, highest = relief * HEIGHT_UNIT, HIGHEST * HEIGHT_UNIT
+        text = f"and the snow on it come to {height:.1f} m; allowed: {highest:.1f} m"
         raise ScenarioError([Problem("ground", text)])
 
 
