@@ -3,18 +3,13 @@
 The numbers are those of the version that wrote them, commit ff59197.
 """
 
-import hashlib
 import shutil
 from pathlib import Path
 
 from barchan import Simulation, load, open_run, resume
+from tests.simulation.old_runs import counts
 
 OLD = Path(__file__).parents[1] / "data" / "format_2"
-
-
-def counts(simulation):
-    sand = hashlib.sha256(simulation.bed.sand.tobytes()).hexdigest()[:16]
-    return simulation.tally.polls, simulation.tally.moved, sand
 
 
 def test_a_file_of_format_2_gives_the_same_bits():

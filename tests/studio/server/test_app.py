@@ -279,14 +279,20 @@ def test_a_run_that_another_scenario_takes_the_place_of_is_set_aside_and_both_ta
             assert not status["running"]
 
 
+def save_and_go_on(browser):
+    """Save the run as ``saved`` and go on for some steps; both steps."""
+    browser.until_frame(lambda status: status["step"] >= 20)
+    browser.send("pause")
+    browser.send("save", name="saved", id=1)
+    saved = browser.until_message("done", id=1)["step"]
+    browser.send("run", steps=7)
+    browser.until_frame(lambda status: status["step"] == saved + 7)
+    return saved, saved + 7
+
+
 def test_a_run_in_whose_place_a_saved_one_is_opened_is_set_aside_and_both_take_turns(served):
     with served.browser() as browser:
-        browser.until_frame(lambda status: status["step"] >= 20)
-        browser.send("pause")
-        browser.send("save", name="saved", id=1)
-        saved = browser.until_message("done", id=1)["step"]
-        browser.send("run", steps=7)
-        before = browser.until_frame(lambda status: status["step"] == saved + 7)[0]["status"]["step"]
+        saved, before = save_and_go_on(browser)
         browser.send("open", name="saved", id=2)
         assert browser.until_message("done", id=2)["aside"] == ""
         for number, step in enumerate((before, saved), start=3):
@@ -302,19 +308,14 @@ def test_a_run_in_whose_place_a_saved_one_is_opened_is_set_aside_and_both_take_t
 @pytest.mark.extended
 def test_a_saved_run_that_is_opened_from_two_sets_the_one_before_them_aside(served):
     with served.browser() as browser:
-        browser.until_frame(lambda status: status["step"] >= 20)
-        browser.send("pause")
-        browser.send("save", name="saved", id=1)
-        saved = browser.until_message("done", id=1)["step"]
-        browser.send("run", steps=7)
-        browser.until_frame(lambda status: status["step"] == saved + 7)
+        _, before = save_and_go_on(browser)
         browser.send("compare", model="momiji")
         browser.until(lambda head, _: head.get("run") == "b" and head.get("status", {}).get("step", 0) > 10)
         browser.send("open", name="saved", id=2)
         assert browser.until_message("done", id=2)["aside"] == ""
         assert list(served.session.workers) == ["a"]
         browser.send("alone", id=3)
-        told = browser.until_message("scenario", run="a", step=saved + 7)
+        told = browser.until_message("scenario", run="a", step=before)
         assert len(told["branches"]) == 2
 
 

@@ -121,22 +121,12 @@ export class App {
 
   /** Send a command and wait for its answer; null where it was refused, which the page then says. */
   async ask(command: Command): Promise<Message | null> {
-    try {
-      return await this.connection.ask(command);
-    } catch (error) {
-      this.refused(error);
-      return null;
-    }
+    return this.orSay(this.connection.ask(command));
   }
 
   /** Start a scenario; returns whether it runs. What is refused is said, and leaves the run as it was. */
   async create(scenario: JsonObject, running = true, changed = false): Promise<boolean> {
-    try {
-      return await this.begin(scenario, running, changed);
-    } catch (error) {
-      this.refused(error);
-      return false;
-    }
+    return (await this.orSay(this.begin(scenario, running, changed))) ?? false;
   }
 
   /** Start a scenario; ``changed`` where it came of the one that runs, else that is set aside. Returns whether that was wanted; throws where it is refused. */
@@ -147,8 +137,13 @@ export class App {
 
   /** Open a run in place of the one that there is, which is set aside; null where it was refused, which the page then says, or not wanted. */
   async open(command: Command): Promise<Message | null> {
+    return this.orSay(this.wayBack.replace(command));
+  }
+
+  /** An answer; null where it was refused, which the page then says. */
+  private async orSay<T>(answer: Promise<T>): Promise<T | null> {
     try {
-      return await this.wayBack.replace(command);
+      return await answer;
     } catch (error) {
       this.refused(error);
       return null;
