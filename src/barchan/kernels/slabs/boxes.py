@@ -17,14 +17,21 @@ _ENDLESS = np.int64(1 << 62)
 
 
 @internal(forceinline=True)
-def _rows_near(view, row, grid, upwind):
-    """How many rows upwind of a near row are near as well."""
+def _place_among_near(view, row, grid):
+    """Where a row lies among the near rows, and how many there are; without end where all rows are near."""
     near = view.near
     if near.number == grid.rows:
-        return _ENDLESS
+        return _ENDLESS >> 1, _ENDLESS
     beside = row - near.first
     beside += grid.rows if beside < 0 else 0
-    return beside if upwind < 0 else near.number - 1 - beside
+    return beside, near.number
+
+
+@internal(forceinline=True)
+def _rows_near(view, row, grid, upwind):
+    """How many rows upwind of a near row are near as well."""
+    beside, near = _place_among_near(view, row, grid)
+    return beside if upwind < 0 else near - 1 - beside
 
 
 @internal(error_model="numpy")
@@ -68,17 +75,6 @@ def _among_squares(faces, view, along, across, here, peak, grid, width):
 def _fall_to(face, along, across):
     """How far a line falls from the next face of a kind to a place in a cell, measured from its middle."""
     return face.fall * (0.5 - face.along * along - face.across * across)
-
-
-@internal(forceinline=True)
-def _place_among_near(view, row, grid):
-    """Where a row lies among the near rows, and how many there are; without end where all rows are near."""
-    near = view.near
-    if near.number == grid.rows:
-        return _ENDLESS >> 1, _ENDLESS
-    beside = row - near.first
-    beside += grid.rows if beside < 0 else 0
-    return beside, near.number
 
 
 @internal(error_model="numpy")
