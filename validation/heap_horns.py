@@ -2,11 +2,12 @@
 
 Momiji's model works on a round heap (a Gaussian 7 m high with a standard deviation of 24 m) on bare
 ground, 256 × 256 m, open edges all around, for 200 steps from upwind of its middle; winds at 0, 15, 22.5
-and 45° to the lattice, 8 seeds; shadow from the centre, from each slab's place, and from the place with
-eight neighbours (limits of 2 and 3 slabs). A horn's length is how far the outer quarter of the downwind
-edge on its side lies beyond the middle half ([measures](measures.md#dunes-one-by-one)). *Unequal* is the
-left length less the right one over their mean: of the means over all seeds, where chance is smallest,
-with its standard error, and its size in a single run.
+and 45° to the lattice, 8 seeds; shadow from the centre, and from each slab's place over level and over
+sloping tops of stacks, with four and with eight neighbours (limits of 2 and 3 slabs). A horn's length is
+how far the outer quarter of the downwind edge on its side lies beyond the middle half
+([measures](measures.md#dunes-one-by-one)). *Unequal* is the left length less the right one over their
+mean: of the means over all seeds, where chance is smallest, with its standard error, and its size in a
+single run.
 """
 
 import numpy as np
@@ -29,14 +30,15 @@ UPWIND = 0.33
 LEAST = 1.0
 """Height (m) above the mean surface from which a heap counts as a dune."""
 
+LEVEL = {"shadow_from": "place", "stack_tops": "level"}
+SLOPING = {"shadow_from": "place", "stack_tops": "sloping"}
+EIGHT = {"neighbourhood": "moore", "corner_limit": 3}
 RULES = {
     "shadow from the centre": {"shadow_from": "centre"},
-    "shadow from the place": {"shadow_from": "place"},
-    "shadow from the place, eight neighbours": {
-        "shadow_from": "place",
-        "neighbourhood": "moore",
-        "corner_limit": 3,
-    },
+    "shadow from the place": LEVEL,
+    "shadow from the place, eight neighbours": {**LEVEL, **EIGHT},
+    "sloping tops": SLOPING,
+    "sloping tops, eight neighbours": {**SLOPING, **EIGHT},
 }
 
 

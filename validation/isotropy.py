@@ -31,7 +31,8 @@ PLANTED_STEPS = 200
 CENTRE = {"shadow_from": "centre"}
 """As models are published."""
 
-PLACE = {"shadow_from": "place"}
+PLACE = {"shadow_from": "place", "stack_tops": "level"}
+SLOPING = {"shadow_from": "place", "stack_tops": "sloping"}
 RANDOM = {"neighbour_order": "random"}
 MOORE = {"neighbourhood": "moore"}
 THREE = {**MOORE, "corner_limit": 3}
@@ -48,6 +49,8 @@ CHANGES = {
     "shadow from the place, random order": {**PLACE, **RANDOM},
     "shadow from the place, Moore, one limit, random order": {**PLACE, **MOORE, **RANDOM},
     "shadow from the place, Moore, two limits, random order": {**PLACE, **THREE, **RANDOM},
+    "sloping tops": SLOPING,
+    "sloping tops, Moore, two limits, random order": {**SLOPING, **THREE, **RANDOM},
 }
 OF_MOMIJI = {
     "hops of their exact length": {"hop_rounding": "none"},
@@ -58,6 +61,8 @@ OF_WERNER = (
     "shadow from the edge",
     "shadow from the place",
     "shadow from the place, Moore, two limits, random order",
+    "sloping tops",
+    "sloping tops, Moore, two limits, random order",
 )
 
 
@@ -78,8 +83,12 @@ GROWN = {
     variant("momiji", "as it is"): FEW,
     variant("momiji", "shadow from the place"): FEW,
     variant("momiji", "shadow from the place, Moore, two limits, random order"): SEEDS,
+    variant("momiji", "sloping tops"): SEEDS,
+    variant("momiji", "sloping tops, Moore, two limits, random order"): SEEDS,
     variant("werner", "as it is"): FEW,
     variant("werner", "shadow from the place, Moore, two limits, random order"): SEEDS,
+    variant("werner", "sloping tops"): SEEDS,
+    variant("werner", "sloping tops, Moore, two limits, random order"): SEEDS,
 }
 """Variants whose fields grow out of noise, and their seeds."""
 

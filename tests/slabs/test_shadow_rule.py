@@ -91,6 +91,17 @@ def test_the_rule_is_told_with_its_reason():
     oblique = scenario(steady(285)).facts()["shadow from"]
     assert oblique == "place (auto: a wind blows off the lattice's axes)"
     assert scenario(steady(285), shadow_from="edge").facts()["shadow from"] == "edge"
+    tops = scenario(steady(285), shadow_from="place", stack_tops="sloping")
+    assert tops.facts()["shadow from"] == "place, over sloping tops"
+
+
+@pytest.mark.parametrize("kind", ["square", "hex"])
+def test_tops_slope_under_winds_off_the_axes_alone(kind):
+    for direction, sloping in ((270, False), (285, True)):
+        chosen = scenario(steady(direction), {"kind": kind}, shadow_from="place", stack_tops="sloping")
+        model = chosen.new_model()
+        arguments, _ = model._enter(chosen.first_bed(), model._frame(direction), 5.0, None)
+        assert (arguments.rules.box.tops is not None) == sloping
 
 
 def test_a_rule_by_which_the_lattice_steers_crests_is_remarked():

@@ -80,6 +80,7 @@ def build(
     axis: AxisShadow | None = None
     ray: RayShadow | None = None
     fall_of_units, width = fall * (1.0 if flat else 2.0**FRACTION_BITS), 4 if flat else 8
+    steepest = float(repose.face_limit) if parameters.stack_tops == "sloping" else None
     if frame.angle == 0.0:
         axis, memory = _axis_shadow(cols, fall, start, flat)
     else:
@@ -92,7 +93,7 @@ def build(
         repose=repose,
         axis=axis,
         ray=ray,
-        box=box_shadow(grid, frame.angle, fall_of_units, width) if shadow == "place" else None,
+        box=box_shadow(grid, frame.angle, fall_of_units, width, steepest) if shadow == "place" else None,
         orders=orders,
         relaxation_orders=_relaxation_orders(parameters, lattice, orders),
         interruption=new_interruption(),

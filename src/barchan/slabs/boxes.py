@@ -3,7 +3,8 @@
 import math
 
 from barchan.kernels.bed.state import Grid
-from barchan.kernels.slabs.state import BoxShadow, Face, HexagonFaces, SquareFaces
+from barchan.kernels.slabs.state import BoxShadow, Face, HexagonFaces, SlopingTops, SquareFaces
+from barchan.lattice import HEX_ROWS
 
 _ROUNDING = 1e-9
 """Slack for winds half way between two faces."""
@@ -26,16 +27,27 @@ _FACES = {
 one width of a cell farther along, or one height farther across; row and column of the cell behind."""
 
 
-def box_shadow(grid: Grid, angle: float, fall: float, width: int) -> BoxShadow:
+def box_shadow(grid: Grid, angle: float, fall: float, width: int, steepest: float | None) -> BoxShadow:
     """Shadow lines of a wind at an ``angle`` (rad) to the rows, over boxes or prisms.
 
-    Lines fall by ``fall`` units of height a cell; heights have ``width`` bytes.
+    Lines fall by ``fall`` units of height a cell; heights have ``width`` bytes. Tops slope across the wind by
+    up to ``steepest`` units of height a cell, or are level where it is None, and along an axis, where
+    a line keeps to one row, along which a slope across the wind has no steps.
     """
+    tops = None if steepest is None or not angle else _sloping_tops(grid, angle, steepest)
     if grid.hexagonal:
-        return BoxShadow(None, _hexagon_faces(angle, fall), width)
+        return BoxShadow(None, _hexagon_faces(angle, fall), tops, width)
     row_fall = fall / abs(math.sin(angle)) if angle else _NEVER
     faces = SquareFaces(fall / math.cos(angle), row_fall, 1 if angle < 0.0 else -1)
-    return BoxShadow(faces, None, width)
+    return BoxShadow(faces, None, tops, width)
+
+
+def _sloping_tops(grid: Grid, angle: float, steepest: float) -> SlopingTops:
+    along, across = -math.sin(angle), math.cos(angle)
+    if grid.hexagonal:
+        farthest = math.sqrt(1.0 / 3.0)
+        return SlopingTops(along, across * HEX_ROWS, across / HEX_ROWS, steepest, steepest * farthest)
+    return SlopingTops(along, across, across, steepest, steepest * 0.5 * (abs(along) + across))
 
 
 def _hexagon_faces(angle: float, fall: float) -> HexagonFaces:

@@ -253,7 +253,9 @@ class SlabModel(Model):
         return {"shadow from": self._shadow_in_words(), **angles}
 
     def _shadow_in_words(self) -> str:
-        rule = self.shadow_rule
+        rule: str = self.shadow_rule
+        if rule == "place" and self.parameters.stack_tops == "sloping":
+            rule = "place, over sloping tops"
         if self.parameters.shadow_from != "auto":
             return rule
         winds = "a wind blows off the lattice's axes" if self.winds_off_axes else "all winds blow along axes"

@@ -83,6 +83,17 @@ class SlabParameters(Parameters):
         "under the other two rules then, and centre elsewhere.",
         source="centre: Prague thesis, Alg. 6; edge: Elder 2009, Fig. 2; place, auto: ours",
     )
+    stack_tops: Literal["level", "sloping"] = parameter(
+        "level",
+        unit="-",
+        live=True,
+        group="shadow",
+        acts_with={"shadow_from": ["auto", "place"]},
+        meaning="Tops of stacks for shadow lines from a slab's place under oblique winds: level, which makes "
+        "a staircase of slopes across the wind that shelters itself; or sloping across the wind as the "
+        "surface about them does, up to the repose limit, which lets horns grow as along an axis.",
+        source="ours",
+    )
     lee_erosion: bool = parameter(
         False,
         unit="-",

@@ -133,7 +133,8 @@ class Field:
         upwind = 1 if self.angle < 0.0 else -1
         to_column = x % CELL / CELL * column_fall
         to_row = (y % CELL if upwind < 0 else CELL - y % CELL) / CELL * row_fall
-        here, highest = self.height(row, col), max(map(max, self.heights()))
+        here, start = self.height(row, col), self.rise_of_top(row, col, row, col, x, y)
+        highest = max(map(max, self.heights())) + 2 * self.face_limit * SCALE
         r, c = row, col
         while min(to_column, to_row) < highest - here:
             if to_column <= to_row:
@@ -143,9 +144,31 @@ class Field:
             if (c < 0 and not self.wrap_along) or (not 0 <= r < self.rows and not self.wrap_across):
                 return False
             seen = self.height if self.sees(row, r - row) else self.height_before
-            if seen(r % self.rows, c % self.cols) - here > edge:
+            height = seen(r % self.rows, c % self.cols)
+            if height - here - start + self.rise_of_top(r, c, row, col, x, y) > edge:
                 return True
         return False
+
+    def rise_of_top(self, r, c, row, col, x, y):
+        """How much higher a box is under the line from a place in (row, col) than in its middle."""
+        if self.rules.stack_tops == "level" or self.angle == 0.0:
+            return 0.0
+        left = -math.sin(self.angle), math.cos(self.angle)
+        in_col, in_row = x % CELL / CELL - 0.5, y % CELL / CELL - 0.5
+        aside = (in_col + col - c) * left[0] + (in_row + row - r) * left[1]
+        return (
+            self.slope_to(left, r % self.rows, c % self.cols, [(0, 1), (1, 0), (0, -1), (-1, 0)], 2) * aside
+        )
+
+    def slope_to(self, left, row, col, steps, weight):
+        """Slope of the surface to the wind's left, by a cell's neighbours, within the repose limit."""
+        slope = 0.0
+        for step in steps:
+            beside = self.neighbour(row, col, step) or (row, col)
+            seen = self.height if self.near is None or beside[0] in self.near else self.height_before
+            slope += seen(*beside) * (step[1] * left[0] + step[0] * left[1]) / weight
+        limit = self.face_limit * SCALE
+        return max(-limit, min(limit, slope))
 
     def heights(self):
         """Height of the surface, row by row; what was there when the round began counts too."""

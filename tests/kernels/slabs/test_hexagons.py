@@ -35,9 +35,12 @@ WINDS = [270.0, 240.0, 300.0, 210.0, 262.0, 225.0, 200.0, 330.0, 181.0, 359.0, 3
 )
 def test_kernel_equals_reference_on_hexagons_for_combinations_of_variants(number):
     variants = EVERY_COMBINATION[number]
-    shadow = ["edge", "place"][number // 48 % 2]
+    shadow = {
+        "shadow_from": ["edge", "place"][number // 48 % 2],
+        "stack_tops": "sloping" if number % 5 == 0 else "level",
+    }
     parameters = SlabParameters(
-        **{**variants, "shadow_from": shadow}, band_rows=3, hop_length=[3.0, 4.0, 2.5][number % 5 % 3]
+        **{**variants, **shadow}, band_rows=3, hop_length=[3.0, 4.0, 2.5][number % 5 % 3]
     )
     lattice = Lattice(
         kind="hex",

@@ -12,6 +12,9 @@ from barchan.lattice import Lattice
 from barchan.slabs.parameters import SlabParameters
 from tests.kernels.slabs.test_step import PlainSlabs, rough_bed
 
+LEVEL = {"shadow_from": "place", "stack_tops": "level"}
+"""Shadow over stacks that are boxes."""
+
 
 def zone(lattice, sand, ground=None, direction=270.0, **parameters):
     ground = np.zeros(lattice.shape) if ground is None else ground
@@ -109,7 +112,7 @@ def test_oblique_shadow_from_a_place_equals_lines_marched_finely_over_boxes(dire
         rows = np.floor(row + 0.5 - distances * math.sin(towards)).astype(int) % lattice.rows
         cols = np.floor(col + 0.5 - distances * math.cos(towards)).astype(int) % lattice.columns
         above = sand[rows, cols] - slope * distances - sand[row, col]
-        shaded = zone(lattice, sand, direction=direction, shadow_from="place")[row, col]
+        shaded = zone(lattice, sand, direction=direction, **LEVEL)[row, col]
         assert shaded if above.max() > 0.0 else True
         assert not shaded if above.max() < -0.02 * slope else True
 

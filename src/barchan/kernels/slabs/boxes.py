@@ -3,6 +3,10 @@
 A line rises from a slab's own place, against the wind, and passes from cell to cell through their faces. How
 far it has fallen from where it comes to a face, down to the slab, is kept for the next face of each kind, so
 a cell costs a few additions. All is done in the wind's frame (see ``shadow``).
+
+Level tops make a staircase of a slope across an oblique wind, and its steps throw shadows that a slope across
+the wind does not throw. Tops may slope across the wind instead, as the surface about them does. A line passes
+a cell at one distance from its middle across the wind, so each top has one height for it.
 """
 
 import numpy as np
@@ -34,11 +38,52 @@ def _rows_near(view, row, grid, upwind):
     return beside if upwind < 0 else near - 1 - beside
 
 
+@internal(forceinline=True)
+def _from_middle(place):
+    """How far a place (fixed-point cells) lies from the middle of its cell, along or across."""
+    return np.float64(place & (CELL - 1)) * _PLACE - 0.5
+
+
+@internal(forceinline=True)
+def _around(place, size, joined):
+    """A row or column at most one beyond the field; negative: beyond an open edge."""
+    if 0 <= place < size:
+        return place
+    return (place + size) % size if joined else -1
+
+
+@internal
+def _neighbour(view, row, col, middle, grid, width):
+    """Height of a neighbour of a cell of height ``middle``; beyond an open edge it goes on level."""
+    row, col = _around(row, grid.rows, grid.wrap_across), _around(col, grid.cols, grid.wrap_along)
+    if row < 0 or col < 0:
+        return middle
+    beside, near = _place_among_near(view, row, grid)
+    surface = view.now if beside < near else view.before
+    return load_at(surface + (row * grid.cols + col) * width, middle)
+
+
 @internal(error_model="numpy")
-def _among_squares(faces, view, along, across, here, peak, grid, width):
+def _rise_of_square(tops, view, row, col, middle, aside, grid, width):
+    """How much higher the top of a box is ``aside`` of its middle, to the wind's left, than there."""
+    along = _neighbour(view, row, col + 1, middle, grid, width)
+    along -= _neighbour(view, row, col - 1, middle, grid, width)
+    across = _neighbour(view, row + 1, col, middle, grid, width)
+    across -= _neighbour(view, row - 1, col, middle, grid, width)
+    slope = 0.5 * (np.float64(along) * tops.along + np.float64(across) * tops.across)
+    return min(max(slope, -tops.steepest), tops.steepest) * aside
+
+
+@internal(error_model="numpy")
+def _among_squares(faces, tops, view, along, across, here, peak, grid, width):
     rise = np.float64(peak - here)
     surface = view.now
     row, col = across >> 32, along >> 32
+    aside, start = 0.0, 0.0
+    if tops is not None:
+        aside = _from_middle(along) * tops.along + _from_middle(across) * tops.height
+        start = _rise_of_square(tops, view, row, col, here, aside, grid, width)
+        rise += tops.reach - start
     across &= CELL - 1
     if faces.upwind > 0:
         across = CELL - across
@@ -50,6 +95,8 @@ def _among_squares(faces, view, along, across, here, peak, grid, width):
             fall = next_column
             next_column += faces.column_fall
             col -= 1
+            if tops is not None:
+                aside += tops.along
             if col < 0:
                 if not grid.wrap_along:
                     return False
@@ -58,6 +105,8 @@ def _among_squares(faces, view, along, across, here, peak, grid, width):
             fall = next_row
             next_row += faces.row_fall
             row += faces.upwind
+            if tops is not None:
+                aside -= faces.upwind * tops.across
             if row < 0 or row >= grid.rows:
                 if not grid.wrap_across:
                     return False
@@ -67,7 +116,13 @@ def _among_squares(faces, view, along, across, here, peak, grid, width):
             rows_near -= 1
         if fall >= rise:
             return False
-        if np.float64(load_at(surface + (row * grid.cols + col) * width, here) - here) > fall:
+        height = load_at(surface + (row * grid.cols + col) * width, here)
+        above = np.float64(height - here)
+        if tops is not None:
+            above -= start
+            if above + tops.reach > fall:
+                above += _rise_of_square(tops, view, row, col, height, aside, grid, width)
+        if above > fall:
             return True
 
 
@@ -78,11 +133,38 @@ def _fall_to(face, along, across):
 
 
 @internal(error_model="numpy")
-def _among_hexagons(faces, view, along, across, here, peak, grid, width):
+def _rise_of_hexagon(tops, view, row, col, middle, aside, grid, width):
+    """How much higher the top of a prism is ``aside`` of its middle, to the wind's left, than there."""
+    east, west = col + (row & 1), col - 1 + (row & 1)
+    along = _neighbour(view, row, col + 1, middle, grid, width)
+    along -= _neighbour(view, row, col - 1, middle, grid, width)
+    eastwards = _neighbour(view, row + 1, east, middle, grid, width)
+    eastwards -= _neighbour(view, row - 1, west, middle, grid, width)
+    westwards = _neighbour(view, row + 1, west, middle, grid, width)
+    westwards -= _neighbour(view, row - 1, east, middle, grid, width)
+    slope = np.float64(along) * tops.along
+    slope += np.float64(eastwards) * (tops.across + 0.5 * tops.along)
+    slope += np.float64(westwards) * (tops.across - 0.5 * tops.along)
+    slope /= 3.0
+    return min(max(slope, -tops.steepest), tops.steepest) * aside
+
+
+@internal(forceinline=True)
+def _aside_behind(tops, face):
+    """How much farther to the wind's left of a hexagon's middle a line lies in the one behind a face."""
+    return 0.0 if tops is None else -(face.along * tops.along + face.across * tops.across)
+
+
+@internal(error_model="numpy")
+def _among_hexagons(faces, tops, view, along, across, here, peak, grid, width):
     rise = np.float64(peak - here)
     row, col = across >> 32, along >> 32
-    along_middle = np.float64(along & (CELL - 1)) * _PLACE - 0.5
-    across_middle = np.float64(across & (CELL - 1)) * _PLACE - 0.5
+    along_middle, across_middle = _from_middle(along), _from_middle(across)
+    aside, start = 0.0, 0.0
+    if tops is not None:
+        aside = along_middle * tops.along + across_middle * tops.height
+        start = _rise_of_hexagon(tops, view, row, col, here, aside, grid, width)
+        rise += tops.reach - start
     ahead, clockwise, anticlockwise = faces
     next_ahead = _fall_to(ahead, along_middle, across_middle)
     next_clockwise = _fall_to(clockwise, along_middle, across_middle)
@@ -93,16 +175,19 @@ def _among_hexagons(faces, view, along, across, here, peak, grid, width):
         # farther from it
         if next_ahead <= next_clockwise and next_ahead <= next_anticlockwise:
             fall, up, side = next_ahead, ahead.row, ahead.col
+            aside += _aside_behind(tops, ahead)
             next_ahead += ahead.fall
             next_clockwise += 0.5 * clockwise.fall
             next_anticlockwise += 0.5 * anticlockwise.fall
         elif next_clockwise <= next_anticlockwise:
             fall, up, side = next_clockwise, clockwise.row, clockwise.col
+            aside += _aside_behind(tops, clockwise)
             next_clockwise += clockwise.fall
             next_ahead += 0.5 * ahead.fall
             next_anticlockwise -= 0.5 * anticlockwise.fall
         else:
             fall, up, side = next_anticlockwise, anticlockwise.row, anticlockwise.col
+            aside += _aside_behind(tops, anticlockwise)
             next_anticlockwise += anticlockwise.fall
             next_ahead += 0.5 * ahead.fall
             next_clockwise -= 0.5 * clockwise.fall
@@ -120,19 +205,27 @@ def _among_hexagons(faces, view, along, across, here, peak, grid, width):
                 return False
             row += grid.rows if row < 0 else -grid.rows
         surface = view.now if 0 <= beside < near else view.before
-        if np.float64(load_at(surface + (row * grid.cols + col) * width, here) - here) > fall:
+        height = load_at(surface + (row * grid.cols + col) * width, here)
+        above = np.float64(height - here)
+        if tops is not None:
+            above -= start
+            if above + tops.reach > fall:
+                above += _rise_of_hexagon(tops, view, row, col, height, aside, grid, width)
+        if above > fall:
             return True
 
 
 @internal(forceinline=True)
-def in_box_shadow(squares, hexagons, view, along, across, here, peak, grid, width):
+def in_box_shadow(squares, hexagons, tops, view, along, across, here, peak, grid, width):
     """Whether a place (fixed-point cells) on top of a stack of height ``here`` lies in shadow of the stacks.
 
-    One of ``squares`` and ``hexagons`` is None.
+    One of ``squares`` and ``hexagons`` is None, and ``tops`` is where tops are level.
     """
+    if tops is None and peak <= here:
+        return False
     shaded = False
     if squares is not None:
-        shaded = _among_squares(squares, view, along, across, here, peak, grid, width)
+        shaded = _among_squares(squares, tops, view, along, across, here, peak, grid, width)
     if hexagons is not None:
-        shaded = _among_hexagons(hexagons, view, along, across, here, peak, grid, width)
+        shaded = _among_hexagons(hexagons, tops, view, along, across, here, peak, grid, width)
     return shaded

@@ -171,7 +171,7 @@ def in_shadow(view, along, across, here, peak, grid, axis, ray, box):
     shaded = False
     if box is not None:
         place = view, along, across, here, peak, grid
-        shaded = peak > here and in_box_shadow(box.squares, box.hexagons, *place, box.width)
+        shaded = in_box_shadow(box.squares, box.hexagons, box.tops, *place, box.width)
     else:
         row, col = across >> 32, along >> 32
         if axis is not None:

@@ -137,12 +137,29 @@ class HexagonFaces(NamedTuple):
     anticlockwise: Face
 
 
+class SlopingTops(NamedTuple):
+    """Tops of stacks that slope across the wind as the surface about them does, and are level along it."""
+
+    along: float
+    """How much farther to the wind's left (widths of a cell) a place one column farther along lies."""
+    across: float
+    """The same of a place that is one row farther across."""
+    height: float
+    """The same of a place that is the height of a cell farther across; of squares that is a row."""
+    steepest: float
+    """Slope (height over a width of a cell) that no top exceeds."""
+    reach: float
+    """Height by which no point of a top is above its middle."""
+
+
 class BoxShadow(NamedTuple):
     """Shadow lines over stacks as the boxes or prisms that they are, from a slab's own place in its cell."""
 
     squares: SquareFaces | None
     """One of ``squares`` and ``hexagons`` is None."""
     hexagons: HexagonFaces | None
+    tops: SlopingTops | None
+    """None: level tops."""
     width: int
     """Bytes of one height."""
 
