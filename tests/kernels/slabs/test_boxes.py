@@ -159,7 +159,7 @@ def test_a_slope_straight_across_the_wind_lies_in_no_shadow_under_sloping_tops(k
 def test_tops_are_no_steeper_than_sand_that_lies_at_rest(kind, angle):
     """Ground beside a pillar rises to it by 2 slabs a cell at most, over 0.71 cells at most.
 
-    That shelters 2 × 0.71 slabs over the tangent, 1.8 cells; the pillar shelters what lies straight behind it.
+    That shelters 2 × 0.71 slabs over the tangent, 1.8 cells; the pillar shelters what is straight behind it.
     """
     lattice = Lattice(kind=kind, rows=40, columns=40, boundary_x="open", boundary_y="open")
     sand = np.zeros(lattice.shape, np.int32)
