@@ -66,7 +66,7 @@ def scene(supply: int, directions: tuple[int, ...], size: int, steps: int, turn:
     winds = [{"direction": direction, "steps": turn} for direction in directions]
     return barchan.load(
         {
-            "barchan": 4,
+            "barchan": 5,
             "lattice": {"rows": size, "columns": size},
             "sand": {"kind": "flat", "mean": supply},
             "wind": {"kind": "regimes", "regimes": winds},

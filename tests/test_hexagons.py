@@ -83,7 +83,7 @@ def test_random_hills_are_the_same_hills_at_the_centres_of_shifted_rows():
 
 def small(**changes):
     data = {
-        "barchan": 4,
+        "barchan": 5,
         "lattice": {"kind": "hex", "rows": 18, "columns": 16},
         "sand": {"kind": "dropped", "mean": 3.0},
         "model": {"name": "werner"},

@@ -9,7 +9,7 @@ from barchan.scenario import Scenario
 ROWS, COLUMNS = 16, 24
 
 DATA: dict[str, Any] = {
-    "barchan": 4,
+    "barchan": 5,
     "title": "Tiny",
     "lattice": {"rows": ROWS, "columns": COLUMNS},
     "ground": {"kind": "flat"},

@@ -34,7 +34,7 @@ def response(model, waves, warm_up, seed):
     parcel = DIAMETER / 64 if patch else DIAMETER
     scenario = barchan.load(
         {
-            "barchan": 4,
+            "barchan": 5,
             "lattice": {"rows": ROWS, "columns": COLUMNS, "cell_size": CELL, "slab_height": parcel},
             "sand": {"kind": "flat", "mean": round(DEPTH / parcel)},
             "model": {"iterations_per_step": 50, "time_step": 5e-4, **model},

@@ -36,7 +36,7 @@ def sorted_bed(coarse, share, speed, layer, seed):
     """A flat bed of mixed sand under the wind."""
     scenario = barchan.load(
         {
-            "barchan": 4,
+            "barchan": 5,
             "lattice": {"rows": ROWS, "columns": COLUMNS, "cell_size": 0.005, "slab_height": FINE / 16},
             "sand": {"kind": "flat", "mean": DEPTH},
             "model": {

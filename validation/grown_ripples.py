@@ -49,7 +49,7 @@ def grown(speed, diameter, thin, rules, looks, seed):
     }
     scenario = barchan.load(
         {
-            "barchan": 4,
+            "barchan": 5,
             "lattice": {"rows": ROWS, "columns": COLUMNS, "cell_size": CELL, "slab_height": parcel},
             "sand": {"kind": "flat", "mean": round(DEPTH / parcel)},
             "model": model,

@@ -52,7 +52,7 @@ def _grown(rule, angle, seed):
     east, north = (0.5 - UPWIND * part for part in downwind(270.0 + angle))
     scenario = barchan.load(
         {
-            "barchan": 4,
+            "barchan": 5,
             "lattice": {"rows": 256, "columns": 256, **edges},
             "sand": {"kind": "mound", "height": 7, "width": 24, "x": east, "y": north},
             "wind": {"kind": "steady", "direction": 270.0 + angle},

@@ -69,7 +69,7 @@ class Case:
             wind = {"kind": "regimes", "regimes": turns}
         return barchan.load(
             {
-                "barchan": 4,
+                "barchan": 5,
                 "lattice": lattice,
                 "sand": {"kind": "random", "mean": self.mean},
                 "wind": wind,

@@ -20,7 +20,7 @@ def field(wind, temperature, seed, *, mean=60, rows=48, columns=128, sand=None, 
     return barchan.Simulation(
         barchan.load(
             {
-                "barchan": 4,
+                "barchan": 5,
                 "lattice": {"rows": rows, "columns": columns, "cell_size": CELL},
                 "sand": sand or {"kind": "flat", "mean": mean},
                 "wind": {"kind": "steady", "speed": wind, "unit": "m/s", "temperature": temperature},
@@ -67,7 +67,7 @@ def fine(winds, seed, *, mean=0, sand=None, rows=32, columns=128, cell=FINE, inf
     return barchan.Simulation(
         barchan.load(
             {
-                "barchan": 4,
+                "barchan": 5,
                 "lattice": lattice,
                 "sand": sand or {"kind": "flat", "mean": mean},
                 "wind": {"kind": "regimes", "regimes": winds, "repeat": False},

@@ -39,7 +39,7 @@ def test_size_steps_and_expected_time_are_told(here, barchan):
 
 
 def test_every_mistake_is_told_with_its_line(here, barchan):
-    (here / "bad.json").write_text('{\n"barchan": 4,\n"lattice": {"rows": 0},\n"run": {"step": 3}\n}')
+    (here / "bad.json").write_text('{\n"barchan": 5,\n"lattice": {"rows": 0},\n"run": {"step": 3}\n}')
     result = barchan("check", "bad.json", "--model.p-s", "2")
     assert result.code == 1
     assert result.err.splitlines() == [
@@ -77,7 +77,7 @@ def test_a_file_of_plants_that_is_missing_is_told(barchan):
 def test_mistakes_in_files_are_told_with_the_line_that_names_them(here, barchan):
     """All that is found out only when ground and first sand are made."""
     text = """{
-      "barchan": 4, "lattice": {"rows": 8, "columns": 8},
+      "barchan": 5, "lattice": {"rows": 8, "columns": 8},
       "ground": {"kind": "file",
         "path": "none.npy"},
       "sand": {"kind": "ripples",

@@ -158,7 +158,7 @@ def ridge(here):
     (here / "ridge.csv").write_text("time,speed (m/s),direction\n" + HOURS)
     (here / "hut.smet").write_text(SMET)
     scenario = {
-        "barchan": 4,
+        "barchan": 5,
         "lattice": {"rows": 8, "columns": 8},
         "sand": {"kind": "flat", "mean": 1},
         "clock": {"reference_speed": 10},

@@ -18,7 +18,7 @@ EVERY_MODEL = pytest.mark.parametrize("name", list(models()))
 
 def scenario(name, **changes):
     data = {
-        "barchan": 4,
+        "barchan": 5,
         "lattice": SMALL,
         "sand": {"kind": "dropped", "mean": 4.0},
         "model": {"name": name},

@@ -24,7 +24,7 @@ from tests.kernels.called import from_python
 GRASS = {"west": 0.25, "east": 0.75, "height": 0.05}
 PLANTED = {"canopy": {"stands": [GRASS]}}
 SMALL = {
-    "barchan": 4,
+    "barchan": 5,
     "lattice": {"rows": 16, "columns": 64, "cell_size": 0.01, "slab_height": 0.15e-3},
     "sand": {"kind": "flat", "mean": 40},
     "model": {"name": "wang_hu", "iterations_per_step": 20, "canopy": {"stands": [GRASS]}},

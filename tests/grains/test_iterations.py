@@ -11,7 +11,7 @@ from barchan.kernels.core import threads as thread_pool
 from barchan.simulation import Simulation
 
 SMALL = {
-    "barchan": 4,
+    "barchan": 5,
     "lattice": {"rows": 32, "columns": 64, "cell_size": 0.01, "slab_height": 0.15e-3},
     "sand": {"kind": "flat", "mean": 20},
     "model": {"name": "wang_hu", "max_grains_per_cell": 1.0, "iterations_per_step": 20},

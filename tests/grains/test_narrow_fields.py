@@ -14,7 +14,7 @@ from tests.kernels.called import from_python
 come_in = from_python(landing._come_in)
 
 STEEP = {
-    "barchan": 4,
+    "barchan": 5,
     "lattice": {"rows": 1, "columns": 9, "cell_size": 0.002, "slab_height": 0.00015},
     "ground": {"kind": "cliff"},
     "sand": {"kind": "cone", "mean": 0.0, "gradient_y": 0.15, "radius": 60.0},

@@ -19,7 +19,7 @@ CREEPING = [{"diameter": FINE, "share": 0.8}, {"diameter": HEAVY, "share": 0.2}]
 THREE = [*TWO[:1], {"diameter": COARSE, "share": 0.2}, {"diameter": HEAVY, "share": 0.1}]
 
 SMALL = {
-    "barchan": 4,
+    "barchan": 5,
     "lattice": {"rows": 12, "columns": 48, "cell_size": 0.005, "slab_height": FINE / 16},
     "sand": {"kind": "flat", "mean": 300},
     "model": {

@@ -10,7 +10,7 @@ from barchan.streams import Stream
 from barchan.wind.segment import Segment
 
 SMALL = {
-    "barchan": 4,
+    "barchan": 5,
     "lattice": {"rows": 16, "columns": 32, "cell_size": 0.01, "slab_height": 0.15e-3},
     "sand": {"kind": "flat", "mean": 20},
     "model": {"name": "wang_hu"},

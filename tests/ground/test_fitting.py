@@ -115,7 +115,7 @@ def test_frames_tell_where_on_earth_they_lie(model):
     ground = {"kind": "file", "path": str(model())}
     lattice = {"rows": ROWS, "columns": COLUMNS, "cell_size": 2.0}
     frames = barchan.simulate(
-        barchan.load({"barchan": 4, "lattice": lattice, "ground": ground}, run__steps=1)
+        barchan.load({"barchan": 5, "lattice": lattice, "ground": ground}, run__steps=1)
     )
     assert frames.attrs["crs"] == "EPSG:32633"
     assert (frames.attrs["west"], frames.attrs["south"]) == (500_000.0, 4_000_000.0)
@@ -260,7 +260,7 @@ def test_depths_below_zero_are_refused(array):
 def test_a_path_in_a_scenario_file_starts_where_the_file_lies(array, tmp_path, monkeypatch):
     array()
     scenario = {
-        "barchan": 4,
+        "barchan": 5,
         "lattice": {"rows": ROWS, "columns": COLUMNS},
         "ground": {"kind": "file", "path": "heights.npy"},
     }

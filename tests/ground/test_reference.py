@@ -165,7 +165,7 @@ def test_heights_in_feet_become_metres(model):
 
 def test_frames_lie_where_the_terrain_lies(model, tmp_path):
     path = model("EPSG:32633", 500_000.0, 4_000_000.0, 2.0, upward=True)
-    data = {"barchan": 4, "lattice": "from ground", "ground": {"kind": "file", "path": str(path)}}
+    data = {"barchan": 5, "lattice": "from ground", "ground": {"kind": "file", "path": str(path)}}
     scenario = barchan.load(data, run__steps=2, run__save_every=1, run__seed=1)
     assert scenario.lattice.shape == (ROWS, COLUMNS)
     barchan.run(barchan.Simulation(scenario), tmp_path / "run")
@@ -182,7 +182,7 @@ def test_frames_lie_where_the_terrain_lies(model, tmp_path):
 
 def test_frames_over_made_up_ground_are_measured_from_its_edges():
     frames = barchan.simulate(
-        barchan.load({"barchan": 4, "lattice": {"rows": 4, "columns": 8}}, run__steps=1, run__seed=1)
+        barchan.load({"barchan": 5, "lattice": {"rows": 4, "columns": 8}}, run__steps=1, run__seed=1)
     )
     assert (frames["x"].values[0], frames["y"].values[0]) == (0.5, 0.5)
     assert "spatial_ref" not in frames.variables

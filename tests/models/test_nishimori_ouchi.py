@@ -7,7 +7,7 @@ import barchan
 from barchan.simulation import Simulation
 
 SMALL = {
-    "barchan": 4,
+    "barchan": 5,
     "lattice": {"rows": 32, "columns": 64, "cell_size": 0.01, "slab_height": 0.0005},
     "sand": {"kind": "dropped", "mean": 300},
     "model": {"name": "nishimori_ouchi"},

@@ -12,7 +12,7 @@ from barchan.streams import Stream
 from barchan.wind.segment import Segment
 
 SMALL = {
-    "barchan": 4,
+    "barchan": 5,
     "lattice": {"rows": 16, "columns": 64, "cell_size": 0.005, "slab_height": 0.15e-3},
     "sand": {"kind": "flat", "mean": 50},
     "model": {"name": "ripples", "iterations_per_step": 20},

@@ -11,7 +11,7 @@ from barchan.kernels.grains.state import Bonds
 from barchan.simulation import Simulation
 
 SMALL = {
-    "barchan": 4,
+    "barchan": 5,
     "lattice": {"rows": 16, "columns": 64, "cell_size": 0.005, "slab_height": 0.2e-3 / 16},
     "sand": {"kind": "flat", "mean": 800},
     "model": {

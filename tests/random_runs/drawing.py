@@ -77,7 +77,7 @@ def turned(wind: dict[str, Any], on_axes: bool) -> dict[str, Any]:
 
 def _drawn(rng: Random, narrow: bool, without: tuple[str, ...]) -> dict[str, Any]:
     data = {
-        "barchan": 4,
+        "barchan": 5,
         "lattice": _lattice(rng, narrow),
         "ground": _one_of(rng, "ground"),
         "sand": _one_of(rng, "sand"),

@@ -41,7 +41,7 @@ def scenario(number: int) -> dict[str, Any]:
         ],
     }
     return {
-        "barchan": 4,
+        "barchan": 5,
         "lattice": {
             "rows": rng.randint(8, 24),
             "columns": rng.randint(8, 32),

@@ -32,7 +32,7 @@ paths = st.sampled_from(["/data/dunes.tif", "/data/dunes.png"])
 
 def scenarios() -> st.SearchStrategy[dict[str, Any]]:
     """Plain data of valid scenarios; every key may be there or be left to its default."""
-    return group(Scenario).map(lambda data: {"barchan": 4, **data})
+    return group(Scenario).map(lambda data: {"barchan": 5, **data})
 
 
 def group(parameters: type[Parameters]) -> st.SearchStrategy[dict[str, Any]]:

@@ -25,12 +25,12 @@ def refusal(folder, text):
 @pytest.mark.parametrize("brackets", ["[]", '{"a":}'])
 def test_groups_nested_too_deeply_are_refused(tmp_path, depth, brackets):
     opening, closing = brackets[:-1], brackets[-1]
-    text = '{"barchan": 4, "sand": ' + opening * depth + "1" + closing * depth + "}"
+    text = '{"barchan": 5, "sand": ' + opening * depth + "1" + closing * depth + "}"
     assert "deep in one another" in refusal(tmp_path, text)
 
 
 def test_data_that_hold_themselves_are_refused():
-    data = {"barchan": 4}
+    data = {"barchan": 5}
     data["sand"] = data
     with pytest.raises(ScenarioError, match="deep in one another"):
         validate(data)
@@ -38,7 +38,7 @@ def test_data_that_hold_themselves_are_refused():
 
 def test_data_that_are_no_json_are_refused():
     with pytest.raises(ScenarioError, match="cannot be written as JSON"):
-        validate({"barchan": 4, "title": object()})
+        validate({"barchan": 5, "title": object()})
 
 
 @pytest.mark.parametrize("text", ["[" * 100_000, "9" * 10_000, "NaN", "{"])
@@ -48,7 +48,7 @@ def test_a_value_on_the_command_line_that_is_no_json_is_taken_as_text(text):
 
 def test_three_thousand_problems_fill_a_screen_and_are_counted(tmp_path):
     keys = {f"unknown_{number}": number for number in range(3000)}
-    text = refusal(tmp_path, json.dumps({"barchan": 4, "run": keys}))
+    text = refusal(tmp_path, json.dumps({"barchan": 5, "run": keys}))
     assert text.startswith(f"{tmp_path / 'broken.json'}: 3000 problems\n")
     assert text.endswith("\n  and 2,980 more")
     assert len(text.splitlines()) <= LINES
@@ -56,7 +56,7 @@ def test_three_thousand_problems_fill_a_screen_and_are_counted(tmp_path):
 
 
 def test_all_problems_are_kept_for_programs_however_many_are_shown(tmp_path):
-    (tmp_path / "broken.json").write_text(json.dumps({"barchan": 4, "run": {f"k{n}": 1 for n in range(99)}}))
+    (tmp_path / "broken.json").write_text(json.dumps({"barchan": 5, "run": {f"k{n}": 1 for n in range(99)}}))
     with pytest.raises(ScenarioError) as error:
         load_scenario(tmp_path / "broken.json")
     assert len(error.value.problems) == 99
@@ -69,7 +69,7 @@ def test_a_key_or_a_message_of_any_length_is_cut():
 
 
 def test_a_very_long_unknown_key_is_refused_at_once(tmp_path):
-    assert "unknown key" in refusal(tmp_path, json.dumps({"barchan": 4, "x" * 200_000: 1}))
+    assert "unknown key" in refusal(tmp_path, json.dumps({"barchan": 5, "x" * 200_000: 1}))
 
 
 def _mutated(rng, text):

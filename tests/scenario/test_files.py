@@ -9,7 +9,7 @@ from barchan.scenario import load_scenario, preset_names, validate
 from tests.tiny import data, tiny
 
 THREE_MISTAKES = """{
-  "barchan": 4,
+  "barchan": 5,
   "lattice": {
     "rows": 0
   },
@@ -185,12 +185,12 @@ def test_numbers_that_are_none_are_refused_on_the_command_line(text):
 
 
 def test_numbers_too_large_for_a_number_are_refused_in_a_file(file):
-    path = file('{"barchan": 4,\n"lattice": {"cell_size": 1e999}}')
+    path = file('{"barchan": 5,\n"lattice": {"cell_size": 1e999}}')
     assert problems(path)["lattice.cell_size"].place == f"{path}:2"
 
 
 def test_a_key_given_twice_is_one_of_the_problems(file):
-    path = file('{"barchan": 4,\n"run": {"steps": 5,\n"steps": -6}}')
+    path = file('{"barchan": 5,\n"run": {"steps": 5,\n"steps": -6}}')
     with pytest.raises(ScenarioError) as caught:
         load_scenario(path)
     assert [str(p) for p in caught.value.problems] == [
@@ -200,7 +200,7 @@ def test_a_key_given_twice_is_one_of_the_problems(file):
 
 
 def test_a_key_given_twice_is_refused_even_where_both_values_are_sound(file):
-    path = file('{"barchan": 4, "title": "a",\n"title": "b"}')
+    path = file('{"barchan": 5, "title": "a",\n"title": "b"}')
     with pytest.raises(ScenarioError, match="title: given twice"):
         load_scenario(path)
 
@@ -218,7 +218,7 @@ def test_a_file_that_holds_null_is_refused_with_a_reason(file):
 
 def test_a_file_in_another_encoding_is_refused_with_a_reason(tmp_path):
     path = tmp_path / "latin.json"
-    path.write_bytes('{"barchan": 4, "title": "Dünen"}'.encode("latin-1"))
+    path.write_bytes('{"barchan": 5, "title": "Dünen"}'.encode("latin-1"))
     with pytest.raises(ScenarioError, match="cannot be read"):
         load_scenario(path)
 
@@ -231,7 +231,7 @@ def test_a_name_that_is_neither_preset_nor_file_is_reported_with_the_nearest_pre
 @pytest.mark.parametrize(
     ("version", "said"),
     [
-        (None, 'is missing: the format\'s version, "barchan": 4'),
+        (None, 'is missing: the format\'s version, "barchan": 5'),
         (5, "is 5, written by a newer Barchan; this one reads formats up to 4"),
         (0, "is 0; allowed: a format version from 1 to 4"),
         ("1", "is '1'; allowed: a format version from 1 to 4"),
@@ -293,7 +293,7 @@ def test_the_later_of_two_overrides_holds():
 )
 def test_a_value_of_a_group_that_the_file_leaves_to_its_default_can_be_overridden(key, text):
     group, name = key.split(".")
-    scenario = load_scenario({"barchan": 4}, [(key, text)])
+    scenario = load_scenario({"barchan": 5}, [(key, text)])
     assert getattr(getattr(scenario, group), name) == float(text)
 
 
@@ -306,7 +306,7 @@ def test_a_value_of_a_group_that_the_file_leaves_to_its_default_can_be_overridde
     ],
 )
 def test_a_group_that_does_not_say_its_kind_is_of_the_kind_that_is_the_default(given, same):
-    assert load_scenario({"barchan": 4, **given}) == load_scenario({"barchan": 4, **same})
+    assert load_scenario({"barchan": 5, **given}) == load_scenario({"barchan": 5, **same})
 
 
 @pytest.mark.parametrize("kind", ["flat", "random"])

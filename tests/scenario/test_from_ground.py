@@ -19,7 +19,7 @@ def dem(tmp_path):
 
 
 def scenario(path, lattice="from ground", **ground):
-    return {"barchan": 4, "lattice": lattice, "ground": {"kind": "file", "path": path, **ground}}
+    return {"barchan": 5, "lattice": lattice, "ground": {"kind": "file", "path": path, **ground}}
 
 
 def refused(data, overrides=()):
@@ -67,7 +67,7 @@ def test_a_path_in_a_file_starts_where_the_file_lies(dem, tmp_path):
 
 
 def test_a_ground_that_cannot_give_a_lattice_is_refused(dem, tmp_path):
-    assert refused({"barchan": 4, "lattice": "from ground"}) == [
+    assert refused({"barchan": 5, "lattice": "from ground"}) == [
         ("lattice", "is 'from ground', which needs a ground of kind 'file'")
     ]
     gone = str(tmp_path / "gone.asc")

@@ -15,7 +15,7 @@ def data(tmp_path):
     rows = [f"2024-01-10T00:{10 * n:02d},9,{260 + n}" for n in range(6)]
     path.write_text("\n".join(["time,wind_speed (m/s),wind_dir", *rows]) + "\n", "utf-8")
     return {
-        "barchan": 4,
+        "barchan": 5,
         "lattice": {"rows": 16, "columns": 16},
         "clock": {"step_seconds": 100.0},
         "wind": {"kind": "record", "path": str(path), "repeat": False},

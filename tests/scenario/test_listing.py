@@ -26,13 +26,13 @@ def keys_within(data, prefix=""):
 
 def test_every_value_of_a_complete_scenario_is_listed():
     gusty = {"kind": "steady", "speed": 9.0, "unit": "m/s", "gusts": {}}
-    data = {"barchan": 4, "clock": {}, "wind": gusty, "run": {"until": {"steady": {}}}}
+    data = {"barchan": 5, "clock": {}, "wind": gusty, "run": {"until": {"steady": {}}}}
     scenario = load_scenario(data)
     assert set(keys_within(scenario.data())) - {"influx", "weather"} <= {key.key for key in KEYS}
 
 
 def test_listed_defaults_are_the_values_of_a_scenario_that_gives_none():
-    data = load_scenario({"barchan": 4}).data()
+    data = load_scenario({"barchan": 5}).data()
     headings = {'ground, kind "flat"', 'sand, kind "flat"', 'wind, kind "steady"', 'model, name "werner"'}
     for key in KEYS:
         if (", " in key.heading and key.heading not in headings) or "[]" in key.key:

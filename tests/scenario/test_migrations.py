@@ -25,7 +25,7 @@ def test_each_change_of_format_is_made_once_in_order(third_format, version, seen
 
 
 def test_a_format_of_the_future_is_refused(third_format):
-    assert "newer Barchan" in migrate({"barchan": 4})[1]
+    assert "newer Barchan" in migrate({"barchan": 5})[1]
 
 
 @pytest.mark.parametrize("version", [0, -1, 1.0, "1", True, None, [1]])
@@ -92,24 +92,36 @@ def test_on_hexagons_shadow_lines_start_where_an_earlier_file_says():
 
 @pytest.mark.parametrize("model", [{"name": "ripples"}, {"name": 3}, "werner", None])
 def test_on_hexagons_too_what_has_no_shadow_lines_is_left_as_it_is(model):
-    assert migrate({"barchan": 3, **HEX, "model": model}) == ({"barchan": 4, **HEX, "model": model}, "")
+    assert migrate({"barchan": 3, **HEX, "model": model}) == ({"barchan": 5, **HEX, "model": model}, "")
 
 
 @pytest.mark.parametrize("lattice", [{}, {"lattice": {}}, {"lattice": {"kind": "square"}}, {"lattice": 3}])
 def test_a_file_of_format_3_on_squares_keeps_its_automatic_choice(lattice):
     for model in ({"name": "werner"}, {"name": "werner", "shadow_from": "auto"}):
-        assert migrate({"barchan": 3, **lattice, "model": model}) == (
-            {"barchan": 4, **lattice, "model": model},
-            "",
-        )
+        data, problem = migrate({"barchan": 3, **lattice, "model": model})
+        assert problem == ""
+        assert data["model"].get("shadow_from", "auto") == "auto"
+
+
+@pytest.mark.parametrize("version", [3, 4])
+@pytest.mark.parametrize("model", [{}, {"shadow_from": "auto"}, {"name": "momiji", "shadow_from": "place"}])
+def test_tops_of_stacks_of_an_earlier_file_are_level(version, model):
+    assert load_scenario({"barchan": version, "model": model}).model.stack_tops == "level"
+
+
+@pytest.mark.parametrize("model", [{"shadow_from": "centre"}, {"name": "ripples"}, {"name": 3}, "werner", None])
+def test_where_tops_of_stacks_do_not_act_an_earlier_file_is_left_as_it_is(model):
+    (data, _) = migrate({"barchan": 4, "model": model})
+    assert "stack_tops" not in (data["model"] if isinstance(data["model"], dict) else {})
 
 
 def test_a_file_of_today_says_nothing_of_shadow_lines_and_gets_todays_default():
-    assert load_scenario({"barchan": 4}).model.shadow_from == "auto"
+    assert load_scenario({"barchan": 5}).model.shadow_from == "auto"
+    assert load_scenario({"barchan": 5}).model.stack_tops == "sloping"
 
 
 @pytest.mark.parametrize(
     "model", [{"name": "ripples"}, {"name": "unknown"}, {"name": 3}, "werner", None, [1]]
 )
 def test_models_without_shadow_lines_and_no_models_at_all_are_left_as_they_are(model):
-    assert migrate({"barchan": 2, "model": model}) == ({"barchan": 4, "model": model}, "")
+    assert migrate({"barchan": 2, "model": model}) == ({"barchan": 5, "model": model}, "")

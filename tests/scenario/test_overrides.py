@@ -123,7 +123,7 @@ def test_many_changes_do_not_make_a_title_too_long():
 )
 def test_a_group_that_does_not_say_which_it_is_is_told_what_it_may_be(data, said):
     with pytest.raises(ScenarioError) as failed:
-        load_scenario({"barchan": 4, **data})
+        load_scenario({"barchan": 5, **data})
     assert said in str(failed.value)
 
 

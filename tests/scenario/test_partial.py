@@ -5,7 +5,7 @@ import pytest
 from barchan.errors import ScenarioError
 from barchan.scenario.partial import changes, read_text, salvage
 
-GOOD = {"barchan": 4, "model": {"name": "momiji", "p_s": 0.7}, "wind": {"kind": "steady", "direction": 200}}
+GOOD = {"barchan": 5, "model": {"name": "momiji", "p_s": 0.7}, "wind": {"kind": "steady", "direction": 200}}
 
 
 def test_a_sound_text_is_the_scenario_without_problems():

@@ -26,7 +26,7 @@ def test_rock_does_not_slide():
 def test_the_estimate_for_a_block_is_what_slides(rows):
     lattice = {"rows": rows, "columns": rows}
     scenario = validate(
-        {"barchan": 4, "lattice": lattice, "sand": {"kind": "block", "height": 60.0}}
+        {"barchan": 5, "lattice": lattice, "sand": {"kind": "block", "height": 60.0}}
     ).seeded()
     model, bed = scenario.new_model(), scenario.first_bed()
     model.initialise(bed, 1)

@@ -23,7 +23,7 @@ FLYING = {"cell_size": 0.01, "slab_height": 1.5e-4}
 def started(name: str) -> Simulation:
     """A small run of a model, before its first step."""
     lattice = {"rows": 8, "columns": 8, **(FLYING if hasattr(models()[name], "closures") else {})}
-    return Simulation(barchan.load({"barchan": 4, "lattice": lattice, "model": {"name": name}}, seed=1))
+    return Simulation(barchan.load({"barchan": 5, "lattice": lattice, "model": {"name": name}}, seed=1))
 
 
 def live(name: str) -> list[str]:

@@ -18,7 +18,7 @@ from barchan.simulation.memory import memory_needed
 name, size = sys.argv[1], int(sys.argv[2])
 def made(n):
     bump = {"kind": "bump", "height": 3.0, "radius": 8.0}
-    return barchan.load({"barchan": 4, "lattice": {"rows": n, "columns": n}, "model": {"name": name},
+    return barchan.load({"barchan": 5, "lattice": {"rows": n, "columns": n}, "model": {"name": name},
                          "ground": bump, "run": {"steps": 1, "seed": 1}})
 barchan.Simulation(made(16)).advance(1)  # compiled
 scenario = made(size)

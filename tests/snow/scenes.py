@@ -23,7 +23,7 @@ def snow(mean: int = 10, wind: dict[str, Any] | None = None, seed: int = 3, **mo
     return Simulation(
         barchan.load(
             {
-                "barchan": 4,
+                "barchan": 5,
                 "lattice": {"rows": 32, "columns": 48, "cell_size": 0.1, **lattice},
                 "sand": {"kind": "flat", "mean": mean},
                 "wind": {key: value for key, value in blowing.items() if value is not None},

@@ -16,7 +16,7 @@ HOURS = np.datetime64("2024-01-01T00:00") + np.arange(72) * np.timedelta64(1, "h
 
 def scene(**parts):
     data = {
-        "barchan": 4,
+        "barchan": 5,
         "lattice": {"rows": 8, "columns": 12, "cell_size": 0.1},
         "sand": {"kind": "flat", "mean": 4},
         "wind": {"kind": "steady", "speed": 10.0, "unit": "m/s"},

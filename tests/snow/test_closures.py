@@ -119,7 +119,7 @@ def test_depths_in_metres_are_counted_in_quanta_of_the_starts_density(tmp_path):
     depths = np.full((32, 48), 0.4)
     np.save(tmp_path / "depths.npy", depths)
     data = {
-        "barchan": 4,
+        "barchan": 5,
         "lattice": {"rows": 32, "columns": 48, "cell_size": 0.1},
         "model": {"name": "snow", "quantum": 2.0, "start_density": 250.0},
         "wind": {"kind": "steady", "speed": 10.0, "unit": "m/s"},

@@ -9,7 +9,7 @@ from barchan.scenario import validate
 
 @pytest.fixture(scope="module")
 def curves():
-    scenario = validate({"barchan": 4, "model": {"name": "snow"}, "run": {"steps": 1}})
+    scenario = validate({"barchan": 5, "model": {"name": "snow"}, "run": {"steps": 1}})
     return {(c.title, c.y_title): c for c in models()["snow"].curves(scenario.model)}
 
 
@@ -38,7 +38,7 @@ def test_every_curve_names_its_quantities_with_units_and_its_source(curves):
 
 def test_snow_that_does_not_pack_has_no_curve_of_packing():
     scenario = validate(
-        {"barchan": 4, "model": {"name": "snow", "packing": {"law": "none"}}, "run": {"steps": 1}}
+        {"barchan": 5, "model": {"name": "snow", "packing": {"law": "none"}}, "run": {"steps": 1}}
     )
     titles = {curve.y_title for curve in models()["snow"].curves(scenario.model)}
     assert "density of a layer (kg/m³)" not in titles

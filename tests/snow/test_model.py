@@ -29,7 +29,7 @@ def test_snow_of_one_density_without_closures_moves_as_werners_sand(direction):
     sand = Simulation(
         barchan.load(
             {
-                "barchan": 4,
+                "barchan": 5,
                 "lattice": {"rows": 32, "columns": 48, "cell_size": 0.1, "slab_height": 0.01},
                 "sand": {"kind": "flat", "mean": 10},
                 "wind": {"kind": "steady", "direction": direction},

@@ -23,7 +23,7 @@ PATIENCE = 60.0
 
 def small(**parts) -> Scenario:
     data = {
-        "barchan": 4,
+        "barchan": 5,
         "lattice": {"rows": 32, "columns": 48},
         "run": {"steps": 100, "seed": 7, "save_every": 10},
         **parts,

@@ -114,12 +114,12 @@ def test_a_year_has_365_and_a_quarter_days():
 )
 def test_a_clock_that_does_not_fit_is_refused(data, said):
     with pytest.raises(ScenarioError, match=said):
-        validate({"barchan": 4, **data})
+        validate({"barchan": 5, **data})
 
 
 def test_a_clock_that_agrees_with_the_steps_of_a_year_is_accepted():
     clock = {"step_seconds": YEAR / 80}
-    scenario = validate({"barchan": 4, "clock": clock, "model": {"name": "nield_baas", "steps_per_year": 80}})
+    scenario = validate({"barchan": 5, "clock": clock, "model": {"name": "nield_baas", "steps_per_year": 80}})
     assert scenario.step_seconds == YEAR / 80
 
 

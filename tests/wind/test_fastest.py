@@ -7,7 +7,7 @@ from barchan.scenario import validate
 
 
 def scenario(wind):
-    return validate({"barchan": 4, "wind": wind, "clock": {}})
+    return validate({"barchan": 5, "wind": wind, "clock": {}})
 
 
 REGIME = {"direction": 270.0, "steps": 5, "unit": "m/s"}

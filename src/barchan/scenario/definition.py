@@ -36,7 +36,7 @@ from barchan.wind import Clock, Forcing, Steady, StepClock, WeatherCourse, Wind
 from barchan.wind.clock import spoken
 from barchan.wind.influx import AnyInflux
 
-FORMAT = 4
+FORMAT = 5
 """Version of the configuration format that this program writes."""
 
 LARGEST_SEED = 2**53 - 1
@@ -126,7 +126,7 @@ def _default_model() -> Any:
 class Scenario(Parameters):
     """Everything that defines a run: same scenario and seed, same bits."""
 
-    barchan: Literal[4] = parameter(FORMAT, unit="-", meaning="Version of the configuration format.")
+    barchan: Literal[5] = parameter(FORMAT, unit="-", meaning="Version of the configuration format.")
     title: str = parameter("", unit="-", max_length=200, meaning="Name of the scenario.")
     citation: str = parameter("", unit="-", max_length=1000, meaning="Where the scenario comes from.")
     look_for: str = parameter("", unit="-", max_length=2000, meaning="Features to watch for in the run.")

@@ -137,6 +137,16 @@ def _to_4(data: Data) -> Data:
     return data
 
 
+def _to_5(data: Data) -> Data:
+    """Tops of stacks were level, for all shadow lines that a file lets start from a slab's place."""
+    model = data.setdefault("model", {})
+    if not isinstance(model, dict) or not _has_shadow_lines(model):
+        return data
+    if model.get("shadow_from", "auto") in ("auto", "place"):
+        model.setdefault("stack_tops", "level")
+    return data
+
+
 def _has_shadow_lines(model: Data) -> bool:
     """Whether the model's parameters say where shadow lines start; a model without a name is the default."""
     name = model.setdefault("name", DEFAULT_MODEL)
@@ -144,7 +154,7 @@ def _has_shadow_lines(model: Data) -> bool:
     return kind is not None and "shadow_from" in kind.Parameters.model_fields
 
 
-STEPS: dict[int, Callable[[Data], Data]] = {1: _to_2, 2: _to_3, 3: _to_4}
+STEPS: dict[int, Callable[[Data], Data]] = {1: _to_2, 2: _to_3, 3: _to_4, 4: _to_5}
 """For each earlier format, what turns its data into the next one's."""
 
 

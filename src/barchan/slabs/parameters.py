@@ -84,7 +84,7 @@ class SlabParameters(Parameters):
         source="centre: Prague thesis, Alg. 6; edge: Elder 2009, Fig. 2; place, auto: ours",
     )
     stack_tops: Literal["level", "sloping"] = parameter(
-        "level",
+        "sloping",
         unit="-",
         live=True,
         group="shadow",

@@ -15,7 +15,7 @@ restitution_at = from_python(grain_bonds.restitution_at)
 lay_down, take_up = from_python(exchange.lay_down), from_python(exchange.take_up)
 
 SCENARIO = {
-    "barchan": 4,
+    "barchan": 5,
     "lattice": {"rows": 8, "columns": 9, "cell_size": 0.005, "slab_height": 0.2e-3 / 16},
     "sand": {"kind": "flat", "mean": 8},
     "model": {"name": "snow_grains"},

@@ -33,7 +33,7 @@ DIAMETER, WIDTH = 0.15e-3, 0.005
 def field(**rules):
     """A level field of 12 × 12 cells of fine parcels, and its ground in calm air."""
     scenario = {
-        "barchan": 4,
+        "barchan": 5,
         "lattice": {"rows": 12, "columns": 12, "cell_size": WIDTH, "slab_height": DIAMETER / 16},
         "sand": {"kind": "flat", "mean": 2000},
         "model": {"name": "ripples", "wind_speed": 12.0, "grain_diameter": DIAMETER, **rules},

@@ -37,7 +37,7 @@ SIZES = [
 """The last one creeps."""
 
 SCENARIO = {
-    "barchan": 4,
+    "barchan": 5,
     "lattice": {"rows": 6, "columns": 8, "cell_size": 0.005, "slab_height": 0.15e-3},
     "sand": {"kind": "flat", "mean": 7},
     "model": {

@@ -111,7 +111,7 @@ def test_territories_that_pushed_grains_cross_give_the_bits_of_one(monkeypatch, 
         monkeypatch.setattr(thread_pool, "thread_count", lambda threads=threads: threads)
         monkeypatch.setattr(grain_iterations, "territories_of", kept)
         lattice = {"rows": 40, "columns": 64, "cell_size": 0.005, "slab_height": 0.15e-3 / 16}
-        scenario = {"barchan": 4, "lattice": lattice, "sand": {"kind": "flat", "mean": 800}}
+        scenario = {"barchan": 5, "lattice": lattice, "sand": {"kind": "flat", "mean": 800}}
         scenario["wind"] = {"kind": "steady", "direction": 270.0}
         scenario["model"] = {"name": "ripples", "wind_speed": 12.0, "max_grains_per_cell": 4.0}
         scenario["model"]["entrainment"] = {"probability": 0.05}

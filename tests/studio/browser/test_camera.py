@@ -25,7 +25,7 @@ pytestmark = pytest.mark.extended
 def begin(studio, **lattice):
     studio.page.set_viewport_size({"width": 500, "height": 320})
     scenario = {
-        "barchan": 4,
+        "barchan": 5,
         "title": json.dumps(lattice),
         "lattice": lattice,
         "sand": {"kind": "flat", "mean": 4},

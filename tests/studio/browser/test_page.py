@@ -107,7 +107,7 @@ def test_winds_in_turn_with_a_curve(studio):
 
 
 SNOW = {
-    "barchan": 4,
+    "barchan": 5,
     "lattice": {"rows": 32, "columns": 48, "cell_size": 0.1},
     "sand": {"kind": "flat", "mean": 6},
     "wind": {"kind": "steady", "speed": 10, "unit": "m/s", "snowfall": 0.01, "temperature": -10},
@@ -239,7 +239,7 @@ def test_paths_of_grains_are_drawn_over_the_bed(studio):
 
 @pytest.mark.extended
 def test_a_broken_file_names_each_bad_key_and_the_rest_is_loaded_when_asked(studio):
-    text = json.dumps({"barchan": 4, "title": "Half good", "model": {"name": "werner", "p_s": 7, "hop": 2}})
+    text = json.dumps({"barchan": 5, "title": "Half good", "model": {"name": "werner", "p_s": 7, "hop": 2}})
     studio.ask(f"window.barchan.files.load('mine.json', {json.dumps(text)})")
     dialog = studio.page.get_by_role("dialog")
     problems = dialog.locator("li").all_inner_texts()

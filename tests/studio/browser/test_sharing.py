@@ -137,8 +137,8 @@ def test_a_link_put_into_the_address_offers_its_scenario_and_starts_it_only_when
     [
         ("#scenario=abc", "is damaged"),
         ("#scenario=%%%", "is damaged"),
-        (link_with(b'{"barchan": 4, "lattice": {"rows": 300}}')[:-6], "is damaged"),
-        (link_with(b'{"barchan": 4')[:], "is damaged"),
+        (link_with(b'{"barchan": 5, "lattice": {"rows": 300}}')[:-6], "is damaged"),
+        (link_with(b'{"barchan": 5')[:], "is damaged"),
         (link_with(b"[" + b" " * (3 << 20) + b"]"), "unfolds to more than"),
         ("#scenario=" + "A" * 16_001, "allowed: 16000"),
     ],
@@ -151,7 +151,7 @@ def test_damaged_and_overlong_links_are_refused_in_words(studio, link, words):
 
 @pytest.mark.extended
 def test_a_link_with_bad_values_lists_them_and_loads_the_rest_only_when_asked(studio):
-    data = {"barchan": 4, "lattice": {"rows": 48, "columns": 64}, "model": {"name": "werner", "p_s": 7}}
+    data = {"barchan": 5, "lattice": {"rows": 48, "columns": 64}, "model": {"name": "werner", "p_s": 7}}
     studio.ask(f"void (location.hash = {json.dumps(link_with(json.dumps(data).encode()))})")
     sheet = studio.page.locator("dialog", has_text="the link: 1 problem")
     sheet.wait_for()

@@ -18,7 +18,7 @@ pytestmark = pytest.mark.extended
 def test_a_quick_stroke_of_the_brush_leaves_one_even_ridge(studio):
     page = studio.page
     flat = {
-        "barchan": 4,
+        "barchan": 5,
         "lattice": {"rows": 48, "columns": 64},
         "sand": {"kind": "flat", "mean": 0},
         "run": {"seed": 1},

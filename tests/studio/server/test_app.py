@@ -431,7 +431,7 @@ def test_a_recorded_wind_has_its_roses(served):
 
 def test_a_broken_scenario_names_every_bad_key_and_what_is_left(served):
     text = (
-        '{\n"barchan": 4,\n"model": {"name": "werner", "hop_lenght": 3, "p_s": 0.5},\n"sand": {"mean": -1}\n}'
+        '{\n"barchan": 5,\n"model": {"name": "werner", "hop_lenght": 3, "p_s": 0.5},\n"sand": {"mean": -1}\n}'
     )
     with served.browser() as browser:
         browser.send("check", name="mine.json", text=text, id=6)

@@ -62,7 +62,7 @@ def test_text_grids_may_be_uploaded(tmp_path):
 
 def test_checking_a_scenario_opens_no_file_beyond_the_folder(dem, tmp_path):
     ground = {"kind": "file", "path": str(dem("secret.asc"))}
-    text = json.dumps({"barchan": 4, "lattice": "from ground", "ground": ground})
+    text = json.dumps({"barchan": 5, "lattice": "from ground", "ground": ground})
     answer = QUERIES["check"](Workspace(tmp_path / "folder"), {"command": "check", "text": text})
     assert answer["scenario"] is None
     (problem,) = answer["problems"]

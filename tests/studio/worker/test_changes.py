@@ -7,7 +7,7 @@ from barchan.studio.worker.changes import changes_of
 from barchan.studio.worker.description import description
 from tests.studio.worker.test_rescue import Bench
 
-TINY = {"barchan": 4, "lattice": {"rows": 16, "columns": 16}, "run": {"seed": 1}, "model": {"p_s": 0.6}}
+TINY = {"barchan": 5, "lattice": {"rows": 16, "columns": 16}, "run": {"seed": 1}, "model": {"p_s": 0.6}}
 
 
 def test_changes_are_listed_with_the_value_before_and_only_the_newest_of_a_key_can_be_undone():

@@ -8,7 +8,7 @@ from barchan.scenario import validate
 from barchan.simulation import Simulation
 from barchan.studio.worker.rose import rose_of
 
-TINY = {"barchan": 4, "lattice": {"rows": 16, "columns": 16}, "run": {"steps": 40, "seed": 1}}
+TINY = {"barchan": 5, "lattice": {"rows": 16, "columns": 16}, "run": {"steps": 40, "seed": 1}}
 WEST, SOUTH = 12, 8  # of 16 sectors, clockwise from north
 
 
