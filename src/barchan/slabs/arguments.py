@@ -158,6 +158,7 @@ def _repose(parameters: SlabParameters, rules: Rules, lattice: Lattice, one: int
         corners=parameters.neighbourhood == "moore" and not lattice.hexagonal,
         corner_weight=1.0 if parameters.corner_limit == "face" else math.sqrt(0.5),
         random_order=parameters.neighbour_order == "random",
+        downslope=parameters.neighbour_order == "downslope",
         stabilised=parameters.limits(lattice, rules.stabilised_angle),
         stabilised_below=round(rules.stabilised_mobility * MOBILE),
         static=parameters.limits(lattice, parameters.static_repose_angle),
@@ -168,7 +169,7 @@ def _relaxation_orders(
     parameters: SlabParameters, lattice: Lattice, orders: NDArray[np.int64]
 ) -> NDArray[np.int64]:
     """The wind's own order, or several orders to draw from."""
-    if parameters.neighbour_order == "wind":
+    if parameters.neighbour_order != "random":
         return orders[DOWNSLOPE : DOWNSLOPE + 1].copy()
     drawn = relaxation_orders(parameters.neighbourhood == "moore", lattice.hexagonal)
     return np.where(orders[DOWNSLOPE] < 0, orders[DOWNSLOPE], drawn)

@@ -151,14 +151,16 @@ class SlabParameters(Parameters):
         "repose angle over the longer distance, or a number of slabs (3 is isotropic at an aspect of 1/3).",
         source="face: Elder 2009",
     )
-    neighbour_order: Literal["wind", "random"] = parameter(
+    neighbour_order: Literal["wind", "random", "downslope"] = parameter(
         "wind",
         unit="-",
         live=True,
         group="avalanches",
-        meaning="Which of equally steep neighbours comes first: downwind for a slab that slides and upwind "
-        "for one that falls in, or a sequence drawn each time; faces come before corners.",
-        source="wind: Prague thesis, Fig. 5.5; random: Elder 2009",
+        meaning="To which neighbour a slab slides from a step that does not stand: the steepest, of equally "
+        "steep ones the first downwind (for one that falls in, upwind) or in a sequence drawn each time, "
+        "faces before corners; or, downslope, one drawn in proportion to the steps to all that lie lower by "
+        "more than a slab, so that on average slabs slide straight down a slope, wherever it faces.",
+        source="wind: Prague thesis, Fig. 5.5; random: Elder 2009; downslope: ours",
     )
     upwind_avalanches: bool = parameter(
         True,

@@ -46,7 +46,7 @@ class HexField(Field):
 
     def sequences(self):
         allowed = self.order(True)
-        if self.rules.neighbour_order == "wind":
+        if self.rules.neighbour_order != "random":
             return [allowed]
         orders = []
         for start in range(12):

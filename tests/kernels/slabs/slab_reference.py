@@ -224,10 +224,14 @@ class Field:
             result += ways
         return result
 
+    def is_stabilised(self, row, col):
+        threshold = round(self.extra.stabilised_mobility * SCALE)
+        return self.mobile is not None and self.mobile[row][col] <= threshold
+
     def limit(self, row, col, corner, at_rest=False):
         """The step down from a cell that still holds, in units of 1/SCALE slabs."""
         limit = (self.face_limit, self.corner_limit)[corner]
-        if self.mobile is not None and self.mobile[row][col] <= round(self.extra.stabilised_mobility * SCALE):
+        if self.is_stabilised(row, col):
             limit = self.stabilised_limits[corner]
         if at_rest and self.release_limits is not None:
             limit += self.release_limits[corner] - (self.face_limit, self.corner_limit)[corner]
@@ -255,9 +259,34 @@ class Field:
             way = self.steepest(row, col, here, sliding, self.order(sliding))
             if way is None:
                 return row, col
+            if self.rules.neighbour_order == "downslope":
+                way = self.drawn(row, col, here, sliding, draws.next())
             if self.rules.neighbour_order == "random":
                 way = self.steepest(row, col, here, sliding, self.order(sliding, draws.next()))
             row, col = way
+
+    def drawn(self, row, col, here, sliding, draw):
+        """A neighbour drawn in proportion to its step beyond one slab, of all that slabs may slide to."""
+        shares = []
+        for step in self.steps_about():
+            there = None if step is None else self.neighbour(row, col, step)
+            if step not in self.order(sliding) or there is None:
+                continue
+            rise = (here - self.height(*there)) if sliding else (self.height(*there) - here)
+            corner = step in CORNERS
+            if not sliding and self.sand[there[0]][there[1]] == 0:
+                continue
+            if not sliding and self.is_stabilised(*there) and rise <= self.limit(*there, corner):
+                continue
+            weight = math.sqrt(0.5) if corner and self.rules.corner_limit != "face" else 1.0
+            if rise > SCALE:
+                shares.append((there, float(rise - SCALE) * weight))
+        left = high(draw) / 2**32 * sum(share for _, share in shares)
+        for there, share in shares:
+            left -= share
+            if left < 0:
+                return there
+        return shares[-1][0]
 
     def slide(self, row, col, risen, key):
         """Let sand slide where a cell's change took a slope over the release, until all of it rests."""
@@ -284,10 +313,13 @@ class Field:
             moving = waiting.pop(cell)
             if self.sand[cell[0]][cell[1]] == 0:
                 continue
-            turn = mix((key + moves) & MASK) % len(orders)
+            draw = mix((key + moves) & MASK)
+            turn = draw % len(orders)
             way = self.steepest(*cell, self.height(*cell), True, orders[turn], not moving)
             if way is None:
                 continue
+            if self.rules.neighbour_order == "downslope":
+                way = self.drawn(*cell, self.height(*cell), True, mix(draw))
             self.change(*cell, -1)
             self.change(*way, 1)
             moves += 1
@@ -298,7 +330,7 @@ class Field:
     def sequences(self):
         """The orders in which an avalanche that runs until all holds may check neighbours."""
         allowed = self.order(True)
-        if self.rules.neighbour_order == "wind":
+        if self.rules.neighbour_order != "random":
             return [allowed]
         orders = []
         for start in range(8):

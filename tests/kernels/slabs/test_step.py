@@ -22,7 +22,7 @@ from tests.kernels.slabs.slab_reference import SCALE, Field
 
 VARIANTS = {
     "neighbourhood": ["von_neumann", "moore"],
-    "neighbour_order": ["wind", "random"],
+    "neighbour_order": ["wind", "random", "downslope"],
     "upwind_avalanches": [True, False],
     "lee_erosion": [True, False],
     "polling": ["repeated", "non_repeated"],

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from barchan.kernels.bed.active_layer import slide
 from barchan.kernels.bed.grid import neighbour
 from barchan.kernels.bed.loose import slide_loose
-from barchan.kernels.bed.slopes import has_sand, steepest
+from barchan.kernels.bed.slopes import drawn_downslope, has_sand, steepest
 from barchan.kernels.bed.state import DOWN, STABLE, ActiveLayer, Grid, Repose, Stacks, unstable_cells
 from barchan.kernels.core.borrow import borrowed
 from barchan.kernels.core.inlining import never_inline
@@ -83,7 +83,8 @@ def relax_queue(stacks, orders, unstable, progress, most, key, grid, repose, mix
     Sand at rest slides where a step exceeds the static limit, moving sand comes to rest at the repose limit.
     Slabs slide one at a time, ``SINGLY`` times for each cell; then, from steps that are too high by more than
     ``TOGETHER`` slabs, half of these at once, so that the work does not grow with the height of the sand.
-    ``orders`` are the orders in which neighbours are checked, one of which is drawn by ``key`` each time.
+    ``orders`` are the orders in which neighbours are checked, one of which is drawn by ``key`` each time;
+    where slabs go straight down the slope, the neighbour is.
     Sand of several sizes takes its ``mixture`` along (None: uniform). ``progress`` holds where the queue
     begins, its length, the slides and the slabs that slid so far; returns them after ``most`` more slides, or
     once the queue is empty.
@@ -103,11 +104,14 @@ def relax_queue(stacks, orders, unstable, progress, most, key, grid, repose, mix
             continue
         row = cell // grid.cols
         col = cell % grid.cols
-        order = np.int64(mix(key + np.uint64(slides)) % number_of_orders)
+        draw = mix(key + np.uint64(slides))
+        order = np.int64(draw % number_of_orders)
         here = np.int64(stacks.surface[cell])
         direction = steepest(stacks, orders, order, row, col, here, DOWN, at_rest, grid, repose)
         if direction == STABLE:
             continue
+        if repose.downslope:
+            direction = drawn_downslope(stacks, orders, order, row, col, here, DOWN, mix(draw), grid, repose)
         r, c = neighbour(row, col, direction, grid)
         lower = r * grid.cols + c
         limit = repose.face_limit if direction < 4 else repose.corner_limit

@@ -241,11 +241,62 @@ def shuffle_order(orders, order, key):
 
 
 @internal(forceinline=True)
+def _held_by_plants(mobility, cell, step, limit, repose):
+    """Whether a stabilised neighbour keeps its sand although that stands a step higher."""
+    if mobility is None:
+        return False
+    return mobility[cell] <= repose.stabilised_below and step <= limit
+
+
+@internal(error_model="numpy")
+def _share(stacks, orders, order, row, col, direction, here, sign, grid, repose):
+    """A neighbour's share among those to which a slab may slide: its step beyond one slab."""
+    if orders[order, direction] < 0:
+        return 0.0
+    at_corner = direction >= 4 and not grid.hexagonal
+    r, c = neighbour(row, col, direction, grid)
+    cell = r * grid.cols + c
+    step = (np.int64(stacks.surface[cell]) - here) * sign
+    if sign > 0:
+        limit = repose.stabilised_corner_limit if at_corner else repose.stabilised_face_limit
+        if not has_sand(stacks.surface, stacks.sand, cell):
+            return 0.0
+        if _held_by_plants(stacks.mobility, cell, step, limit, repose):
+            return 0.0
+    return max(np.float64(step - repose.slab), 0.0) * (repose.corner_weight if at_corner else 1.0)
+
+
+@internal(error_model="numpy")
+def drawn_downslope(stacks, orders, order, row, col, here, sign, draw, grid, repose):
+    """Direction in which a slab slides down from ``here``, or in from above, drawn by the steps.
+
+    On a plane its mean is straight down the slope, for the steps to all neighbours that lie lower are the
+    slope's parts along them. After a step of more than one slab a slab lies lower, so a chain ends.
+    """
+    never_inline()
+    stacks, orders = borrowed((stacks, orders))
+    total = 0.0
+    for direction in range(8):
+        total += _share(stacks, orders, order, row, col, direction, here, sign, grid, repose)
+    left = np.float64(high(draw)) * 2.0**-32 * total
+    chosen = np.int64(STABLE)
+    for direction in range(8):
+        share = _share(stacks, orders, order, row, col, direction, here, sign, grid, repose)
+        if share > 0.0:
+            chosen = np.int64(direction)
+            left -= share
+            if left < 0.0:
+                break
+    return chosen
+
+
+@internal(forceinline=True)
 def next_on_slope(stacks, orders, order, row, col, state, sign, grid, repose):
     """One step towards the cell that changes height when a slab is taken (``sign`` 1) or laid down (-1).
 
-    Goes to the steepest neighbour up or down the slope, unless every step stands. A random order is drawn
-    when a slope does not stand, and the neighbours are compared again. Returns row, column, the order to
+    Goes to the steepest neighbour up or down the slope, or to one drawn in proportion to the steps, unless
+    every step stands. A random order is drawn when a slope does not stand, and the neighbours are compared
+    again. Returns row, column, the order to
     compare neighbours in, the random state, and whether the search goes on.
     """
     plain = UPSLOPE if sign > 0 else DOWNSLOPE
@@ -253,6 +304,9 @@ def next_on_slope(stacks, orders, order, row, col, state, sign, grid, repose):
     direction = steepest(stacks, orders, order, row, col, here, sign, SLIDING, grid, repose)
     if direction == STABLE:
         return row, col, order, state, False
+    if repose.downslope:
+        state += GOLDEN
+        direction = drawn_downslope(stacks, orders, plain, row, col, here, sign, mix(state), grid, repose)
     if repose.random_order and order == plain:
         state += GOLDEN
         if grid.hexagonal:

@@ -130,6 +130,8 @@ class Repose(NamedTuple):
     """Whether the four corner neighbours count at all (Moore) or not (von Neumann)."""
     random_order: bool
     """Whether equally steep neighbours are checked in a random order, drawn each time."""
+    downslope: bool
+    """Whether a slab on a step that does not stand slides to a neighbour drawn in proportion to the steps."""
     stabilised_face_limit: int
     """Largest stable step to a face neighbour where plants hold the sand."""
     stabilised_corner_limit: int
@@ -147,6 +149,7 @@ def repose_rule(
     corners: bool = True,
     corner_weight: float = math.sqrt(0.5),
     random_order: bool = False,
+    downslope: bool = False,
     stabilised: tuple[int, int] | None = None,
     stabilised_below: int = -1,
     static: tuple[int, int] | None = None,
@@ -164,6 +167,7 @@ def repose_rule(
         corner_weight=corner_weight,
         corners=corners,
         random_order=random_order,
+        downslope=downslope,
         stabilised_face_limit=stabilised[0] * slab,
         stabilised_corner_limit=stabilised[1] * slab,
         stabilised_below=stabilised_below,
