@@ -32,7 +32,7 @@ VARIANTS = {
 def transverse(name, angle, seed):
     direction = 270.0 + angle
     scenario = barchan.load(
-        {"barchan": 5, "sand": {"kind": "random", "mean": 8}, "model": {"name": "werner", **VARIANTS[name]}},
+        {"barchan": 4, "sand": {"kind": "random", "mean": 8}, "model": {"name": "werner", **VARIANTS[name]}},
         lattice__rows=192,
         lattice__columns=192,
         wind__direction=direction,

@@ -1,13 +1,13 @@
 """The horns of one barchan, grown out of a round heap, at several angles to the lattice.
 
 Momiji's model works on a round heap (a Gaussian 7 m high with a standard deviation of 24 m) on bare
-ground, 256 × 256 m, open edges all around, for 200 steps from upwind of its middle; winds at 0, 15, 22.5
-and 45° to the lattice, 8 seeds; shadow from the centre, and from each slab's place over level and over
-sloping tops of stacks, with four and with eight neighbours (limits of 2 and 3 slabs). A horn's length is
-how far the outer quarter of the downwind edge on its side lies beyond the middle half
-([measures](measures.md#dunes-one-by-one)). *Unequal* is the left length less the right one over their
-mean: of the means over all seeds, where chance is smallest, with its standard error, and its size in a
-single run.
+ground, 256 × 256 m, open edges all around, for 200 steps from upwind of its middle; winds at 0 to 45°
+to the lattice, 8 seeds; shadow from the centre, and from each slab's place over level and over
+sloping tops of stacks, with four and with eight neighbours (limits of 2 and 3 slabs), to the steepest of
+which slabs slide or to one drawn by the steps. A horn's length is how far the outer quarter of the
+downwind edge on its side lies beyond the middle half ([measures](measures.md#dunes-one-by-one)).
+*Unequal* is the left length less the right one over their mean: of the means over all seeds, where chance
+is smallest, with its standard error, and its size in a single run.
 """
 
 import numpy as np
@@ -21,7 +21,7 @@ from validation.study import Row
 
 TITLE = "The horns of a heap off the axes"
 
-ANGLES = (0.0, 15.0, 22.5, 45.0)
+ANGLES = (0.0, 7.5, 15.0, 22.5, 30.0, 45.0)
 SEEDS = tuple(range(1, 9))
 STEPS = 200
 UPWIND = 0.33
@@ -33,12 +33,16 @@ LEAST = 1.0
 LEVEL = {"shadow_from": "place", "stack_tops": "level"}
 SLOPING = {"shadow_from": "place", "stack_tops": "sloping"}
 EIGHT = {"neighbourhood": "moore", "corner_limit": 3}
+DOWNSLOPE = {"neighbour_order": "downslope"}
 RULES = {
     "shadow from the centre": {"shadow_from": "centre"},
     "shadow from the place": LEVEL,
     "shadow from the place, eight neighbours": {**LEVEL, **EIGHT},
     "sloping tops": SLOPING,
     "sloping tops, eight neighbours": {**SLOPING, **EIGHT},
+    "shadow from the place, slides downslope": {**LEVEL, **DOWNSLOPE},
+    "sloping tops, slides downslope": {**SLOPING, **DOWNSLOPE},
+    "sloping tops, eight neighbours, slides downslope": {**SLOPING, **EIGHT, **DOWNSLOPE},
 }
 
 
@@ -52,7 +56,7 @@ def _grown(rule, angle, seed):
     east, north = (0.5 - UPWIND * part for part in downwind(270.0 + angle))
     scenario = barchan.load(
         {
-            "barchan": 5,
+            "barchan": 4,
             "lattice": {"rows": 256, "columns": 256, **edges},
             "sand": {"kind": "mound", "height": 7, "width": 24, "x": east, "y": north},
             "wind": {"kind": "steady", "direction": 270.0 + angle},

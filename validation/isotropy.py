@@ -34,6 +34,7 @@ CENTRE = {"shadow_from": "centre"}
 PLACE = {"shadow_from": "place", "stack_tops": "level"}
 SLOPING = {"shadow_from": "place", "stack_tops": "sloping"}
 RANDOM = {"neighbour_order": "random"}
+DOWNSLOPE = {"neighbour_order": "downslope"}
 MOORE = {"neighbourhood": "moore"}
 THREE = {**MOORE, "corner_limit": 3}
 
@@ -51,6 +52,7 @@ CHANGES = {
     "shadow from the place, Moore, two limits, random order": {**PLACE, **THREE, **RANDOM},
     "sloping tops": SLOPING,
     "sloping tops, Moore, two limits, random order": {**SLOPING, **THREE, **RANDOM},
+    "sloping tops, slides downslope": {**SLOPING, **DOWNSLOPE},
 }
 OF_MOMIJI = {
     "hops of their exact length": {"hop_rounding": "none"},
@@ -62,7 +64,7 @@ OF_WERNER = (
     "shadow from the place",
     "shadow from the place, Moore, two limits, random order",
     "sloping tops",
-    "sloping tops, Moore, two limits, random order",
+    "sloping tops, slides downslope",
 )
 
 
@@ -74,6 +76,9 @@ def variant(model, name):
     return Variant(f"{model}, {name}", model, options)
 
 
+COLOURS = ("#c9b79c", "#b5651d", "#8a8a8a", "#7fa65a", "#35507a")
+"""Of the lines of a figure; the last one is the rule that acts by default."""
+
 PLANTED = [variant("momiji", name) for name in (*CHANGES, *OF_MOMIJI)] + [
     variant("werner", name) for name in CHANGES if name in OF_WERNER
 ]
@@ -84,11 +89,11 @@ GROWN = {
     variant("momiji", "shadow from the place"): FEW,
     variant("momiji", "shadow from the place, Moore, two limits, random order"): SEEDS,
     variant("momiji", "sloping tops"): SEEDS,
-    variant("momiji", "sloping tops, Moore, two limits, random order"): SEEDS,
+    variant("momiji", "sloping tops, slides downslope"): SEEDS,
     variant("werner", "as it is"): FEW,
     variant("werner", "shadow from the place, Moore, two limits, random order"): SEEDS,
     variant("werner", "sloping tops"): SEEDS,
-    variant("werner", "sloping tops, Moore, two limits, random order"): SEEDS,
+    variant("werner", "sloping tops, slides downslope"): SEEDS,
 }
 """Variants whose fields grow out of noise, and their seeds."""
 
@@ -146,8 +151,7 @@ def draw(results):
     panels = figure.subplots(1, 2, sharey=True)
     for axes, model in zip(panels, ("momiji", "werner"), strict=True):
         shown = [(variant, found) for variant, found in results.items() if variant.model == model]
-        colours = ("#b5651d", "#8a8a8a", "#35507a") if len(shown) == 3 else ("#b5651d", "#35507a")
-        for (variant, found), colour in zip(shown, colours, strict=True):
+        for (variant, found), colour in zip(shown, COLOURS[-len(shown) :], strict=True):
             wrong = {angle: errors(result, angle) for angle, result in found.items()}
             means = [np.mean(values) for values in wrong.values()]
             axes.plot(list(wrong), means, color=colour, label=variant.name.removeprefix(f"{model}, "))

@@ -61,7 +61,7 @@ class Case:
         return hashlib.sha256(json.dumps(told, sort_keys=True).encode()).hexdigest()[:24]
 
     def scenario(self) -> barchan.Scenario:
-        """The scenario of the run."""
+        """The scenario of the run; rules that a variant does not name are those of format 4."""
         lattice = {"rows": self.size, "columns": self.size, **self.variant.lattice}
         wind: dict[str, Any] = {"kind": "steady", "direction": self.winds[0][0]}
         if len(self.winds) > 1:
@@ -69,7 +69,7 @@ class Case:
             wind = {"kind": "regimes", "regimes": turns}
         return barchan.load(
             {
-                "barchan": 5,
+                "barchan": 4,
                 "lattice": lattice,
                 "sand": {"kind": "random", "mean": self.mean},
                 "wind": wind,

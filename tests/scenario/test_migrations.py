@@ -109,7 +109,9 @@ def test_tops_of_stacks_of_an_earlier_file_are_level(version, model):
     assert load_scenario({"barchan": version, "model": model}).model.stack_tops == "level"
 
 
-@pytest.mark.parametrize("model", [{"shadow_from": "centre"}, {"name": "ripples"}, {"name": 3}, "werner", None])
+@pytest.mark.parametrize(
+    "model", [{"shadow_from": "centre"}, {"name": "ripples"}, {"name": 3}, "werner", None]
+)
 def test_where_tops_of_stacks_do_not_act_an_earlier_file_is_left_as_it_is(model):
     (data, _) = migrate({"barchan": 4, "model": model})
     assert "stack_tops" not in (data["model"] if isinstance(data["model"], dict) else {})

@@ -138,12 +138,13 @@ def _to_4(data: Data) -> Data:
 
 
 def _to_5(data: Data) -> Data:
-    """Tops of stacks were level, for all shadow lines that a file lets start from a slab's place."""
+    """Tops of stacks were level, and slabs slid to the steepest neighbour, the first by the wind."""
     model = data.setdefault("model", {})
     if not isinstance(model, dict) or not _has_shadow_lines(model):
         return data
     if model.get("shadow_from", "auto") in ("auto", "place"):
         model.setdefault("stack_tops", "level")
+    model.setdefault("neighbour_order", "wind")
     return data
 
 

@@ -37,7 +37,7 @@ from barchan.kernels.slabs.state import (
 from barchan.lattice import HEX_ROWS, Lattice
 from barchan.slabs.boxes import box_shadow
 from barchan.slabs.neighbours import neighbour_groups, order_table
-from barchan.slabs.parameters import ShadowRule, SlabParameters
+from barchan.slabs.parameters import ActingRules, OrderRule, SlabParameters
 from barchan.slabs.rays import ray_shadow
 from barchan.slabs.rules import ErosionChance, HopRule, Rules
 from barchan.wind.frame import WindFrame
@@ -63,11 +63,11 @@ def build(
     frame: WindFrame,
     hop: float,
     flat: bool,
-    shadow: ShadowRule,
+    acting: ActingRules,
 ) -> SlabArguments:
     """The structs for a wind in ``frame`` with hops of ``hop`` cells, over flat ground or not.
 
-    ``shadow`` is where shadow lines start, whatever the parameters say.
+    ``acting`` is what acts of the rules that depend on the winds, whatever the parameters say.
     """
     rows, cols = reversed(lattice.shape) if frame.crossed else lattice.shape
     across, along = reversed(lattice.periodic) if frame.crossed else lattice.periodic
@@ -75,8 +75,9 @@ def build(
     orders = order_table(frame.angle, neighbour_groups(parameters, lattice), parameters.upwind_avalanches)
     passes = parameters.path_test == "off" or (parameters.path_test == "hard" and flat)
     fall = math.tan(math.radians(parameters.shadow_angle)) / lattice.aspect
+    shadow = acting.shadow
     start = 0.5 if shadow == "edge" else 0.0
-    repose = _repose(parameters, rules, lattice, 1 if flat else 1 << FRACTION_BITS)
+    repose = _repose(parameters, rules, lattice, acting.order, 1 if flat else 1 << FRACTION_BITS)
     axis: AxisShadow | None = None
     ray: RayShadow | None = None
     fall_of_units, width = fall * (1.0 if flat else 2.0**FRACTION_BITS), 4 if flat else 8
@@ -95,7 +96,7 @@ def build(
         ray=ray,
         box=box_shadow(grid, frame.angle, fall_of_units, width, steepest) if shadow == "place" else None,
         orders=orders,
-        relaxation_orders=_relaxation_orders(parameters, lattice, orders),
+        relaxation_orders=_relaxation_orders(parameters, lattice, acting.order, orders),
         interruption=new_interruption(),
     )
     return SlabArguments(found, memory)
@@ -151,14 +152,14 @@ def _obstacles(parameters: SlabParameters, repose: Repose, flat: bool) -> Obstac
     return ObstacleRule(parameters.path_test == "surface", height.type(repose.face_limit), height.itemsize)
 
 
-def _repose(parameters: SlabParameters, rules: Rules, lattice: Lattice, one: int) -> Repose:
+def _repose(parameters: SlabParameters, rules: Rules, lattice: Lattice, order: OrderRule, one: int) -> Repose:
     return repose_rule(
         one,
         parameters.limits(lattice),
         corners=parameters.neighbourhood == "moore" and not lattice.hexagonal,
         corner_weight=1.0 if parameters.corner_limit == "face" else math.sqrt(0.5),
-        random_order=parameters.neighbour_order == "random",
-        downslope=parameters.neighbour_order == "downslope",
+        random_order=order == "random",
+        downslope=order == "downslope",
         stabilised=parameters.limits(lattice, rules.stabilised_angle),
         stabilised_below=round(rules.stabilised_mobility * MOBILE),
         static=parameters.limits(lattice, parameters.static_repose_angle),
@@ -166,10 +167,10 @@ def _repose(parameters: SlabParameters, rules: Rules, lattice: Lattice, one: int
 
 
 def _relaxation_orders(
-    parameters: SlabParameters, lattice: Lattice, orders: NDArray[np.int64]
+    parameters: SlabParameters, lattice: Lattice, order: OrderRule, orders: NDArray[np.int64]
 ) -> NDArray[np.int64]:
     """The wind's own order, or several orders to draw from."""
-    if parameters.neighbour_order != "random":
+    if order != "random":
         return orders[DOWNSLOPE : DOWNSLOPE + 1].copy()
     drawn = relaxation_orders(parameters.neighbourhood == "moore", lattice.hexagonal)
     return np.where(orders[DOWNSLOPE] < 0, orders[DOWNSLOPE], drawn)

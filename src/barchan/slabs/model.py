@@ -20,7 +20,7 @@ from barchan.slabs.arguments import SlabArguments, build, levels_over
 from barchan.slabs.expected_flux import expected_flux
 from barchan.slabs.influx import INFLUX, edge_influx
 from barchan.slabs.obstacles import ClearDistances
-from barchan.slabs.parameters import ShadowRule, SlabParameters
+from barchan.slabs.parameters import ActingRules, ShadowRule, SlabParameters
 from barchan.slabs.rules import Rules
 from barchan.slabs.stacks import is_flat, stacks_of, write_back
 from barchan.slabs.tally import tally_of
@@ -215,8 +215,10 @@ class SlabModel(Model):
         arguments, stacks = self._enter(bed, frame, self.parameters.hop_length, mobility)
         rules = arguments.rules
         orders = relaxation_orders(self.parameters.neighbourhood == "moore", self.lattice.hexagonal)
+        # the first ground is the same whatever the wind, and which neighbours it lets come first
+        repose = rules.repose._replace(downslope=False)
         changed = np.ones(bed.sand.size, np.bool_) if where is None else where.ravel().copy()
-        moved = relax_field(stacks, changed, orders, rules.grid, rules.repose, None)
+        moved = relax_field(stacks, changed, orders, rules.grid, repose, None)
         write_back(bed, frame, stacks)
         return moved
 
@@ -232,9 +234,14 @@ class SlabModel(Model):
         return frame.leave(zone.reshape(rules.grid.rows, rules.grid.cols)).copy()
 
     @property
+    def acting(self) -> ActingRules:
+        """The rules that act under the winds that blow now."""
+        return self.parameters.acting(self.winds_off_axes)
+
+    @property
     def shadow_rule(self) -> ShadowRule:
         """Where shadow lines start under the winds that blow now."""
-        return self.parameters.shadow_rule(self.winds_off_axes)
+        return self.acting.shadow
 
     def unsheltered(self, field: NDArray[np.float64], bed: Bed, direction: float) -> NDArray[np.float64]:
         """A field of the wind, 0 on cells that give nothing because they lie in shadow."""
@@ -250,16 +257,21 @@ class SlabModel(Model):
             "effective repose angle of stabilised cells": self.rules().stabilised_angle,
         }
         angles = {name: self._angles(angle) for name, angle in named.items() if angle is not None}
-        return {"shadow from": self._shadow_in_words(), **angles}
+        shadow, order = self.acting
+        if shadow == "place" and self.parameters.stack_tops == "sloping":
+            shadow = "place, over sloping tops"
+        return {
+            "shadow from": self._chosen(self.parameters.shadow_from, shadow),
+            "neighbour order": self._chosen(self.parameters.neighbour_order, order),
+            **angles,
+        }
 
-    def _shadow_in_words(self) -> str:
-        rule: str = self.shadow_rule
-        if rule == "place" and self.parameters.stack_tops == "sloping":
-            rule = "place, over sloping tops"
-        if self.parameters.shadow_from != "auto":
-            return rule
+    def _chosen(self, stated: str, acting: str) -> str:
+        """A rule that acts, with the reason where ``auto`` has chosen it."""
+        if stated != "auto":
+            return acting
         winds = "a wind blows off the lattice's axes" if self.winds_off_axes else "all winds blow along axes"
-        return f"{rule} (auto: {winds})"
+        return f"{acting} (auto: {winds})"
 
     def _angles(self, angle: float) -> str:
         face, corner = self.parameters.effective_angles(self.lattice, angle)
@@ -299,5 +311,5 @@ class SlabModel(Model):
         if mobility is not None:
             mobility = checked(mobility, self.lattice.shape, np.float64, f"mobility of {self.title}")
         flat = is_flat(bed.ground)
-        arguments = build(self.parameters, self.rules(), self.lattice, frame, hop, flat, self.shadow_rule)
+        arguments = build(self.parameters, self.rules(), self.lattice, frame, hop, flat, self.acting)
         return arguments, stacks_of(bed, frame, mobility)

@@ -1,7 +1,7 @@
 """The parameters of slab transport, shared by every slab model."""
 
 import math
-from typing import Annotated, ClassVar, Literal, Self
+from typing import Annotated, ClassVar, Literal, NamedTuple, Self
 
 from pydantic import Field, model_validator
 
@@ -15,6 +15,16 @@ _ROUNDING = 1e-9
 
 ShadowRule = Literal["centre", "edge", "place"]
 """Where shadow lines start."""
+
+OrderRule = Literal["wind", "random", "downslope"]
+"""To which neighbour slabs slide."""
+
+
+class ActingRules(NamedTuple):
+    """The rules that act where ``auto`` leaves it to the winds of the run."""
+
+    shadow: ShadowRule
+    order: OrderRule
 
 
 class SlabParameters(Parameters):
@@ -151,16 +161,17 @@ class SlabParameters(Parameters):
         "repose angle over the longer distance, or a number of slabs (3 is isotropic at an aspect of 1/3).",
         source="face: Elder 2009",
     )
-    neighbour_order: Literal["wind", "random", "downslope"] = parameter(
-        "wind",
+    neighbour_order: Literal["auto", "wind", "random", "downslope"] = parameter(
+        "auto",
         unit="-",
         live=True,
         group="avalanches",
         meaning="To which neighbour a slab slides from a step that does not stand: the steepest, of equally "
         "steep ones the first downwind (for one that falls in, upwind) or in a sequence drawn each time, "
         "faces before corners; or, downslope, one drawn in proportion to the steps to all that lie lower by "
-        "more than a slab, so that on average slabs slide straight down a slope, wherever it faces.",
-        source="wind: Prague thesis, Fig. 5.5; random: Elder 2009; downslope: ours",
+        "more than a slab, so that on average slabs slide straight down a slope, wherever it faces. auto is "
+        "downslope where any wind of the run blows off the lattice's axes, and wind elsewhere.",
+        source="wind: Prague thesis, Fig. 5.5; random: Elder 2009; downslope, auto: ours",
     )
     upwind_avalanches: bool = parameter(
         True,
@@ -215,11 +226,13 @@ class SlabParameters(Parameters):
             )
         return self
 
-    def shadow_rule(self, winds_off_axes: bool) -> ShadowRule:
-        """The rule of ``shadow_from`` that acts, by whether any wind blows off the lattice's axes."""
-        if self.shadow_from != "auto":
-            return self.shadow_from
-        return "place" if winds_off_axes else "centre"
+    def acting(self, winds_off_axes: bool) -> ActingRules:
+        """What acts of ``shadow_from`` and ``neighbour_order``, by whether any wind blows off the axes."""
+        shadow, order = self.shadow_from, self.neighbour_order
+        return ActingRules(
+            ("place" if winds_off_axes else "centre") if shadow == "auto" else shadow,
+            ("downslope" if winds_off_axes else "wind") if order == "auto" else order,
+        )
 
     def face_limit(self, lattice: Lattice, angle: float | None = None) -> int:
         """Largest step (slabs) to a face neighbour that stands, at the repose angle or another one."""

@@ -11,6 +11,7 @@ from barchan.kernels.core.state import SIMD_WIDTH
 from barchan.kernels.snow.state import Pack, quanta_of
 from barchan.lattice import Lattice
 from barchan.slabs.arguments import SlabArguments, build
+from barchan.slabs.parameters import ActingRules
 from barchan.slabs.rules import Rules
 from barchan.snow.parameters import SnowParameters
 from barchan.wind.frame import WindFrame
@@ -77,12 +78,16 @@ class Field:
     arguments: SlabArguments
 
 
+ACTING = ActingRules("centre", "wind")
+"""Of the rules that slabs have several of those that snow has, whatever the winds."""
+
+
 def field_of(bed: Bed, parameters: SnowParameters, lattice: Lattice, frame: WindFrame) -> Field:
     """The pack of a bed in the wind's frame, with the rules that it shares with slabs."""
     pack, ground = entered(bed, parameters, frame)
     fine = lattice.model_copy(update={"slab_aspect": None, "slab_height": HEIGHT_UNIT})
     hop = parameters.hop / lattice.cell_size
-    arguments = build(parameters.as_slabs(lattice), Rules(), fine, frame, hop, True, "centre")
+    arguments = build(parameters.as_slabs(lattice), Rules(), fine, frame, hop, True, ACTING)
     return Field(pack, ground, frame, arguments)
 
 

@@ -10,12 +10,14 @@ from barchan.kernels.slabs.shadow import in_shadow
 from barchan.kernels.slabs.state import CELL, Rows, View
 from barchan.lattice import HEX_ROWS, Lattice
 from barchan.slabs.arguments import build
-from barchan.slabs.parameters import SlabParameters
+from barchan.slabs.parameters import ActingRules, SlabParameters
 from barchan.slabs.rules import Rules
 from barchan.slabs.stacks import stacks_of
 from barchan.wind.frame import WindFrame
 from tests.kernels.slabs.test_shadow import LEVEL, zone
 from tests.kernels.slabs.test_step import rough_bed
+
+PLACE = ActingRules("place", "wind")
 
 HIGH = 6
 """Slabs of a wall."""
@@ -34,7 +36,7 @@ def nearest_hexagon(x, y):
 def sheltered(lattice, sand, angle, points, **parameters):
     """Which points (cells) lie in shadow, of a wind at an angle (degrees) to the rows."""
     frame = WindFrame(0, math.radians(angle))
-    rules = build(SlabParameters(**parameters), Rules(), lattice, frame, 5.0, True, "place").rules
+    rules = build(SlabParameters(**parameters), Rules(), lattice, frame, 5.0, True, PLACE).rules
     surface = stacks_of(Bed(lattice, np.zeros(lattice.shape), sand), frame, None).surface
     view = View(surface.ctypes.data, surface.ctypes.data, Rows(0, lattice.rows))
     x, y = points.T

@@ -14,7 +14,7 @@ from barchan.kernels.slabs.state import CELL
 from barchan.lattice import Lattice
 from barchan.models.momiji import Momiji
 from barchan.slabs.arguments import build
-from barchan.slabs.parameters import SlabParameters
+from barchan.slabs.parameters import ActingRules, SlabParameters
 from barchan.slabs.rules import Rules
 from barchan.wind.frame import WindFrame
 
@@ -56,7 +56,9 @@ def test_nearest_wall_is_the_one_that_a_walk_along_every_way_finds(
     ground = np.where(random.random((rows, cols)) < share, random.integers(0, 6, (rows, cols)), 0)
     lattice = Lattice(rows=8, columns=8)
     parameters = SlabParameters(corner_limit=3, path_test="hard")
-    arguments = build(parameters, Rules(), lattice, WindFrame(0, turn * 0.3), 5.0, False, "centre")
+    arguments = build(
+        parameters, Rules(), lattice, WindFrame(0, turn * 0.3), 5.0, False, ActingRules("centre", "wind")
+    )
     grid = Grid(rows, cols, along, across)
     slabs = random.integers(0, 9, (rows, cols)).astype(np.int32)
     surface = ((ground + slabs).astype(np.int64) << 20).ravel()
@@ -73,7 +75,7 @@ def test_ground_that_rises_gently_is_no_wall_anywhere(turn):
     ramp = np.tile(np.arange(12), (5, 1))
     arguments = build(
         *(SlabParameters(path_test="hard"), Rules(), Lattice(rows=5, columns=12), WindFrame(0, 0.0)),
-        *(5.0, False, "centre"),
+        *(5.0, False, ActingRules("centre", "wind")),
     )
     surface = (ramp.astype(np.int64) << 20).ravel()
     clear = np.zeros(60, np.uint8)
