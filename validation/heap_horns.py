@@ -102,9 +102,13 @@ def _row(what, found):
 
 
 READING = """
-With shadow from the centre, as published, no wind off the axes leaves a dune. With shadow from the place a
-dune as high and as wide stays at every angle. Along an axis and on the diagonal, where the lattice is
-symmetric, its horns are alike within chance. At 15 and 22.5° they are not: the right one, on the side of the
-diagonal, is longer by a quarter and by half, and both are half as long as along an axis or less. Eight
-neighbours with two limits make that worse. So the shadow rule is not the whole cause.
+With shadow from the centre, as published, no wind off the axes leaves a dune. With shadow from the place over
+level tops a dune as high and as wide stays at every angle, but off the axes its horns are a fifth to a half
+as long as along an axis, and unequal. Two rules do that. Level tops make a staircase of a slope across the
+wind, whose steps shelter the flanks of a dune under an oblique wind and not along an axis: with sloping tops
+the horns on the diagonal are as long as along an axis, but between axis and diagonal the right one is longer
+by a fifth to two fifths. That is what slides do: to the steepest of four neighbours all sand of a slip face
+goes to one side. With the neighbour drawn by the steps horns are alike within 10 % at every angle, and 15 to
+20 m long where they are 22 m along an axis. Eight neighbours with two limits of whole slabs, whose slip
+faces are of the same steepness all round but for 8 %, are not better: horns are unequal by up to 38 %.
 """
