@@ -1,8 +1,10 @@
 """Two runs side by side: every picture, every pause and every look back shows both at the same step."""
 
+import numpy as np
 import pytest
 
 from tests.studio.browser.test_measures import saved
+from tests.studio.browser.test_truth import LISTEN
 
 WATCH = """(() => {
     const { app, stage } = window.barchan;
@@ -124,6 +126,67 @@ def test_measures_and_section_name_both_runs_and_give_the_values_of_both(pair):
     page.locator(".plot:visible").hover()
     readout = page.locator(".readout:visible").inner_text()
     assert all(f"{name}: elevation" in readout for name in names)
+    page.keyboard.press("1")
+
+
+DRAWING = """(() => {
+    const canvas = CanvasRenderingContext2D.prototype;
+    const listen = (name, note) => {
+        canvas[name] = new Proxy(canvas[name], {
+            apply: (act, c, given) => { note(c, given); return act.apply(c, given); },
+        });
+    };
+    let points = 0;
+    const clear = () => { [window.hatched, window.lines] = [[], []]; };
+    clear();
+    listen("beginPath", () => { points = 0; });
+    listen("lineTo", () => { points += 1; });
+    listen("moveTo", () => { points += 1; });
+    listen("clearRect", (c) => c.canvas.matches(".plot") && clear());
+    listen("fillRect", (c, given) => c.fillStyle instanceof CanvasPattern && window.hatched.push(given));
+    listen("stroke", (c) => window.lines.push([c.strokeStyle, c.getLineDash().join(), points]));
+})()"""
+"""Note the hatched areas and the lines (colour, dashes, places) of the last drawing of the section."""
+
+
+@pytest.mark.extended
+def test_the_section_marks_shadow_zones_and_steep_slopes_of_both_runs(pair):
+    """Of the right run the hatched length is that of its shadow field between the two middle rows.
+
+    Angles of repose are made so low that slopes of a young field are near them.
+    """
+    page = pair.page
+    page.set_viewport_size({"width": 1280, "height": 720})
+    pair.step_beyond(150)
+    pair.pause()
+    page.keyboard.press("1")
+    pair.until("window.barchan.app.runs.every((run) => run.fields.has('shadow'))")
+    pair.ask(LISTEN)
+    pair.ask(DRAWING)
+    rows = saved(pair, "Save the section as CSV")
+    reposes = {"a": 5, "b": 4}
+    for at, repose in enumerate(reposes.values()):
+        pair.ask(f"void (window.barchan.app.runs[{at}].description.repose = {repose})")
+    pair.ask("window.barchan.app.changed.send()")
+    names = pair.ask("window.barchan.app.runs.map((run) => run.description.model.title)")
+    words = pair.ask("window.words")
+    assert {f"shadow zone of {name}" for name in names} <= set(words)
+    for name, repose in zip(names, reposes.values(), strict=True):
+        assert any(
+            word.startswith(f"{name}: near the effective angle of repose, {repose}.0°") for word in words
+        )
+    shadow = np.array(pair.ask("[...window.barchan.app.runs[1].fields.get('shadow')]")).reshape(48, 64)
+    dark = np.interp(np.linspace(0, 64, 1281) - 0.5, np.arange(64), shadow[23:25].mean(axis=0)) > 0.5
+    plot = page.locator(".plot:visible").bounding_box()
+    zones = [width for _, top, width, height in pair.ask("window.hatched") if height > plot["height"] / 2]
+    page.screenshot(path=pair.folder / "section-of-both.png")
+    assert dark.mean() > 0.05
+    assert sum(zones) / (plot["width"] - 54 - 14) == pytest.approx(dark.mean(), abs=0.02)
+    steep = pair.ask("getComputedStyle(document.documentElement).getPropertyValue('--steep').trim()")
+    for run, dashes in (("a", ""), ("b", "6,3")):
+        near = sum(abs(float(row[f"slope_{run}_degrees"])) >= 0.85 * reposes[run] for row in rows)
+        assert near > 0
+        assert [steep, dashes, near] in pair.ask("window.lines")
     page.keyboard.press("1")
 
 
