@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from PIL import Image
 
 from tests.studio.browser.test_measures import saved
 from tests.studio.browser.test_truth import LISTEN
@@ -188,6 +189,57 @@ def test_the_section_marks_shadow_zones_and_steep_slopes_of_both_runs(pair):
         assert near > 0
         assert [steep, dashes, near] in pair.ask("window.lines")
     page.keyboard.press("1")
+
+
+@pytest.mark.extended
+def test_the_space_time_diagram_shows_and_saves_both_runs_or_either_on_one_scale(pair):
+    page = pair.page
+    page.set_viewport_size({"width": 1280, "height": 720})
+    pair.step_beyond(60)
+    pair.pause()
+    pair.ask(LISTEN)
+    page.keyboard.press("3")
+    view = page.locator(".view:visible")
+    names = pair.ask("window.barchan.app.runs.map((run) => run.description.model.title)")
+    choice = view.get_by_label("Runs that are shown and saved")
+    assert choice.locator("option").all_inner_texts() == ["both side by side", *names]
+    pair.until(f"{names}.every((name) => window.words?.includes(name))")
+    page.screenshot(path=pair.folder / "space-time-of-both.png")
+    pictures = saved_files(page, "save picture", 2)
+    step = pair.status()["step"]
+    assert [name for name, _ in pictures] == [
+        f"space-time-{step}-left-Werner-1995.png",
+        f"space-time-{step}-right-Momiji-et-al.-2000.png",
+    ]
+    bars = [np.asarray(Image.open(path).convert("RGB"))[90:, -200:] for _, path in pictures]
+    assert np.array_equal(*bars)  # the same numbers beside the same colours
+    scale = view.locator(".readout").inner_text()
+    assert scale.startswith("one scale: ")
+    choice.select_option(names[1])
+    assert view.locator(".readout").inner_text() == scale
+    ((name, path),) = saved_files(page, "save CSV", 1)
+    assert name == f"space-time-{step}-right-Momiji-et-al.-2000.csv"
+    table = np.genfromtxt(path, delimiter=",")
+    surface = np.array(pair.ask("[...window.barchan.app.runs[1].surface]")).reshape(48, 64)
+    middle = np.interp(table[0, 1:] - 0.5, np.arange(64), surface[23:25].mean(axis=0))
+    assert table[-1, 0] == step
+    assert np.allclose(table[-1, 1:], middle, atol=1e-3)
+    page.keyboard.press("3")
+
+
+def saved_files(page, label: str, count: int) -> list[tuple[str, str]]:
+    """Names and paths of the files that a button saves."""
+    files = []
+
+    def note(file) -> None:
+        files.append(file)
+
+    page.on("download", note)
+    page.locator(".view:visible").get_by_text(label).click()
+    while len(files) < count:
+        page.wait_for_timeout(100)
+    page.remove_listener("download", note)
+    return [(file.suggested_filename, file.path()) for file in files]
 
 
 @pytest.mark.extended

@@ -18,7 +18,7 @@ from barchan.studio.worker.rescue import MOST, newest_of, to_bytes
 from barchan.studio.worker.rose import rose_of
 from barchan.studio.worker.run import StudioRun, states_of
 from barchan.studio.worker.spacetime import space_time as section_over_time
-from barchan.studio.worker.spacetime_files import write_space_time
+from barchan.studio.worker.spacetime_files import Beside, write_space_time
 from barchan.studio.worker.state_folder import fingerprint, write_newest
 from barchan.studio.worker.strata import layers_along
 
@@ -93,10 +93,14 @@ def export_to(commands: "RunCommands", request: Request) -> Answer:
 
 @WORKER.handles("space_time_to")
 def space_time_to(commands: "RunCommands", request: Request) -> Answer:
-    """Write the section along a line over time up to what is looked at."""
+    """Write the section along a line over time up to what is looked at, of a run ``beside`` another too."""
     target, line = Path(request["target"]), [float(place) for place in request["line"]]
     states = _up_to(states_of(commands.current), commands.current.shown.steps_done)
-    return _file(target, lambda count: write_space_time(states, line, target, count))
+    beside = None
+    if given := request.get("beside"):
+        low, high = given["limits"]
+        beside = Beside(str(given["name"]), (float(low), float(high)))
+    return _file(target, lambda count: write_space_time(states, line, target, count, beside))
 
 
 @WORKER.handles("report_to")
