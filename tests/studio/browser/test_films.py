@@ -246,7 +246,7 @@ def test_escape_ends_a_recording_and_saves_it_and_says_how_long_it_is(studio):
     with page.expect_download() as download:
         page.keyboard.press("Escape")
     assert download.value.path().stat().st_size > 0
-    studio.until_logged(f"saved as {download.value.suggested_filename}, 0:0")
+    studio.until_logged(f"saved as {download.value.suggested_filename}, 0:")
     assert page.get_by_role("group", name="Recording").is_hidden()
 
 
