@@ -68,8 +68,9 @@ class StudioRun:
 
     @property
     def has_begun(self) -> bool:
-        """Whether anything would be lost with it: steps, changes, or moments."""
-        return bool(self.live.steps_done or self.live.events or self.bookmarks.data())
+        """Whether anything would be lost with it: steps, changes, moments, or other branches."""
+        done = self.live.steps_done or self.live.events
+        return bool(done or self.bookmarks.data() or self.branches.others)
 
     def run(self, target: int | None = None, brief: bool = False) -> None:
         """Run, on and on or up to a step; ``brief`` where it will continue at once from there."""
