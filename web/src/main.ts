@@ -73,7 +73,6 @@ if (!app.watching) files.accept(scene);
 const paint = new Paint(app);
 const section = new SectionView(app, stage, () => pointer.drawLine());
 const ruler = new Ruler(app, stage);
-scene.append(ruler.element);
 const pointer = new Pointer(stage, hud, paint, section, ruler);
 const log = new LogView(app);
 new ChangeLog(app);
@@ -181,7 +180,7 @@ app.connection.state.watch((state) => {
 });
 page.append(
   bar.element,
-  h("main", {}, h("div", { className: "stage-column" }, h("div", { className: "scene-and-messages" }, scene, messages), tour.element, timeline.element, dock.element), side.element),
+  h("main", {}, h("div", { className: "stage-column" }, h("div", { className: "scene-and-messages" }, scene, ruler.element, messages), tour.element, timeline.element, dock.element), side.element),
 );
 
 const links = new ArrivingLinks(app, files);

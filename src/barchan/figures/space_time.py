@@ -49,10 +49,12 @@ def section_over_time(
     scenario: Scenario,
     text: str,
     colours: Colours = "natural",
+    limits: tuple[float, float] | None = None,
 ) -> "Figure":
     """Elevations (m) along any line over time, a row of ``surface`` for each of the ``times``.
 
     ``edges`` (m along the line) are one more than the places of a row; ``text`` stands above.
+    Colours reach from the lowest to the highest elevation, or from one of the ``limits`` (m) to the other.
     """
     moments, label = times
     figure = new_figure(7.2, 5.0)
@@ -60,8 +62,8 @@ def section_over_time(
     image = axes.pcolormesh(
         edges, _between(moments), surface, cmap=colour_map(colours, material_of(scenario))
     )
-    if surface.min() == surface.max():
-        image.set_clim(float(surface.min()), float(surface.min()) + scenario.lattice.thickness)
+    low, high = limits or (float(surface.min()), float(surface.max()))
+    image.set_clim(low, high if high > low else low + scenario.lattice.thickness)
     axes.set_xlabel("distance along the section (m)")
     axes.set_ylabel(label)
     if len(moments) == 1:

@@ -98,10 +98,14 @@ def test_a_film_that_is_broken_off_leaves_nothing_and_the_run_as_it_was(studio):
 
 
 def begin_recording(studio):
-    """Record the scene until some pictures of it were drawn."""
     studio.page.keyboard.press("v")
     studio.page.get_by_role("button", name="begin", exact=True).click()
     studio.page.get_by_text("recording 0:").wait_for()
+
+
+def record_some(studio):
+    """Record the scene until some pictures of it were drawn."""
+    begin_recording(studio)
     drawn = studio.ask("window.barchan.stage.drawn")
     studio.until(f"window.barchan.stage.drawn > {drawn + 8}")
 
@@ -109,7 +113,7 @@ def begin_recording(studio):
 @pytest.mark.extended
 def test_the_scene_is_recorded_while_it_runs(studio):
     page = studio.page
-    begin_recording(studio)
+    record_some(studio)
     with page.expect_download() as download:
         page.get_by_role("button", name="stop and save").click()
     suffix = Path(download.value.suggested_filename).suffix
@@ -120,6 +124,89 @@ def test_the_scene_is_recorded_while_it_runs(studio):
     assert pictures[-1].std() > 10
     assert np.abs(pictures[0].astype(float) - pictures[-1]).max() > 5
     assert page.get_by_role("group", name="Recording").is_hidden()
+
+
+BOXES = """() => {
+    const box = (element) => element.getBoundingClientRect();
+    const shown = (one) => one.checkVisibility();
+    const [messages, scene] = [".messages", ".scene"].map((name) => box(document.querySelector(name)));
+    const within = (one) => [
+        Math.max(one.left, messages.left), Math.max(one.top, messages.top),
+        Math.min(one.right, messages.right), Math.min(one.bottom, messages.bottom),
+    ];
+    const all = (names) => [...document.querySelectorAll(names)].filter(shown).map(box);
+    const sides = ({ left, top, right, bottom }) => [left, top, right, bottom];
+    return {
+        scene: sides(scene),
+        tools: all(".ruler, .recording, .timeline, .dock, .panel, .bar").map(sides),
+        ruler: all(".ruler").map(sides),
+        messages: all(".toast").map(within).filter((one) => one[0] < one[2] && one[1] < one[3]),
+    };
+}"""
+"""Sides (left, top, right, bottom) of what is seen on the page; of scrolled messages their visible parts."""
+
+
+def overlap(one: list[float], other: list[float]) -> bool:
+    return one[0] < other[2] and other[0] < one[2] and one[1] < other[3] and other[1] < one[3]
+
+
+@pytest.mark.extended
+@pytest.mark.parametrize("size", [(1280, 720), (1600, 1000), (1024, 700)])
+def test_messages_ruler_and_bar_of_a_recording_never_lie_over_one_another(studio, size):
+    """With as many messages as are shown at once, with and without the ruler, a recording and the section."""
+    page = studio.page
+    page.set_viewport_size(dict(zip(("width", "height"), size, strict=True)))
+    studio.pause()
+    for recording in (False, True):
+        if recording:
+            begin_recording(studio)
+        for dock in (False, True):
+            if dock:
+                page.keyboard.press("1")
+            for ruler in (False, True):
+                if ruler:
+                    page.keyboard.press("m")
+                empty = page.evaluate(BOXES)
+                for number in range(5):
+                    text = (
+                        f"Refusal {number}: " + "a value that the model does not allow, with its reason. " * 2
+                    )
+                    studio.ask(f"window.barchan.app.note('error', '{text}')")
+                seen = page.evaluate(BOXES)
+                case = f"{recording=}, {dock=}, {ruler=}"
+                assert seen["messages"], case
+                tools = seen["tools"]
+                pairs = [(one, other) for one in seen["messages"] for other in tools]
+                pairs += [(one, other) for at, one in enumerate(tools) for other in tools[:at]]
+                assert [pair for pair in pairs if overlap(*pair)] == [], case
+                for _, top, _, bottom in seen["ruler"]:
+                    assert seen["scene"][1] <= top, case
+                    assert bottom <= seen["scene"][3], case
+                if recording:
+                    assert seen["scene"] == empty["scene"], case
+                studio.ask("window.barchan.app.notices.dismissAll()")
+                if ruler:
+                    page.locator(".ruler input").first.press("Escape")
+            if dock:
+                page.keyboard.press("1")
+    page.get_by_role("button", name="discard").click()
+
+
+@pytest.mark.extended
+def test_a_recording_that_begins_under_messages_has_the_shape_of_the_scene(studio):
+    page = studio.page
+    studio.pause()
+    page.keyboard.press("m")
+    page.locator(".ruler input").first.evaluate("(input) => input.blur()")
+    studio.ask("window.barchan.app.note('error', 'Something was refused.')")
+    begin_recording(studio)
+    width, height = studio.ask(
+        "(({ width, height }) => [width, height])(window.barchan.files.recorder.canvas)"
+    )
+    scene = page.locator(".scene").bounding_box()
+    assert width / height == pytest.approx(scene["width"] / scene["height"], rel=0.01)
+    page.get_by_role("button", name="discard").click()
+    page.keyboard.press("m")
 
 
 @pytest.mark.extended
@@ -155,11 +242,11 @@ def test_reading_a_file_is_broken_off_and_the_run_stays_as_it_was(studio, tmp_pa
 @pytest.mark.extended
 def test_escape_ends_a_recording_and_saves_it_and_says_how_long_it_is(studio):
     page = studio.page
-    begin_recording(studio)
+    record_some(studio)
     with page.expect_download() as download:
         page.keyboard.press("Escape")
     assert download.value.path().stat().st_size > 0
-    studio.until_logged(f"saved as {download.value.suggested_filename}, 0:0")
+    studio.until_logged(f"saved as {download.value.suggested_filename}, 0:")
     assert page.get_by_role("group", name="Recording").is_hidden()
 
 

@@ -82,3 +82,72 @@ def test_a_sheet_is_not_sent_while_a_number_is_wrong(studio):
     assert sheet.is_visible()
     sheet.get_by_label("Width (pixels)").fill("640")
     assert sheet.locator(".misread").count() == 0
+
+
+def refused(studio, path: str) -> tuple[str, str]:
+    """The text at a field that was refused, and why it was."""
+    row = studio.page.locator(f".row:has([data-path='{path}']), .dial-box:has([data-path='{path}'])")
+    return row.locator(f"[data-path='{path}']").input_value(), row.locator(".misread").inner_text()
+
+
+@pytest.mark.extended
+def test_a_refused_text_stays_with_its_reason_until_it_is_taken_back(studio):
+    page = studio.page
+    before = studio.ask(f"{SCENARIO}.model.p_s")
+    box = page.locator("[data-path='model.p_s']")
+    write(box, "1,234")
+    standing = refused(studio, "model.p_s")
+    assert standing[0] == "1,234"
+    assert "1.234" in standing[1]
+    write(page.locator("[data-path='model.hop_length']"), "7")
+    studio.until(f"{SCENARIO}.model.hop_length === 7")
+    studio.catch_up()
+    assert refused(studio, "model.p_s") == standing
+    studio.ask("window.barchan.app.refused(new Error('Something else.'))")
+    assert refused(studio, "model.p_s") == standing
+    page.locator("[data-path='model.name']").select_option("momiji")
+    studio.until(f"{SCENARIO}.model.name === 'momiji' && {RUN}.description.model.name === 'momiji'")
+    page.locator("[data-path='model.speedup_linear']").wait_for()
+    assert refused(studio, "model.p_s") == standing
+    assert studio.ask(f"{SCENARIO}.model.p_s") == before
+    box.press("Escape")
+    assert box.input_value() == str(before)
+    assert page.locator(".misread").count() == 0
+
+
+@pytest.mark.extended
+def test_a_refused_text_goes_where_another_value_or_another_scenario_takes_its_place(studio):
+    page = studio.page
+    box = page.locator("[data-path='model.p_s']")
+    write(box, "0.5")
+    studio.until(f"{SCENARIO}.model.p_s === 0.5")
+    write(box, "a half")
+    page.locator(".row", has=box).get_by_role("button", name="Put the default").click()
+    studio.until("document.querySelector(\"[data-path='model.p_s']\").value === '0.6'")
+    assert page.locator(".misread").count() == 0
+    write(box, "a half")
+    studio.ask(f"window.barchan.app.create({{ ...{SCENARIO}, title: 'Another one' }}, false)")
+    studio.until(f"{SCENARIO}.title === 'Another one'")
+    studio.until("document.querySelector(\"[data-path='model.p_s']\").value === '0.6'")
+    assert page.locator(".misread").count() == 0
+
+
+@pytest.mark.extended
+def test_a_refused_text_of_a_regime_stays_while_others_are_changed_and_goes_with_the_regime(studio):
+    page = studio.page
+    page.get_by_role("tab", name="Wind").click()
+    page.locator("[data-path='wind.kind']").select_option("regimes")
+    page.get_by_role("button", name="add a regime").click()
+    write(page.locator("[data-path='regimes.1.direction']"), "west")
+    standing = refused(studio, "regimes.1.direction")
+    assert standing[0] == "west"
+    write(page.locator("[data-path='regimes.1.steps']"), "40")
+    studio.until(f"{SCENARIO}.wind.regimes[1]?.steps === 40")
+    studio.catch_up()
+    assert refused(studio, "regimes.1.direction") == standing
+    page.locator(".regimes .regime").first.click()
+    assert page.locator(".misread").count() == 0
+    page.locator(".regimes .regime").last.click()
+    assert refused(studio, "regimes.1.direction") == standing
+    page.get_by_role("button", name="Up: regime 2").click()
+    assert page.locator(".misread").count() == 0

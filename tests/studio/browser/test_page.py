@@ -346,11 +346,15 @@ def test_views_and_keys(studio):
 
 
 @pytest.mark.extended
-def test_the_space_time_diagram_begins_where_the_run_began(studio):
+@pytest.mark.parametrize("looking", [False, True])
+def test_the_space_time_diagram_begins_where_the_run_began(studio, looking):
     studio.step_beyond(60)
     studio.pause()
     studio.page.reload()
     studio.step_beyond(60)
+    if looking:
+        studio.page.keyboard.press("PageUp")
+        studio.until("window.barchan.app.runs[0].status.looking")
     studio.page.keyboard.press("3")
     studio.until("parseInt(document.querySelector('.view:not([hidden]) .readout')?.textContent) >= 6")
 

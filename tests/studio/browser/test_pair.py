@@ -1,8 +1,11 @@
 """Two runs side by side: every picture, every pause and every look back shows both at the same step."""
 
+import numpy as np
 import pytest
+from PIL import Image
 
 from tests.studio.browser.test_measures import saved
+from tests.studio.browser.test_truth import LISTEN
 
 WATCH = """(() => {
     const { app, stage } = window.barchan;
@@ -125,6 +128,118 @@ def test_measures_and_section_name_both_runs_and_give_the_values_of_both(pair):
     readout = page.locator(".readout:visible").inner_text()
     assert all(f"{name}: elevation" in readout for name in names)
     page.keyboard.press("1")
+
+
+DRAWING = """(() => {
+    const canvas = CanvasRenderingContext2D.prototype;
+    const listen = (name, note) => {
+        canvas[name] = new Proxy(canvas[name], {
+            apply: (act, c, given) => { note(c, given); return act.apply(c, given); },
+        });
+    };
+    let points = 0;
+    const clear = () => { [window.hatched, window.lines] = [[], []]; };
+    clear();
+    listen("beginPath", () => { points = 0; });
+    listen("lineTo", () => { points += 1; });
+    listen("moveTo", () => { points += 1; });
+    listen("clearRect", (c) => c.canvas.matches(".plot") && clear());
+    listen("fillRect", (c, given) => c.fillStyle instanceof CanvasPattern && window.hatched.push(given));
+    listen("stroke", (c) => window.lines.push([c.strokeStyle, c.getLineDash().join(), points]));
+})()"""
+"""Note the hatched areas and the lines (colour, dashes, places) of the last drawing of the section."""
+
+
+@pytest.mark.extended
+def test_the_section_marks_shadow_zones_and_steep_slopes_of_both_runs(pair):
+    """Of the right run the hatched length is that of its shadow field between the two middle rows.
+
+    Angles of repose are made so low that slopes of a young field are near them.
+    """
+    page = pair.page
+    page.set_viewport_size({"width": 1280, "height": 720})
+    pair.step_beyond(150)
+    pair.pause()
+    page.keyboard.press("1")
+    pair.until("window.barchan.app.runs.every((run) => run.fields.has('shadow'))")
+    pair.ask(LISTEN)
+    pair.ask(DRAWING)
+    rows = saved(pair, "Save the section as CSV")
+    reposes = {"a": 5, "b": 4}
+    for at, repose in enumerate(reposes.values()):
+        pair.ask(f"void (window.barchan.app.runs[{at}].description.repose = {repose})")
+    pair.ask("window.barchan.app.changed.send()")
+    names = pair.ask("window.barchan.app.runs.map((run) => run.description.model.title)")
+    words = pair.ask("window.words")
+    assert {f"shadow zone of {name}" for name in names} <= set(words)
+    for name, repose in zip(names, reposes.values(), strict=True):
+        assert any(
+            word.startswith(f"{name}: near the effective angle of repose, {repose}.0°") for word in words
+        )
+    shadow = np.array(pair.ask("[...window.barchan.app.runs[1].fields.get('shadow')]")).reshape(48, 64)
+    dark = np.interp(np.linspace(0, 64, 1281) - 0.5, np.arange(64), shadow[23:25].mean(axis=0)) > 0.5
+    plot = page.locator(".plot:visible").bounding_box()
+    zones = [width for _, top, width, height in pair.ask("window.hatched") if height > plot["height"] / 2]
+    page.screenshot(path=pair.folder / "section-of-both.png")
+    assert dark.mean() > 0.05
+    assert sum(zones) / (plot["width"] - 54 - 14) == pytest.approx(dark.mean(), abs=0.02)
+    steep = pair.ask("getComputedStyle(document.documentElement).getPropertyValue('--steep').trim()")
+    for run, dashes in (("a", ""), ("b", "6,3")):
+        near = sum(abs(float(row[f"slope_{run}_degrees"])) >= 0.85 * reposes[run] for row in rows)
+        assert near > 0
+        assert [steep, dashes, near] in pair.ask("window.lines")
+    page.keyboard.press("1")
+
+
+@pytest.mark.extended
+def test_the_space_time_diagram_shows_and_saves_both_runs_or_either_on_one_scale(pair):
+    page = pair.page
+    page.set_viewport_size({"width": 1280, "height": 720})
+    pair.step_beyond(60)
+    pair.pause()
+    pair.ask(LISTEN)
+    page.keyboard.press("3")
+    view = page.locator(".view:visible")
+    names = pair.ask("window.barchan.app.runs.map((run) => run.description.model.title)")
+    choice = view.get_by_label("Runs that are shown and saved")
+    assert choice.locator("option").all_inner_texts() == ["both side by side", *names]
+    pair.until(f"{names}.every((name) => window.words?.includes(name))")
+    page.screenshot(path=pair.folder / "space-time-of-both.png")
+    pictures = saved_files(page, "save picture", 2)
+    step = pair.status()["step"]
+    assert [name for name, _ in pictures] == [
+        f"space-time-{step}-left-Werner-1995.png",
+        f"space-time-{step}-right-Momiji-et-al.-2000.png",
+    ]
+    bars = [np.asarray(Image.open(path).convert("RGB"))[90:, -200:] for _, path in pictures]
+    assert np.array_equal(*bars)  # the same numbers beside the same colours
+    scale = view.locator(".readout").inner_text()
+    assert scale.startswith("one scale: ")
+    choice.select_option(names[1])
+    assert view.locator(".readout").inner_text() == scale
+    ((name, path),) = saved_files(page, "save CSV", 1)
+    assert name == f"space-time-{step}-right-Momiji-et-al.-2000.csv"
+    table = np.genfromtxt(path, delimiter=",")
+    surface = np.array(pair.ask("[...window.barchan.app.runs[1].surface]")).reshape(48, 64)
+    middle = np.interp(table[0, 1:] - 0.5, np.arange(64), surface[23:25].mean(axis=0))
+    assert table[-1, 0] == step
+    assert np.allclose(table[-1, 1:], middle, atol=1e-3)
+    page.keyboard.press("3")
+
+
+def saved_files(page, label: str, count: int) -> list[tuple[str, str]]:
+    """Names and paths of the files that a button saves."""
+    files = []
+
+    def note(file) -> None:
+        files.append(file)
+
+    page.on("download", note)
+    page.locator(".view:visible").get_by_text(label).click()
+    while len(files) < count:
+        page.wait_for_timeout(100)
+    page.remove_listener("download", note)
+    return [(file.suggested_filename, file.path()) for file in files]
 
 
 @pytest.mark.extended

@@ -11,6 +11,7 @@ from contextlib import contextmanager
 
 import numpy as np
 import pytest
+from websockets.sync.client import connect
 
 from barchan.archive import open_run
 from barchan.archive.checkpoint import read_checkpoint
@@ -18,7 +19,7 @@ from barchan.simulation import SetParameter, Simulation
 from barchan.studio.server import autosave, autosave_folder
 from barchan.studio.server.together import read_together
 from barchan.studio.server.unfinished import Unfinished
-from tests.studio.conftest import PATIENCE, serving, small
+from tests.studio.conftest import PATIENCE, Browser, serving, small
 
 
 @pytest.fixture
@@ -91,6 +92,63 @@ def test_a_run_is_on_disk_on_every_pause_and_goes_on_with_the_same_bits_changes_
     assert np.array_equal(state.arrays["bed/sand"], alone(60, 30).bed.sand)
 
 
+def go_two_ways(browser):
+    """From a run of 40 steps, look back at step 20 and go on from there, another way, to step 30."""
+    browser.send("pause")
+    browser.send("restart", running=False)
+    browser.send("run", until=40)
+    browser.until_frame(lambda status: status["step"] == 40)
+    browser.send("look", step=20)
+    browser.until_frame(lambda status: status["looking"])
+    browser.send("branch", id=1)
+    assert browser.until_message("done", id=1)["step"] == 20
+    browser.send("set", key="model.p_s", value=0.9)
+    browser.send("bookmark", bookmarks=[{"id": "horns", "name": "Horns"}])
+    browser.send("run", until=30)
+    browser.until_frame(lambda status: status["step"] == 30 and not status["looking"])
+
+
+@pytest.mark.extended
+@pytest.mark.skipif(sys.platform != "linux", reason="the user's data are elsewhere")
+def test_after_a_kill_the_branches_are_there_and_one_looks_back_as_before(tmp_path):
+    scenario = tmp_path / "winds.json"
+    scenario.write_text(json.dumps(small().data()))
+    home = tmp_path / "barchan" / "studio-autosave"
+    with studio(tmp_path, tmp_path, str(scenario)) as process:
+        with browser_of(process) as browser:
+            go_two_ways(browser)
+            until(lambda: step_on_disk(home) == 30)
+        os.kill(process.pid, signal.SIGKILL)
+        process.wait(20)
+    with studio(tmp_path, tmp_path, str(scenario)) as process, browser_of(process) as browser:
+        browser.until_frame()
+        browser.send("open_unfinished", name=left_in(home)[0], id=1)
+        assert browser.until_message("done", id=1)["step"] == 30
+        described = [one for one in browser.messages if one["type"] == "scenario"][-1]
+        assert described["branch"] == 2
+        assert described["branches"] == [
+            {"number": 1, "began": 0, "step": 40},
+            {"number": 2, "began": 20, "step": 30},
+        ]
+        assert [(one["name"], one["branch"]) for one in described["bookmarks"]] == [("Horns", 2)]
+        assert described["scenario"]["model"]["p_s"] == 0.9
+        browser.send("switch", branch=1)
+        described = browser.until_message("scenario", branch=1)
+        assert described["scenario"]["model"]["p_s"] == 0.6
+        browser.until_frame(lambda status: status["step"] == 40)
+        browser.send("look", step=30)
+        browser.until_frame(lambda status: status["step"] == 30 and status["can_branch"])
+        browser.send("look", step=None)
+        browser.send("save", name="first", id=2)
+        browser.until_message("done", id=2)
+    sand = read_checkpoint(tmp_path / "first" / "checkpoint.npz").arrays["bed/sand"]
+    uninterrupted = Simulation(small())
+    uninterrupted.advance(40)
+    assert np.array_equal(sand, uninterrupted.bed.sand)
+    with open_run(tmp_path / "first") as dataset:
+        assert list(dataset["step"].values) == [0, 10, 20, 30, 40]
+
+
 @pytest.mark.extended
 def test_a_studio_that_the_user_ends_leaves_nothing(eager, tmp_path):
     home = tmp_path / "home"
@@ -160,6 +218,15 @@ def studio(folder, home, *names):
         process.kill()
         process.wait(20)
         process.stdout.close()
+
+
+@contextmanager
+def browser_of(process):
+    """The browser's end of the connection to a studio that the command line has started."""
+    address = re.search(r"http://(\S+?)/\S*token=([\w-]+)", line_with(process, "http"))
+    url = f"ws://{address[1]}/connection?token={address[2]}"
+    with connect(url, max_size=None, compression=None, proxy=None) as connection:
+        yield Browser(connection)
 
 
 def line_with(process, words: str) -> str:

@@ -165,6 +165,56 @@ def test_a_run_that_is_as_it_was_is_kept_beside_one_that_was_changed(tmp_path):
     assert [(path / "checkpoint.npz").read_text() for path in runs.folders] == ["a at 10", "b at 10"]
 
 
+def write_with(folder: AutosaveFolder, step: int, *names: str, run: str = "a") -> None:
+    """Keep a run that needs these files beside its newest state, as its worker writes them."""
+    folder.states.mkdir(parents=True, exist_ok=True)
+    for name in names:
+        (folder.states / name).write_text(name)
+    partial = folder.next()
+    (partial / run).mkdir()
+    assert folder.commit(partial, {run: member(step)}, {run: names})
+
+
+def in_states(folder: AutosaveFolder) -> list[str]:
+    return sorted(path.name for path in folder.states.iterdir())
+
+
+def test_files_that_the_newest_state_needs_stay_and_all_others_are_deleted(tmp_path):
+    folder = AutosaveFolder(tmp_path)
+    write_with(folder, 10, "first", "second")
+    (folder.states / "half.partial").write_text("")
+    write_with(folder, 20, "second", "third")
+    assert in_states(folder) == ["second", "third"]
+    folder.close()
+    assert steps_in(tmp_path) == {folder.path.name: [20]}
+
+
+def test_files_of_a_run_that_is_as_it_was_stay_and_those_of_a_run_that_has_ended_go(tmp_path):
+    folder = AutosaveFolder(tmp_path)
+    write_with(folder, 10, "of b", run="b")
+    partial = folder.next()
+    (partial / "a").mkdir()
+    (folder.states / "of a").write_text("")
+    assert folder.commit(partial, {"a": member(10), "b": None}, {"a": ["of a"], "b": []})
+    assert in_states(folder) == ["of a", "of b"]
+    write_with(folder, 20, "of a")
+    assert in_states(folder) == ["of a"]
+    folder.close()
+
+
+def test_files_are_no_state_by_themselves_and_go_with_what_the_user_has_ended(tmp_path):
+    folder = AutosaveFolder(tmp_path)
+    folder.next()
+    folder.states.mkdir()
+    (folder.states / "first").write_text("")
+    folder.close()
+    assert steps_in(tmp_path) == {}
+    assert list(tmp_path.iterdir()) == []
+    write_with(folder, 10, "first")
+    folder.discard()
+    assert list(tmp_path.iterdir()) == []
+
+
 def test_a_run_of_which_nothing_is_known_is_not_kept(tmp_path):
     folder = AutosaveFolder(tmp_path)
     assert not write(folder, a=None, b=10)

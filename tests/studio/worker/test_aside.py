@@ -129,6 +129,21 @@ def test_where_one_of_two_is_left_for_another_run_it_becomes_a_branch_of_the_run
     assert bench.worker.commands.aside.run.live.steps_done == 10
 
 
+def test_the_server_hears_whenever_there_is_more_to_keep_of_the_run_that_is_set_aside(bench):
+    def told(number: int) -> tuple[bool, bool]:
+        begun = next(message for message in bench.messages("begun") if message["number"] == number)
+        return begun["aside"]["new"], begun["aside"]["changed"]
+
+    run_to(bench.worker.commands.current, 20)
+    compared(bench, number=2, aside=True)
+    assert told(2) == (True, True)
+    compared(bench, number=3)
+    assert told(3) == (False, False)
+    run_to(bench.worker.commands.current, 10)
+    bench.send("start", scenario=small().data(), number=4, aside=True)
+    assert told(4) == (False, True)  # what was compared has become a branch of it
+
+
 def test_a_run_that_has_only_begun_does_not_take_the_place_of_one_that_is_set_aside(bench):
     first = bench.worker.commands.current
     run_to(first, 20)

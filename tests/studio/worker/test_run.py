@@ -140,3 +140,12 @@ def test_measures_grow_with_the_run(scenario):
     assert rows[0]["doubts"]["speed"] == "no earlier frame to compare with"
     assert "highest_stack" not in rows[-1]["doubts"]
     assert run.measures.unsent() == {}
+
+
+def test_a_branch_that_only_begins_does_not_let_the_run_count_as_one_that_has_not_begun():
+    run = started(small())
+    run_to(run, 20)
+    run.look(0)
+    run.branch()
+    assert run.live.steps_done == 0
+    assert run.has_begun

@@ -7,7 +7,7 @@ from barchan.errors import BarchanError
 from barchan.figures.space_time import section_over_time, suited_times
 from barchan.studio.worker.run import started, states_of
 from barchan.studio.worker.spacetime import COLUMNS, space_time
-from barchan.studio.worker.spacetime_files import write_space_time
+from barchan.studio.worker.spacetime_files import Beside, write_space_time
 from tests.studio.conftest import small
 from tests.studio.worker.test_run import run_to
 from tests.tiny import tiny
@@ -84,3 +84,28 @@ def test_the_picture_has_a_colour_bar_in_metres():
 def test_a_file_of_another_kind_is_refused(scenario, tmp_path):
     with pytest.raises(BarchanError, match=r"allowed: \.csv, \.png"):
         diagram_file(started(scenario), [0.0, 0.0, 9.0, 9.0], tmp_path / "over-time.doc")
+
+
+@pytest.mark.extended
+def test_the_picture_of_one_of_two_runs_has_the_scale_of_both_and_its_name(scenario, tmp_path, monkeypatch):
+    drawn = []
+
+    def note(*given, **options):
+        drawn.append(section_over_time(*given, **options))
+        return drawn[-1]
+
+    monkeypatch.setattr("barchan.figures.space_time.section_over_time", note)
+    target = tmp_path / "over-time.png"
+    beside = Beside("hop length 5", (-1.0, 40.0))
+    states = states_of(started(scenario))
+    write_space_time(states, [0.5, 16.5, 47.5, 16.5], target, lambda _done, _of: None, beside)
+    diagram = drawn[0].axes[0]
+    assert diagram.collections[0].get_clim() == (-1.0, 40.0)
+    assert diagram.get_title(loc="left").endswith("hop length 5, from x 0.5, y 16.5 m to x 47.5, y 16.5 m")
+    assert target.is_file()
+
+
+@pytest.mark.parametrize("limits", [(2.0, 1.0), (0.0, float("inf"))])
+def test_a_scale_of_colours_from_a_higher_to_a_lower_elevation_or_without_end_is_refused(limits):
+    with pytest.raises(BarchanError, match="lowest and a highest"):
+        Beside("hop length 5", limits)

@@ -11,7 +11,8 @@ export class Dial {
   private readonly input: NumberField;
   private value = 270;
 
-  constructor(label: string, private readonly take: (direction: number) => void, size = 120) {
+  /** Of the direction at a path within the wind. */
+  constructor(label: string, path: (string | number)[], private readonly take: (direction: number) => void, size = 120) {
     this.arrow = svg(
       "g",
       { class: "needle" },
@@ -37,7 +38,7 @@ export class Dial {
     face.addEventListener("pointermove", (event) => {
       if ((event as PointerEvent).buttons) this.turn(event as PointerEvent, face);
     });
-    this.input = new NumberField({ label, take: (direction) => this.choose(direction!), props: { title: label } });
+    this.input = new NumberField({ label, take: (direction) => this.choose(direction!), props: { title: label, "data-path": path.join(".") } });
     this.element = h("div", { className: "dial-box" }, face as unknown as HTMLElement, h("label", {}, "from ", this.input.element, " °"));
   }
 

@@ -21,8 +21,18 @@ export interface NumberOptions {
   props?: Record<string, unknown>;
 }
 
+/** A text that was refused, and the number that it was typed in place of. */
+export interface RefusedText {
+  text: string;
+  before: number | null;
+}
+
+const FIELDS = new WeakMap<Element, NumberField>();
+
 export class NumberField {
   readonly element: HTMLInputElement;
+  /** The number that stood there last. */
+  private last: number | null = null;
   private readonly trouble = h("output", { className: "misread", role: "alert" });
 
   constructor(private readonly options: NumberOptions) {
@@ -39,9 +49,15 @@ export class NumberField {
       className: `number ${String(className)}`.trim(),
       oninput: () => this.typed(),
       onchange: () => this.finished(),
-      onkeydown: (event: KeyboardEvent) => this.step(event),
+      onkeydown: (event: KeyboardEvent) => this.pressed(event),
     });
+    FIELDS.set(this.element, this);
     this.show(value ?? null);
+  }
+
+  /** The field that an element is of. */
+  static of(element: Element): NumberField | undefined {
+    return FIELDS.get(element);
   }
 
   /** The number that stands there; null where there is none, or none that can be taken. */
@@ -55,6 +71,7 @@ export class NumberField {
 
   /** Let a number stand there. */
   show(value: number | null): void {
+    this.last = value;
     this.element.value = value === null ? "" : String(value);
     this.say("");
     this.check();
@@ -63,6 +80,25 @@ export class NumberField {
   /** Say at the field why its number is not taken. */
   refuse(why: string): void {
     this.say(why);
+  }
+
+  /** The text there that was refused; null where none was. */
+  get refused(): RefusedText | null {
+    return this.trouble.textContent && this.wrong() ? { text: this.element.value, before: this.last } : null;
+  }
+
+  /** Let a text that was refused stand there, with the reason; false where another number has taken the place of the one before it. */
+  refuseAgain({ text, before }: RefusedText): boolean {
+    if (before !== this.last) return false;
+    this.element.value = text;
+    this.check();
+    this.say(this.wrong());
+    return true;
+  }
+
+  /** Let the number that stood there before a refused text stand there again. */
+  takeBack(): void {
+    if (this.refused) this.show(this.last);
   }
 
   /** Why what stands there cannot be taken; empty where it can. */
@@ -95,7 +131,9 @@ export class NumberField {
   private finished(): void {
     const wrong = this.wrong();
     this.say(wrong);
-    if (!wrong) this.options.take?.(this.number);
+    if (wrong) return;
+    this.last = this.number;
+    this.options.take?.(this.number);
   }
 
   private say(why: string): void {
@@ -103,6 +141,13 @@ export class NumberField {
     this.trouble.textContent = why;
     if (why) this.element.after(this.trouble);
     else this.trouble.remove();
+  }
+
+  private pressed(event: KeyboardEvent): void {
+    if (event.key !== "Escape" || !this.refused) return this.step(event);
+    event.preventDefault();
+    event.stopPropagation(); // nothing around the field closes
+    this.takeBack();
   }
 
   /** The arrows up and down change the last digit that is written. */

@@ -12,6 +12,7 @@ import { type FormContext, type Path, field, group, restartMark, variantField } 
 import { noteRestart } from "./change_log";
 import { changeList } from "./changes";
 import { RefreshGuard } from "./refresh_guard";
+import { RefusedTexts } from "./refused_texts";
 
 /** The key of the loose layer at the start, which is named after the model's material. */
 const LOOSE = "sand";
@@ -30,6 +31,7 @@ export class Panel {
   private sent: Promise<void> = Promise.resolve();
   private readonly create = later(350, () => this.submit());
   private readonly guard: RefreshGuard;
+  private readonly refused: RefusedTexts;
 
   /** ``fromFile`` asks for a file of heights. */
   constructor(
@@ -37,6 +39,7 @@ export class Panel {
     private readonly fromFile: () => void,
   ) {
     this.guard = new RefreshGuard(this.element, () => this.show());
+    this.refused = new RefusedTexts(app, this.element);
     app.described.watch(() => this.show());
     app.changed.watch(() => this.show());
     app.notices.changed.watch(() => this.refresh());
@@ -59,7 +62,7 @@ export class Panel {
     const open = new Set([...this.element.querySelectorAll("details[open]")].map((one) => one.id));
     const scroll = this.element.parentElement?.scrollTop ?? 0;
     const first = !this.element.children.length;
-    this.element.replaceChildren(...this.sections());
+    this.refused.through(() => this.element.replaceChildren(...this.sections()));
     for (const details of this.element.querySelectorAll("details")) {
       details.open = first ? details.id === "group-model" : open.has(details.id);
     }
@@ -180,6 +183,8 @@ export class Panel {
   }
 
   private change(path: Path, value: Json, live: boolean): void {
+    const before = at(this.scenario, path);
+    if (Array.isArray(value) && Array.isArray(before) && value.length <= before.length) this.refused.forget(`${path.join(".")}.`);
     this.scenario = replaced(this.scenario, path, value) as JsonObject;
     if (live) void this.guard.during(this.set(path.join("."), value));
     else {

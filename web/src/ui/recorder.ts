@@ -51,7 +51,16 @@ export class Recorder {
       return;
     }
     const words = wordsRows(this.app, this.stage, () => {});
-    const begin: Submit = async () => this.begin(kind, words.chosen());
+    const begin: Submit = async () => {
+      this.element.hidden = false;
+      await settled(); // messages move off the bar, which may change the size of the scene
+      try {
+        this.begin(kind, words.chosen());
+      } catch (error) {
+        this.element.hidden = true;
+        throw error;
+      }
+    };
     formDialog("Record the scene", "begin", begin, h("p", {}, `From now on the scene is recorded as you see it, turns of the camera included, in its present size, as .${kind[0]}. V, Esc or ‘stop and save’ ends it and saves the film.`), words.element);
   }
 
@@ -75,7 +84,6 @@ export class Recorder {
     };
     this.began = performance.now();
     recorder.start(1000);
-    this.element.hidden = false;
     this.stage.redraw();
   }
 
@@ -119,6 +127,11 @@ export class Recorder {
     drawWords(app, stage, shot, this.words, dark);
     this.time.textContent = `recording ${length(now - this.began)}`;
   }
+}
+
+/** The page is laid out, and the scene has its size. */
+function settled(): Promise<void> {
+  return new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done())));
 }
 
 /** A length of time (ms) as minutes and seconds. */

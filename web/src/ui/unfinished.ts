@@ -96,7 +96,7 @@ export class Unfinished {
 
   private async open(one: Left, onOpen: () => void): Promise<void> {
     if (!(await this.app.open({ command: "open_unfinished", name: one.name }))) return;
-    this.app.note("info", "The run goes on from where it stopped; of its past the measures and moments are left.");
+    this.app.note("info", "The run goes on from where it stopped, with the branches, earlier states and moments that were kept.");
     this.set(this.left.filter((other) => other !== one));
     onOpen();
   }

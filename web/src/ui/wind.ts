@@ -9,6 +9,7 @@ import { type FormContext, group } from "./form";
 import { type Icon, icon } from "./icons";
 import { SHIPPED_NAME } from "./record";
 import { RefreshGuard } from "./refresh_guard";
+import { RefusedTexts } from "./refused_texts";
 import { roses } from "./rose";
 import { labelOf } from "../core/labels";
 import { lasting } from "./ramp";
@@ -19,6 +20,7 @@ export class WindPanel {
   private shown = "";
   private chosen = 0;
   private readonly guard: RefreshGuard;
+  private readonly refused: RefusedTexts;
   /** Whether a change made here is still to be sent. */
   private unsent = false;
   private readonly send = later(60, () => {
@@ -32,6 +34,7 @@ export class WindPanel {
     private readonly fromFile: () => void,
   ) {
     this.guard = new RefreshGuard(this.element, () => this.follow());
+    this.refused = new RefusedTexts(app, this.element);
     app.described.watch(() => this.follow());
     app.changed.watch(() => this.follow());
     app.notices.changed.watch(() => this.refresh());
@@ -81,13 +84,14 @@ export class WindPanel {
     const open = new Set([...this.element.querySelectorAll("details[open]")].map((one) => one.id));
     const another: HTMLElement[] = this.kind === "record" ? [h("button", { type: "button", className: "quiet", onclick: this.fromFile }, "use another record …")] : [];
     if (another.length && !this.wind.path) another.unshift(h("p", { className: "hint" }, `The winds are of ${SHIPPED_NAME}.`));
-    this.element.replaceChildren(
+    const rows = [
       h("div", { className: "row" }, h("span", {}, "kind"), h("div", { className: "control" }, kinds)),
       ...another,
       rose,
       ...body,
       h("p", { className: "hint" }, `Changes blow at once.${"regimes" in this.wind || "direction" in this.wind ? " Drag the dial’s head to where the wind comes from; with Shift it turns by less than 5°." : ""}`),
-    );
+    ];
+    this.refused.through(() => this.element.replaceChildren(...rows));
     for (const details of this.element.querySelectorAll("details")) details.open = open.has(details.id);
   }
 
@@ -99,7 +103,7 @@ export class WindPanel {
   }
 
   private steady(): HTMLElement[] {
-    const dial = new Dial("Direction the wind comes from (degrees)", (direction) => this.put(["direction"], direction));
+    const dial = new Dial("Direction the wind comes from (degrees)", ["direction"], (direction) => this.put(["direction"], direction));
     dial.show(Number(this.wind.direction));
     return [dial.element, ...this.form(this.kind, ["direction"])];
   }
@@ -142,8 +146,13 @@ export class WindPanel {
 
   private summary(regime: JsonObject, number: number, list: JsonObject[]): HTMLElement {
     // Buttons take the list as it is when they are pressed: curves change it without redrawing it.
-    const tool = (label: string, sign: Icon, change: (now: JsonObject[]) => JsonObject[], enabled: boolean) =>
-      h("button", { type: "button", title: label, "aria-label": `${label}: regime ${number + 1}`, disabled: !enabled, onclick: () => this.reorder(change(this.wind.regimes as JsonObject[])) }, icon(sign));
+    const tool = (label: string, sign: Icon, change: (now: JsonObject[]) => JsonObject[], enabled: boolean) => {
+      const act = () => {
+        this.refused.forget("regimes.");
+        this.reorder(change(this.wind.regimes as JsonObject[]));
+      };
+      return h("button", { type: "button", title: label, "aria-label": `${label}: regime ${number + 1}`, disabled: !enabled, onclick: act }, icon(sign));
+    };
     const moved = (by: number) => (now: JsonObject[]) => {
       const order = now.toSpliced(number, 1);
       order.splice(number + by, 0, now[number]!);
@@ -178,7 +187,8 @@ export class WindPanel {
     const entry = entryOf(this.app.schema.properties!.wind!, this.app.schema);
     const schema = entryOf(entry.variants[this.kind]!.properties!.regimes!.items!, this.app.schema).schema;
     const path = ["regimes", number];
-    const dial = new Dial(`Direction of regime ${number + 1} (degrees)`, (direction) => this.put([...path, "direction"], direction), 96);
+    const own = [...path, "direction"];
+    const dial = new Dial(`Direction of regime ${number + 1} (degrees)`, own, (direction) => this.put(own, direction), 96);
     dial.show(Number(regime.direction));
     return h(
       "fieldset",

@@ -5,7 +5,7 @@ import { cell } from "../core/csv";
 import { type Profile, ends, profile } from "../core/profile";
 import { type Run, nameBeside } from "../core/run";
 import type { SectionLine } from "../core/section";
-import { metres, themeColour } from "../ui/dom";
+import { metres } from "../ui/dom";
 
 export interface Second {
   run: Run;
@@ -19,18 +19,6 @@ export function secondProfile(app: App, run: Run, line: SectionLine): Second | n
   if (!other || other.rows !== run.rows || other.columns !== run.columns) return null;
   const found = profile(other, line);
   return { run: other, profile: found, ends: ends(found.surface) };
-}
-
-export function drawSecond(c: CanvasRenderingContext2D, second: Second, x: (d: number) => number, y: (z: number) => number): void {
-  const { distance, surface } = second.profile;
-  c.save();
-  c.strokeStyle = themeColour("second");
-  c.lineWidth = 1.8;
-  c.setLineDash([6, 3]);
-  c.beginPath();
-  distance.forEach((d, i) => c.lineTo(x(d), y(surface[i]!)));
-  c.stroke();
-  c.restore();
 }
 
 /** What the other profile is at a point, in words, named beside the first run. */

@@ -6,8 +6,9 @@ import { type Profile, ends, profile } from "../core/profile";
 import { type SectionLine, alongWind } from "../core/section";
 import type { Stage } from "../scene/stage";
 import { nameBeside } from "../core/run";
-import { SectionLegend } from "./section_legend";
-import { type Second, drawSecond, placed, secondProfile, sectionCsv } from "./second_profile";
+import { SectionLegend, sectionItems } from "./section_legend";
+import { drawShadows, drawSurface } from "./section_marks";
+import { type Second, placed, secondProfile, sectionCsv } from "./second_profile";
 import { SectionLayers } from "./strata";
 import { button, download, fitCanvas, h, heights, lengthUnit, metres, short, themeColour, ticks } from "../ui/dom";
 import { stepsOf } from "../ui/steps";
@@ -128,13 +129,14 @@ export class SectionView {
       c.fillStyle = colour;
       c.fill();
     };
-    if (p.shadow) this.shadows(c, p, x, y(high), y(low));
+    drawShadows(c, p, x, y(high), y(low), false);
+    if (second) drawShadows(c, second.profile, x, y(high), y(low), true);
     const layered = this.layers.draw(c, run, this.current(run), x, y, low);
     if (!layered) area(p.surface, themeColour(run.material === "snow" ? "snow" : "loose"));
     area(p.ground, themeColour("rock"));
-    if (!layered) this.crest(c, p, x, y, run.description!.repose);
-    if (second) drawSecond(c, second, x, y);
-    new SectionLegend(c, MARGIN, width).draw(run, second?.run, p.shadow !== null);
+    if (!layered) drawSurface(c, p, x, y, run.description!.repose, false);
+    if (second) drawSurface(c, second.profile, x, y, second.run.description!.repose, true);
+    new SectionLegend(c, MARGIN, width).draw(sectionItems(run, p, second));
     if (layered) this.layers.legend(c, run, MARGIN.left + 60, MARGIN.top);
     this.point(c, p, x, y, length, width, run, second);
   }
@@ -169,42 +171,6 @@ export class SectionView {
     c.fillText(`elevation (${unit})`, 4, 10);
     const times = (y(low) - y(high)) / (high - low) / ((x(length) - x(0)) / length);
     c.fillText(heights(times), MARGIN.left, height - 3);
-  }
-
-  private shadows(c: CanvasRenderingContext2D, p: Profile, x: (d: number) => number, top: number, foot: number): void {
-    c.fillStyle = themeColour("shadow");
-    let from = -1;
-    p.distance.forEach((_, i) => {
-      const dark = p.shadow![i]! > 0.5;
-      if (dark && from < 0) from = i;
-      if (from >= 0 && (!dark || i === p.distance.length - 1)) {
-        c.fillRect(x(p.distance[from]!), top, x(p.distance[i]!) - x(p.distance[from]!), foot - top);
-        from = -1;
-      }
-    });
-  }
-
-  /** The surface's line, marked where it is about as steep as the material can stand. */
-  private crest(c: CanvasRenderingContext2D, p: Profile, x: (d: number) => number, y: (z: number) => number, repose: number | null): void {
-    c.lineWidth = 1.4;
-    c.lineJoin = "round";
-    const stroke = (colour: string, width: number, wanted: (i: number) => boolean) => {
-      c.strokeStyle = colour;
-      c.lineWidth = width;
-      c.beginPath();
-      let drawing = false;
-      p.distance.forEach((d, i) => {
-        if (!wanted(i)) drawing = false;
-        else if (drawing) c.lineTo(x(d), y(p.surface[i]!));
-        else {
-          c.moveTo(x(d), y(p.surface[i]!));
-          drawing = true;
-        }
-      });
-      c.stroke();
-    };
-    stroke(themeColour("ink"), 1.3, () => true);
-    if (repose !== null) stroke(themeColour("steep"), 3, (i) => Math.abs(p.slope[i]!) >= 0.85 * repose);
   }
 
   private point(

@@ -1,29 +1,61 @@
 /** What the lines and colours of a section mean, in its upper right corner, in as many lines as it takes. */
 
+import type { Profile } from "../core/profile";
 import { type Run, nameBeside } from "../core/run";
 import { short, themeColour } from "../ui/dom";
+import { DASHES, shadowFill } from "./section_marks";
+import type { Second } from "./second_profile";
 
 const LINE = 17;
 const SWATCH = 16;
 const GAP = 16;
 
-export interface Item {
+type Manner = "line" | "dashes" | "area" | "hatching";
+
+interface Swatch {
   colour: string;
+  manner: Manner;
+}
+
+export interface Item {
+  swatches: Swatch[];
   text: string;
-  /** Whether its line is dashed; no line, an area, where it is missing. */
-  dashed?: boolean;
 }
 
 /** What is drawn of one run, or of two along the same line. */
-export function sectionItems(run: Run, second: Run | undefined, shadow: boolean): Item[] {
-  const { repose, repose_slabs: slabs } = run.description!;
-  const name = nameBeside(run, second);
-  const items: Item[] = [];
-  if (second) items.push({ colour: "ink", text: name, dashed: false }, { colour: "second", text: nameBeside(second, run), dashed: true });
-  if (shadow) items.push({ colour: "shadow", text: second ? `shadow zone of ${name}` : "shadow zone" });
-  if (repose !== null) items.push({ colour: "steep", text: `near the effective angle of repose, ${repose.toFixed(1)}°${slabs === null ? "" : ` (${short(slabs, 3)} slabs a cell)`}` });
+export function sectionItems(run: Run, own: Profile, second: Second | null): Item[] {
+  const items = second ? namesAndShadows(run, own, second) : own.shadow ? [{ swatches: [swatch("shadow", "area")], text: "shadow zone" }] : [];
+  return [...items, ...steepItems(run, second)];
+}
+
+function namesAndShadows(run: Run, own: Profile, second: Second): Item[] {
+  const [name, other] = [nameBeside(run, second.run), nameBeside(second.run, run)];
+  const items: Item[] = [
+    { swatches: [swatch("ink", "line")], text: name },
+    { swatches: [swatch("second", "dashes")], text: other },
+  ];
+  if (own.shadow) items.push({ swatches: [swatch("shadow", "area")], text: `shadow zone of ${name}` });
+  if (second.profile.shadow) items.push({ swatches: [swatch("second", "hatching")], text: `shadow zone of ${other}` });
   return items;
 }
+
+/** Where surfaces are marked as steep: of two runs in the manner of each line, in one item where their angle is the same. */
+function steepItems(run: Run, second: Second | null): Item[] {
+  const own = steepText(run);
+  if (!second) return own === null ? [] : [{ swatches: [swatch("steep", "area")], text: own }];
+  const other = steepText(second.run);
+  const [line, dashes] = [swatch("steep", "line"), swatch("steep", "dashes")];
+  if (own !== null && own === other) return [{ swatches: [line, dashes], text: own }];
+  const of = (text: string | null, mark: Swatch, one: Run, beside: Run) => (text === null ? [] : [{ swatches: [mark], text: `${nameBeside(one, beside)}: ${text}` }]);
+  return [...of(own, line, run, second.run), ...of(other, dashes, second.run, run)];
+}
+
+function steepText(run: Run): string | null {
+  const { repose, repose_slabs: slabs } = run.description!;
+  return repose === null ? null : `near the effective angle of repose, ${repose.toFixed(1)}°${slabs === null ? "" : ` (${short(slabs, 3)} slabs a cell)`}`;
+}
+
+const swatch = (colour: string, manner: Manner): Swatch => ({ colour, manner });
 
 /** Items in lines that are each no wider than `most`, by their widths. */
 export function inLines<T>(items: T[], widthOf: (item: T) => number, most: number): T[][] {
@@ -48,19 +80,20 @@ export class SectionLegend {
     private readonly width: number,
   ) {}
 
-  draw(run: Run, second: Run | undefined, shadow: boolean): void {
+  draw(all: Item[]): void {
     const { c, margin } = this;
     const most = this.width - margin.left - margin.right - 80; // the layers' own words stand at the left
-    const wide = ({ text }: Item) => c.measureText(text).width + SWATCH + 6 + GAP;
+    const marks = ({ swatches }: Item) => swatches.length * (SWATCH + 6);
+    const wide = (item: Item) => c.measureText(item.text).width + marks(item) + GAP;
     c.textAlign = "left";
-    inLines(sectionItems(run, second, shadow), wide, most).forEach((items, line) => {
+    inLines(all, wide, most).forEach((items, line) => {
       let x = this.width - margin.right - items.reduce((sum, item) => sum + wide(item), 0);
       const y = margin.top + LINE * line;
       this.back(x, y);
       for (const item of items) {
-        this.swatch(item, x, y);
+        item.swatches.forEach((one, at) => this.swatch(one, x + at * (SWATCH + 6), y));
         c.fillStyle = themeColour("ink");
-        c.fillText(item.text, x + SWATCH + 6, y + 4);
+        c.fillText(item.text, x + marks(item), y + 4);
         x += wide(item);
       }
     });
@@ -74,17 +107,20 @@ export class SectionLegend {
     c.globalAlpha = 1;
   }
 
-  private swatch({ colour, dashed }: Item, x: number, y: number): void {
+  private swatch({ colour, manner }: Swatch, x: number, y: number): void {
     const { c } = this;
-    c.fillStyle = c.strokeStyle = themeColour(colour);
-    if (dashed === undefined) return c.fillRect(x + 2, y - 4, SWATCH - 4, 8);
     c.save();
-    c.lineWidth = 2;
-    c.setLineDash(dashed ? [5, 3] : []);
-    c.beginPath();
-    c.moveTo(x, y);
-    c.lineTo(x + SWATCH, y);
-    c.stroke();
+    c.fillStyle = manner === "hatching" ? shadowFill(c, true) : themeColour(colour);
+    c.strokeStyle = themeColour(colour);
+    if (manner === "area" || manner === "hatching") c.fillRect(x + 2, y - 4, SWATCH - 4, 8);
+    else {
+      c.lineWidth = colour === "steep" ? 3 : 2;
+      c.setLineDash(manner === "dashes" ? DASHES : []);
+      c.beginPath();
+      c.moveTo(x, y);
+      c.lineTo(x + SWATCH, y);
+      c.stroke();
+    }
     c.restore();
   }
 }

@@ -26,6 +26,7 @@ class Aside:
             self.of_it = aside["of_it"]
             if aside["new"]:
                 self.state = self._session.kept.newest(name)
+            if aside["changed"]:
                 self._session.autosave.aside_changed()
         elif not request.get("changed"):
             self.state = None

@@ -23,6 +23,16 @@ REST = 50.0
 SOON = 0.5
 """Seconds from a pause to the state on disk, which so comes behind the picture."""
 
+WHOLE = (
+    "The run is not kept on disk: {why}. "
+    "If the studio ended unexpectedly now, the run would be lost; save it."
+)
+
+PARTS = (
+    "The run is kept on disk without some of its other branches and earlier states: {why}. "
+    "If the studio ended unexpectedly now, these would be lost."
+)
+
 
 class Autosave:
     """Keeps the newest state of all runs in a folder, whole; nothing where there is no ``home`` for it."""
@@ -113,8 +123,10 @@ class Autosave:
 
     def _ask(self, runs: list[str], partial: Path) -> None:
         self._began = time.perf_counter()
+        assert self.folder is not None
+        command = {"command": "keep_in", "states": str(self.folder.states)}
         parts: dict[str, dict[str, Any]] = {
-            run: {"command": "keep_in", "folder": str(partial / run), "known": self._known.get(run)}
+            run: {**command, "folder": str(partial / run), "known": self._known.get(run)}
             for run in runs
             if run in self._session.workers
         }
@@ -138,7 +150,9 @@ class Autosave:
             return
         assert self.folder is not None
         members = {run: answer.get("member") for run, answer in answers.items()}
-        committing = asyncio.get_running_loop().run_in_executor(None, self.folder.commit, partial, members)
+        files = {run: answer.get("files", ()) for run, answer in answers.items()}
+        loop = asyncio.get_running_loop()
+        committing = loop.run_in_executor(None, self.folder.commit, partial, members, files)
         committing.add_done_callback(lambda done: self._committed(done, partial, answers))
 
     def _committed(self, done: "asyncio.Future[bool]", partial: Path, answers: "Answers") -> None:
@@ -151,14 +165,17 @@ class Autosave:
         self._writing = False
         self._known = {run: answer["fingerprint"] for run, answer in answers.items()}
         self._pause = max(EVERY, REST * (time.perf_counter() - self._began))
-        self._said.clear()
-        while self._adopted:
-            self._adopted.pop().discard()
+        lacking = {answer["lacking"] for answer in answers.values() if answer.get("lacking")}
+        for why in lacking:
+            self._say(why, PARTS)
+        if not lacking:
+            self._said.clear()
+            while self._adopted:
+                self._adopted.pop().discard()
 
-    def _say(self, why: str) -> None:
-        """Let the page know once that the run would be lost with the studio."""
-        if why not in self._said:
-            self._said.add(why)
-            lost = "If the studio ended unexpectedly now, the run would be lost; save it"
-            text = f"The run is not kept on disk: {why}. {lost}."
+    def _say(self, why: str, what: str = WHOLE) -> None:
+        """Let the page know once what would be lost with the studio."""
+        text = what.format(why=why)
+        if text not in self._said:
+            self._said.add(text)
             self._session.tell("refused", id=None, command="keep_in", text=text, problems=[])

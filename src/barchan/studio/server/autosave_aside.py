@@ -13,6 +13,17 @@ if TYPE_CHECKING:
     from barchan.studio.server.session import Session
 
 
+WHOLE = (
+    "The run that is set aside is not kept on disk: {why}. "
+    "If the studio ended unexpectedly now, it would be lost."
+)
+
+PARTS = (
+    "The run that is set aside is kept on disk without some of its branches and earlier states: {why}. "
+    "If the studio ended unexpectedly now, these would be lost."
+)
+
+
 class AutosaveAside:
     """Writes it once, for it stands still; a folder of its own holds it for as long as it is set aside."""
 
@@ -41,7 +52,8 @@ class AutosaveAside:
             self._say(error.strerror or str(error))
             return
         self._writing = True
-        part = {FIRST: {"command": "keep_aside_in", "folder": str(partial / FIRST)}}
+        states = str(self.folder.states)
+        part = {FIRST: {"command": "keep_aside_in", "folder": str(partial / FIRST), "states": states}}
         changes = self._changes
         self._session.joint.ask(
             part,
@@ -55,24 +67,27 @@ class AutosaveAside:
         if changes != self._changes or member is None:
             self._ended(partial, changes)
             return
+        files = {FIRST: answers[FIRST]["files"]}
         committing = asyncio.get_running_loop().run_in_executor(
-            None, self.folder.commit, partial, {FIRST: member}
+            None, self.folder.commit, partial, {FIRST: member}, files
         )
-        committing.add_done_callback(lambda done: self._committed(done, partial, changes))
+        lacking = answers[FIRST]["lacking"]
+        committing.add_done_callback(lambda done: self._committed(done, partial, changes, lacking))
 
-    def _committed(self, done: "asyncio.Future[bool]", partial: Path, changes: int) -> None:
-        failed = done.cancelled() or done.exception() is not None
-        self._ended(partial, changes, "" if done.cancelled() or not failed else str(done.exception()))
+    def _committed(self, done: "asyncio.Future[bool]", partial: Path, changes: int, lacking: str) -> None:
+        error = None if done.cancelled() else done.exception()
+        if error is None and lacking:
+            self._ended(partial, changes, lacking, PARTS)
+        else:
+            self._ended(partial, changes, "" if error is None else str(error))
 
-    def _ended(self, partial: Path, changes: int, why: str = "") -> None:
+    def _ended(self, partial: Path, changes: int, why: str = "", what: str = WHOLE) -> None:
         self._writing = False
         shutil.rmtree(partial, ignore_errors=True)
         if changes != self._changes:
             self._keep()
         elif why and all(worker.process.is_alive() for worker in self._session.workers.values()):
-            self._say(why)
+            self._say(why, what)
 
-    def _say(self, why: str) -> None:
-        lost = "If the studio ended unexpectedly now, it would be lost"
-        text = f"The run that is set aside is not kept on disk: {why}. {lost}."
-        self._session.tell("refused", id=None, command="keep_in", text=text, problems=[])
+    def _say(self, why: str, what: str = WHOLE) -> None:
+        self._session.tell("refused", id=None, command="keep_in", text=what.format(why=why), problems=[])

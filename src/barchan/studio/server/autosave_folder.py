@@ -3,6 +3,7 @@
 import os
 import shutil
 import threading
+from collections.abc import Collection, Mapping
 from contextlib import suppress
 from datetime import UTC, datetime
 from io import FileIO
@@ -12,6 +13,9 @@ from typing import Any
 from barchan.holding import hold
 from barchan.replacing import PARTIAL
 from barchan.studio.server.together import Member, name_together
+
+STATES = "states"
+"""The folder of states that stay as they are while the newest one moves on: of branches, and of the past."""
 
 LOCK = "writer.lock"
 """The file that a studio holds for as long as its folder is its own."""
@@ -31,9 +35,16 @@ class AutosaveFolder:
         self._count = 0
         self._newest: Path | None = None
         self._members: dict[str, Member] = {}
+        self._files: dict[str, Collection[str]] = {}
+        """The files in ``states`` that the newest state needs, by run."""
         self._forsaken = False
         self._placing = threading.Lock()
         """Held while states take their places, which is done in another thread than the rest."""
+
+    @property
+    def states(self) -> Path:
+        """Where files are written that stay as they are, before a state that needs them takes its place."""
+        return self.path / STATES
 
     def next(self) -> Path:
         """A folder for the next state to be written into; raises OSError where none can be made."""
@@ -46,21 +57,32 @@ class AutosaveFolder:
             partial.mkdir()
         except OSError:
             self.close()  # somebody has deleted the folder: it is made again for the next state
-            self._newest, self._members = None, {}
+            self._forget()
             raise
         return partial
 
-    def commit(self, partial: Path, written: dict[str, dict[str, Any] | None]) -> bool:
+    def commit(
+        self,
+        partial: Path,
+        written: dict[str, dict[str, Any] | None],
+        files: Mapping[str, Collection[str]] | None = None,
+    ) -> bool:
         """Let what was written take the place of the state before; returns whether it is whole.
 
         ``written`` holds title, model, step and steps by run, None for a run that is as it was in the state
-        before. Runs that are not at one step are not kept: two that are compared belong together. Nor is
-        anything once the folder was forsaken.
+        before. ``files`` names what each run needs of ``states``, where all others are deleted. Runs that are
+        not at one step are not kept: two that are compared belong together. Nor is anything once the folder
+        was forsaken.
         """
         with self._placing:
-            return not self._forsaken and self._commit(partial, written)
+            return not self._forsaken and self._commit(partial, written, files or {})
 
-    def _commit(self, partial: Path, written: dict[str, dict[str, Any] | None]) -> bool:
+    def _commit(
+        self,
+        partial: Path,
+        written: dict[str, dict[str, Any] | None],
+        files: Mapping[str, Collection[str]],
+    ) -> bool:
         members = {}
         for run, data in written.items():
             member = self._members.get(run) if data is None else Member(folder=run, **data)
@@ -71,15 +93,27 @@ class AutosaveFolder:
             return False
         name_together(partial, list(members.values()), sealed=True)
         final = partial.with_name(partial.name.removesuffix(PARTIAL))
-        _to_disk(partial)
+        if self.states.is_dir():
+            _to_disk(self.states)  # its files are there already
+        _to_disk(partial, *partial.rglob("*"))
         if self._forsaken:
             return False
         partial.replace(final)
         _to_disk(self.path)
         before, self._newest, self._members = self._newest, final, members
+        known = self._files
+        self._files = {run: (files if data else known).get(run, ()) for run, data in written.items()}
         if before is not None:
             shutil.rmtree(before, ignore_errors=True)
+        self._delete_unneeded()
         return True
+
+    def _delete_unneeded(self) -> None:
+        needed = {name for names in self._files.values() for name in names}
+        for path in self.states.glob("*"):
+            if path.name not in needed:
+                with suppress(OSError):
+                    path.unlink()
 
     def _carry_over(self, run: str, partial: Path) -> bool:
         """Take a run over from the state before; returns whether it was there."""
@@ -109,11 +143,14 @@ class AutosaveFolder:
             self._delete_states()
 
     def _give_up_newest(self) -> None:
-        newest, self._newest = self._newest, None
-        self._members = {}
+        newest = self._newest
+        self._forget()
         if newest is not None:
             with suppress(OSError):
                 newest.replace(newest.with_name(f"{newest.name}{PARTIAL}"))
+
+    def _forget(self) -> None:
+        self._newest, self._members, self._files = None, {}, {}
 
     def _delete_states(self) -> None:
         for state in (path for path in self.path.glob("*") if path.is_dir()):
@@ -129,11 +166,11 @@ class AutosaveFolder:
             shutil.rmtree(self.path, ignore_errors=True)
 
 
-def _to_disk(folder: Path) -> None:
-    """Let the system write a folder and its files to disk, so that no renaming is ahead of them."""
+def _to_disk(*paths: Path) -> None:
+    """Let the system write files, and what folders hold, to disk, so that no renaming is ahead of them."""
     if not hasattr(os, "O_DIRECTORY"):  # a folder cannot be opened there
         return
-    for path in (folder, *folder.rglob("*")):
+    for path in paths:
         handle = os.open(path, os.O_RDONLY)
         try:
             os.fsync(handle)

@@ -137,10 +137,14 @@ def export(session: "Session", request: Request) -> None:
 
 @SESSION.handles("space_time_file")
 def space_time_file(session: "Session", request: Request) -> None:
-    """Write the section along a line over the whole run as a picture or a table."""
+    """Write the section along a line over the whole run as a picture or a table.
+
+    Of two runs each comes as one ``beside`` the other: with a name, and the limits of colours for both.
+    """
     target = session.workspace.new_export(str(request["name"]))
     worker = session.workers[request.get("run") or FIRST]
-    worker.send("space_time_to", target=str(target), line=request["line"], id=request.get("id"))
+    given = {"line": request["line"], "beside": request.get("beside"), "id": request.get("id")}
+    worker.send("space_time_to", target=str(target), **given)
 
 
 @SESSION.handles("report")

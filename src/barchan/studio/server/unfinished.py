@@ -9,7 +9,7 @@ from typing import Any
 from barchan.errors import BarchanError
 from barchan.holding import HeldError, hold, holder_of
 from barchan.replacing import PARTIAL
-from barchan.studio.server.autosave_folder import ASIDE, LOCK
+from barchan.studio.server.autosave_folder import ASIDE, LOCK, STATES
 from barchan.studio.server.security import is_plain_name
 from barchan.studio.server.together import Together, read_together
 
@@ -136,11 +136,9 @@ def _newest_in(folder: Path) -> Together | None:
 
     Raises BarchanError where all that were written are damaged.
     """
-    states = sorted((path for path in folder.iterdir() if path.is_dir()), reverse=True)
+    states = (path for path in folder.iterdir() if path.is_dir() and path.suffix != PARTIAL)
     error: BarchanError | None = None
-    for path in states:
-        if path.suffix == PARTIAL:
-            continue
+    for path in sorted((path for path in states if path.name != STATES), reverse=True):
         try:
             return read_together(path)
         except BarchanError as damaged:

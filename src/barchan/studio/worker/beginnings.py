@@ -77,12 +77,18 @@ def open_folder(commands: "RunCommands", request: Request) -> Answer:
     from barchan.studio.worker.saved_runs import open_saved_run  # brings zarr, which a new run does without
 
     folder = Path(request["folder"])
-    run = (open_newest if holds_newest(folder) else open_saved_run)(folder, commands.desk)
+    lost: list[str] = []
+    if holds_newest(folder):
+        run, lost = open_newest(folder, commands.desk)
+    else:
+        run = open_saved_run(folder, commands.desk)
     if request.get("aside") and commands.run is not None:
         commands.set_aside(of_it=False)
     else:
         commands.aside = None
     commands.take(run, running=False)
+    for text in lost:
+        commands.warn(text)
     return {"step": run.live.steps_done, **commands.way_back()}
 
 

@@ -1,5 +1,6 @@
 """The branches of one run: each is kept, so that one can return to it."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -12,9 +13,9 @@ MOST = 8
 """Branches that are kept; beyond, the one that was left first is forgotten."""
 
 
-@dataclass
+@dataclass(frozen=True)
 class Branch:
-    """A branch of the run, as it was when it was left."""
+    """A branch of the run, as it was when it was left; left again it is another one."""
 
     number: int
     began: int
@@ -27,10 +28,10 @@ class Branch:
 class Branches:
     """All branches of one run, in the order in which they were left; the one that it is on comes last."""
 
-    def __init__(self, simulation: Simulation, history: History, measures: LiveMeasures) -> None:
-        """A run without other branches."""
-        self._kept = [Branch(1, 0, simulation, history, measures)]
-        self._numbered = 1
+    def __init__(self, current: Branch, others: Sequence[Branch] = (), numbered: int = 1) -> None:
+        """A run on a branch, with others in the order in which they were left; ``numbered`` so far."""
+        self._kept = [*others, current]
+        self._numbered = numbered
 
     @property
     def current(self) -> int:
@@ -41,6 +42,16 @@ class Branches:
     def began(self) -> int:
         """The step at which the branch that the run is on branched off."""
         return self._kept[-1].began
+
+    @property
+    def others(self) -> list[Branch]:
+        """The branches that the run is not on."""
+        return self._kept[:-1]
+
+    @property
+    def numbered(self) -> int:
+        """The highest number that a branch has had."""
+        return self._numbered
 
     @property
     def series(self) -> set[int]:
@@ -54,8 +65,7 @@ class Branches:
 
     def leave(self, simulation: Simulation, history: History, measures: LiveMeasures) -> None:
         """Keep the branch that the run is on as it is now."""
-        now = self._kept[-1]
-        now.simulation, now.history, now.measures = simulation, history, measures
+        self._kept[-1] = Branch(self.current, self.began, simulation, history, measures)
         history.fit(BUDGET // MOST)
 
     def add(

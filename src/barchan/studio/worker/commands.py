@@ -1,7 +1,7 @@
 """The commands that a worker carries out, one method each."""
 
 from collections.abc import Callable
-from typing import Any, NamedTuple
+from typing import Any
 
 from barchan.errors import BarchanError
 from barchan.scenario import Scenario
@@ -9,34 +9,19 @@ from barchan.simulation import AnyStroke, BrushStroke, SetParameter, SetWind, ev
 from barchan.studio.commands import command_of
 from barchan.studio.protocol import Request
 from barchan.studio.worker import beginnings, bookmark_commands, questions  # noqa: F401 - register what they carry out
+from barchan.studio.worker.aside import SetAside, held_aside
 from barchan.studio.worker.description import description
 from barchan.studio.worker.desk import Desk
 from barchan.studio.worker.frame_sender import FrameSender
 from barchan.studio.worker.handlers import WORKER, Answer
 from barchan.studio.worker.run import StudioRun
+from barchan.studio.worker.state_files import FileNames
 
 UNSEEN = ("confirm", "keep", "keep_in", "keep_aside_in", "break_off")
 """Commands that change nothing that a frame shows."""
 
 SLOWEST, FASTEST = 0.1, 1e6
 """Limits of the speed limit (steps per second)."""
-
-
-class SetAside(NamedTuple):
-    """A run that another one has taken the place of."""
-
-    run: StudioRun
-    origin: Scenario | None
-    loaded: int
-    """The number of the start that loaded its scenario."""
-    of_it: bool
-    """Whether the other one came of it by changes."""
-
-    def take_in(self, other: StudioRun) -> None:
-        """Keep a run that came of it as a branch of it, unless it has done no step."""
-        if other.live.steps_done:
-            other.pause()
-            self.run.adopt(other)
 
 
 class RunCommands:
@@ -60,6 +45,8 @@ class RunCommands:
         self.send_bytes = send_bytes
         self.desk = desk
         self.kept: tuple[int, int, int] | None = None
+        self.files = FileNames()
+        """Those of states that the studio keeps on disk."""
         self.break_off: Callable[[object], None] = lambda _: None
         """Breaks the work on the answer to a request off, by its id."""
 
@@ -78,14 +65,17 @@ class RunCommands:
         """Begin another run, and let the server know whether it has begun or the old one goes on."""
         number, begun = int(request.get("number", 0)), False
         before, self.number = self.number, number
-        run = self.run
+        run, held = self.run, held_aside(self.aside)
         try:
             answer = WORKER[name](self, request)
             begun = True
         finally:
             self.number = number if begun else before
             aside = self.aside
-            told = None if aside is None else {"new": aside.run is run, "of_it": aside.of_it}
+            changed = held_aside(self.aside) != held
+            told = None
+            if aside is not None:
+                told = {"new": aside.run is run, "changed": changed, "of_it": aside.of_it}
             self._send("begun", number=number, ok=begun, aside=told)
         return answer
 
@@ -251,6 +241,10 @@ class RunCommands:
         """Return to another branch."""
         self.current.switch(int(request["branch"]))
         self.announce()
+
+    def warn(self, text: str) -> None:
+        """Let the page say what could not be had."""
+        self._send("refused", id=None, command="open_folder", text=text, problems=[])
 
     def announce(self) -> None:
         """Send everything again: the run's past is another one."""

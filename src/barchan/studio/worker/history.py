@@ -54,9 +54,10 @@ class History:
         self.states = [known for known in self.states if known.step < state.step] + [state]
         self.fit(BUDGET)
 
-    def fit(self, budget: int) -> None:
-        """Forget every second state until all take no more than ``budget`` bytes."""
-        while len(self.states) > 2 and (self.bytes > budget or len(self.states) > MOST_STATES):
+    def fit(self, budget: int, most: int | None = None) -> None:
+        """Forget every second state until there are ``most`` that take no more than ``budget`` bytes."""
+        most = MOST_STATES if most is None else most
+        while len(self.states) > 2 and (self.bytes > budget or len(self.states) > most):
             held = set(list(self.marks.values())[-MOST_HELD:])
             steps = [step for step in self.steps[1:] if step % self.every == 0 or step not in held]
             forgotten = set(steps[::2]) - held

@@ -1,5 +1,6 @@
 """The measures of a run at fixed steps: the same on every machine, whatever the browser does meanwhile."""
 
+from collections.abc import Sequence
 from itertools import count
 from typing import Any
 
@@ -104,20 +105,26 @@ class LiveMeasures:
         self._unsent, self._replaced = list(self.rows), True
 
     def until(self, step: int, states: list[State]) -> "LiveMeasures":
-        """The rows up to a step, for a run that continues from there and has these kept ``states``.
+        """The rows up to a step, for a run that continues from there and has these kept ``states``."""
+        return measures_until(step, self.first, self._desk, self.up_to(step), states)
 
-        States up to there that are not measured yet are measured for it, too.
-        """
-        rows = self.up_to(step)
-        done = rows[-1]["step"] if rows else -1
-        earlier = LiveMeasures(self.first, self._desk, tuple(s for s in states if s.step <= done))
-        earlier.rows, earlier.newest = rows, done
-        for state in states:
-            if done < state.step <= step:
-                earlier.take_state(state)
-        earlier.begin_after(step)
-        earlier.resend()
-        return earlier
+
+def measures_until(
+    step: int, first: int, desk: Desk, rows: list[Row], states: Sequence[State]
+) -> LiveMeasures:
+    """Measures that have these ``rows`` up to a step, for a run that continues from there.
+
+    Kept ``states`` up to there that are not measured yet are measured for it.
+    """
+    done = rows[-1]["step"] if rows else -1
+    measures = LiveMeasures(first, desk, tuple(state for state in states if state.step <= done))
+    measures.rows, measures.newest = rows, done
+    for state in states:
+        if done < state.step <= step:
+            measures.take_state(state)
+    measures.begin_after(step)
+    measures.resend()
+    return measures
 
 
 def declared_measures(simulation: Simulation) -> list[dict[str, str]]:

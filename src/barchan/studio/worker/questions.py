@@ -18,8 +18,9 @@ from barchan.studio.worker.rescue import MOST, newest_of, to_bytes
 from barchan.studio.worker.rose import rose_of
 from barchan.studio.worker.run import StudioRun, states_of
 from barchan.studio.worker.spacetime import space_time as section_over_time
-from barchan.studio.worker.spacetime_files import write_space_time
-from barchan.studio.worker.state_folder import fingerprint, write_newest
+from barchan.studio.worker.spacetime_files import Beside, write_space_time
+from barchan.studio.worker.state_files import StateFiles
+from barchan.studio.worker.state_folder import beside_newest, fingerprint, write_newest
 from barchan.studio.worker.strata import layers_along
 
 if TYPE_CHECKING:
@@ -43,7 +44,7 @@ def keep_in(commands: "RunCommands", request: Request) -> Answer:
     found = fingerprint(commands)
     if found is None or found == request.get("known"):
         return {"fingerprint": found, "written": False}
-    return _kept(commands.current, Path(request["folder"]), {"fingerprint": found})
+    return _kept(commands, commands.current, request, {"fingerprint": found})
 
 
 @WORKER.handles("keep_aside_in")
@@ -51,14 +52,31 @@ def keep_aside_in(commands: "RunCommands", request: Request) -> Answer:
     """Write the state of the run that is set aside into a folder, unless that run has only begun."""
     if commands.aside is None or not commands.aside.run.has_begun:
         return {"written": False}
-    return _kept(commands.aside.run, Path(request["folder"]), {})
+    return _kept(commands, commands.aside.run, request, {})
 
 
-def _kept(run: StudioRun, folder: Path, answer: dict[str, Any]) -> Answer:
-    newest = newest_of(run)
-    if newest is None:
+def _kept(commands: "RunCommands", run: StudioRun, request: Request, answer: dict[str, Any]) -> Answer:
+    """Write the newest state; ``lacking`` says why branches or earlier states could not be written beside."""
+    folder, state = Path(request["folder"]), newest_of(run)
+    if state is None:
         raise BarchanError(f"the run's state has more than the {MOST >> 20} MB that are kept by themselves")
-    return _written(folder, lambda _: {**answer, "written": True, "member": write_newest(newest, folder)})
+    files = StateFiles(Path(request["states"]), commands.files)
+    beside = beside_newest(run, files)
+
+    def write(_: Count) -> dict[str, Any]:
+        member = write_newest(state, beside, folder)
+        lacking = files.write()
+        again = {"fingerprint": None} if lacking else {}
+        return {
+            **answer,
+            **again,
+            "written": True,
+            "member": member,
+            "files": files.needed,
+            "lacking": lacking,
+        }
+
+    return _written(folder, write)
 
 
 @WORKER.handles("save_folder")
@@ -93,10 +111,14 @@ def export_to(commands: "RunCommands", request: Request) -> Answer:
 
 @WORKER.handles("space_time_to")
 def space_time_to(commands: "RunCommands", request: Request) -> Answer:
-    """Write the section along a line over time up to what is looked at."""
+    """Write the section along a line over time up to what is looked at, of a run ``beside`` another too."""
     target, line = Path(request["target"]), [float(place) for place in request["line"]]
     states = _up_to(states_of(commands.current), commands.current.shown.steps_done)
-    return _file(target, lambda count: write_space_time(states, line, target, count))
+    beside = None
+    if given := request.get("beside"):
+        low, high = given["limits"]
+        beside = Beside(str(given["name"]), (float(low), float(high)))
+    return _file(target, lambda count: write_space_time(states, line, target, count, beside))
 
 
 @WORKER.handles("report_to")

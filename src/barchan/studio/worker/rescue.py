@@ -26,12 +26,10 @@ class Newest:
     bookmarks: list[Bookmark]
 
 
-def newest_of(run: StudioRun) -> Newest | None:
-    """What a run goes on from; None where its state is larger than ``MOST``."""
+def newest_of(run: StudioRun) -> State | None:
+    """The newest state of a run; None where it is larger than ``MOST``."""
     state = run.live.state()
-    if sum(array.nbytes for array in state.arrays.values()) > MOST:
-        return None
-    return Newest(state, run.history.every, list(run.measures.rows), run.bookmarks_here())
+    return None if sum(array.nbytes for array in state.arrays.values()) > MOST else state
 
 
 def to_bytes(run: StudioRun, number: int) -> bytes | None:
@@ -39,24 +37,18 @@ def to_bytes(run: StudioRun, number: int) -> bytes | None:
 
     None where it is larger than ``MOST``.
     """
-    newest = newest_of(run)
-    if newest is None:
+    state = newest_of(run)
+    if state is None:
         return None
+    newest = Newest(state, run.history.every, list(run.measures.rows), run.bookmarks_here())
     content = pickle.dumps(newest, pickle.HIGHEST_PROTOCOL)
-    return STATE_MAGIC + struct.pack(STATE_HEAD, number, newest.state.step) + content
+    return STATE_MAGIC + struct.pack(STATE_HEAD, number, state.step) + content
 
 
 def from_bytes(data: bytes, desk: Desk | None = None) -> StudioRun:
     """The run whose state ``to_bytes`` gave, paused; of its past only the measures are left."""
     head = len(STATE_MAGIC) + struct.calcsize(STATE_HEAD)
     newest: Newest = pickle.loads(memoryview(data)[head:])  # noqa: S301 - a worker of this session wrote it
-    return continued(newest, desk)
-
-
-def continued(newest: Newest, desk: Desk | None = None) -> StudioRun:
-    """The run that goes on from its newest state, paused; of its past only the measures are left."""
-    run = resumed(newest.state, History(newest.every, marks=marks_of(newest.bookmarks)), desk)
-    run.measures.rows = newest.rows
+    run = resumed(newest.state, History(newest.every, marks=marks_of(newest.bookmarks)), desk, newest.rows)
     run.bookmarks = Bookmarks(newest.bookmarks)
-    run.measures.resend()
     return run

@@ -1,6 +1,7 @@
 """One simulation in the studio: it runs, pauses, is changed, remembers, and can go back."""
 
 import time
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -13,11 +14,12 @@ from barchan.measures import highest_stack
 from barchan.scenario import Scenario
 from barchan.simulation import Simulation, State
 from barchan.studio.worker.bookmarks import Bookmark, Bookmarks
-from barchan.studio.worker.branches import Branches
+from barchan.studio.worker.branches import Branch, Branches
 from barchan.studio.worker.desk import Desk
 from barchan.studio.worker.frame_fields import STEPS_OF_CHANGE
 from barchan.studio.worker.history import FINEST, History
-from barchan.studio.worker.live_measures import LiveMeasures
+from barchan.studio.worker.live_measures import LiveMeasures, measures_until
+from barchan.studio.worker.measuring import Row
 from barchan.studio.worker.painting import Painting
 from barchan.studio.worker.run_speed import RunSpeed
 
@@ -38,7 +40,7 @@ class StudioRun:
         every = simulation.scenario.run.save_every
         self.begin(simulation, History(min(every, FINEST)), LiveMeasures(every, self.desk))
         self.measures.take(simulation)
-        self.branches = Branches(self.live, self.history, self.measures)
+        self.branches = Branches(Branch(1, 0, self.live, self.history, self.measures))
         self.bookmarks = Bookmarks()
 
     def begin(self, simulation: Simulation, history: History, measures: LiveMeasures) -> None:
@@ -66,8 +68,9 @@ class StudioRun:
 
     @property
     def has_begun(self) -> bool:
-        """Whether anything would be lost with it: steps, changes, or moments."""
-        return bool(self.live.steps_done or self.live.events or self.bookmarks.data())
+        """Whether anything would be lost with it: steps, changes, moments, or other branches."""
+        done = self.live.steps_done or self.live.events
+        return bool(done or self.bookmarks.data() or self.branches.others)
 
     def run(self, target: int | None = None, brief: bool = False) -> None:
         """Run, on and on or up to a step; ``brief`` where it will continue at once from there."""
@@ -224,16 +227,19 @@ def started(scenario: Scenario, desk: Desk | None = None) -> StudioRun:
     return StudioRun(Simulation(scenario), desk)
 
 
-def resumed(state: State, history: History, desk: Desk | None = None) -> StudioRun:
-    """A run that continues from a state and has this past."""
+def resumed(state: State, history: History, desk: Desk | None = None, rows: Sequence[Row] = ()) -> StudioRun:
+    """A run that continues from a state and has this past, of which these measures are known."""
     run = StudioRun(Simulation.from_state(state), desk)
-    every = run.live.scenario.run.save_every
-    run.begin(run.live, history, LiveMeasures(every, run.desk))
-    for known in history.states:
-        run.measures.take_state(known)
-    run.measures.begin_after(state.step)
-    run.branches = Branches(run.live, history, run.measures)
+    run.begin(run.live, history, measures_with(rows, run.live, history, run.desk))
+    run.branches = Branches(Branch(1, 0, run.live, history, run.measures))
     return run
+
+
+def measures_with(rows: Sequence[Row], simulation: Simulation, history: History, desk: Desk) -> LiveMeasures:
+    """The measures of a simulation that has this past, of which these ``rows`` are known."""
+    now = simulation.state()
+    states = [*(state for state in history.states if state.step < now.step), now]
+    return measures_until(now.step, simulation.scenario.run.save_every, desk, list(rows), states)
 
 
 def states_of(run: StudioRun) -> tuple[State, ...]:

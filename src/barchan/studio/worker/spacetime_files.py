@@ -2,6 +2,7 @@
 
 import csv
 from collections.abc import Sequence
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
@@ -18,7 +19,23 @@ DPI = 200
 """Dots per inch of the picture: 1440 × 1000 pixels."""
 
 
-def write_space_time(states: Sequence[State], line: list[float], target: Path, count: Count) -> str:
+@dataclass(frozen=True)
+class Beside:
+    """What the picture of one of two runs has so that it can be compared with that of the other."""
+
+    name: str
+    """How the run is named beside the other."""
+    limits: tuple[float, float]
+    """Elevations (m) from which to which colours reach."""
+
+    def __post_init__(self) -> None:
+        if not (np.isfinite(self.limits).all() and self.limits[0] <= self.limits[1]):
+            raise BarchanError("a scale of colours needs a lowest and a highest elevation in metres")
+
+
+def write_space_time(
+    states: Sequence[State], line: list[float], target: Path, count: Count, beside: Beside | None = None
+) -> str:
     """Write the section along a line (m) at every state; the name of the file.
 
     Raises BarchanError for a suffix other than ``.csv`` and those of ``PICTURES``, and where that is no line.
@@ -30,7 +47,7 @@ def write_space_time(states: Sequence[State], line: list[float], target: Path, c
     if target.suffix == ".csv":
         _write_table(found, target)
     else:
-        _draw(found, line, Simulation.from_state(states[-1]).scenario, target)
+        _draw(found, line, Simulation.from_state(states[-1]).scenario, target, beside)
     return target.name
 
 
@@ -46,7 +63,7 @@ def _write_table(found: Diagram, target: Path) -> None:
             table.writerow([step, *moment, *(f"{height:.4f}" for height in heights)])
 
 
-def _draw(found: Diagram, line: list[float], scenario: Scenario, target: Path) -> None:
+def _draw(found: Diagram, line: list[float], scenario: Scenario, target: Path, beside: Beside | None) -> None:
     from barchan.figures.space_time import section_over_time, suited_times
 
     half = found.distance[1] / 2
@@ -54,5 +71,7 @@ def _draw(found: Diagram, line: list[float], scenario: Scenario, target: Path) -
     seconds = None if found.seconds is None else np.array(found.seconds)
     times = suited_times(np.array(found.steps), seconds)
     x0, y0, x1, y1 = (f"{place:.4g}" for place in line)
-    text = f"{scenario.title or 'Run'}, seed {scenario.seed}\nfrom x {x0}, y {y0} m to x {x1}, y {y1} m"
-    section_over_time(edges, times, found.heights, scenario, text).savefig(target, dpi=DPI)
+    whose, limits = ("", None) if beside is None else (f"{beside.name}, ", beside.limits)
+    place = f"{whose}from x {x0}, y {y0} m to x {x1}, y {y1} m"
+    text = f"{scenario.title or 'Run'}, seed {scenario.seed}\n{place}"
+    section_over_time(edges, times, found.heights, scenario, text, limits=limits).savefig(target, dpi=DPI)

@@ -1,22 +1,31 @@
-"""The newest state of a run in a folder, from which it goes on after the studio itself has ended."""
+"""A run in a folder, from whose newest states it goes on after the studio itself has ended."""
 
 import json
+import os
 from dataclasses import asdict
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from barchan.errors import ArchiveError, BarchanError
 from barchan.scenario.definition import text_of
-from barchan.studio.worker.bookmarks import bookmark_from
+from barchan.simulation import Simulation, State
+from barchan.studio.worker.bookmarks import Bookmarks, bookmark_from, marks_of
+from barchan.studio.worker.branches import MOST, Branch, Branches
 from barchan.studio.worker.desk import Desk
-from barchan.studio.worker.rescue import Newest, continued
-from barchan.studio.worker.run import StudioRun
+from barchan.studio.worker.history import History
+from barchan.studio.worker.live_measures import LiveMeasures
+from barchan.studio.worker.run import StudioRun, measures_with, resumed
+from barchan.studio.worker.state_files import BYTES, StateFiles, StoredStates
 
 if TYPE_CHECKING:
     from barchan.studio.worker.commands import RunCommands
 
 BESIDE = "studio.json"
-"""The file beside the state: bookmarks, measures, and how often states are kept."""
+"""The file beside the newest state: bookmarks, measures, how often states are kept, and the branches.
+
+What it says of a branch beside its measures are the names of files of states, which stand in another folder,
+because later states of the run need them, too.
+"""
 
 
 def fingerprint(commands: "RunCommands") -> str | None:
@@ -24,28 +33,56 @@ def fingerprint(commands: "RunCommands") -> str | None:
     run = commands.current
     if not run.has_begun:
         return None
-    at = (commands.number, run.branches.current, run.live.steps_done, len(run.live.events))
+    branches = run.branches.current, sorted(run.branches.numbers)
+    at = (commands.number, *branches, run.live.steps_done, len(run.live.events))
     return json.dumps([*at, run.bookmarks.data()])
 
 
-def write_newest(newest: Newest, folder: Path) -> dict[str, Any]:
-    """Write it into a new folder; returns title, model, step and steps of the run."""
+def beside_newest(run: StudioRun, files: StateFiles) -> dict[str, Any]:
+    """What is written beside the newest state of a run; states that it takes beside are added to ``files``.
+
+    First those from which other branches go on, then the earlier ones of this branch, then those of others.
+    """
+    branches = run.branches
+    newest = [files.add(other, other.simulation.state) for other in branches.others]
+    states = files.add_earlier(run.history, run.live.steps_done)
+    others = [
+        {
+            **_facts(other.number, other.began, other.history, other.measures),
+            "newest": name,
+            "states": files.add_earlier(other.history, other.simulation.steps_done, BYTES // MOST),
+        }
+        for other, name in zip(branches.others, newest, strict=True)
+    ]
+    return {
+        **_facts(branches.current, branches.began, run.history, run.measures),
+        "states": states,
+        "bookmarks": [asdict(bookmark) for bookmark in run.bookmarks],
+        "folder": files.folder,
+        "numbered": branches.numbered,
+        "others": others,
+    }
+
+
+def _facts(number: int, began: int, history: History, measures: LiveMeasures) -> dict[str, Any]:
+    rows, marks = list(measures.rows), dict(history.marks)
+    return {"number": number, "began": began, "every": history.every, "marks": marks, "rows": rows}
+
+
+def write_newest(state: State, beside: dict[str, Any], folder: Path) -> dict[str, Any]:
+    """Write both into a new folder; returns title, model, step and steps of the run."""
     from barchan.archive.checkpoint import write_checkpoint  # brings zarr, which a first picture does without
     from barchan.archive.folder import CHECKPOINT, SCENARIO
 
-    scenario = newest.state.data["scenario"]
+    scenario = state.data["scenario"]
     folder.mkdir(parents=True)
     (folder / SCENARIO).write_text(text_of(scenario), "utf-8")
-    beside = {
-        "every": newest.every,
-        "rows": newest.rows,
-        "bookmarks": [asdict(bookmark) for bookmark in newest.bookmarks],
-    }
-    (folder / BESIDE).write_text(json.dumps(beside), "utf-8")
-    write_checkpoint(folder / CHECKPOINT, newest.state)
+    way = Path(os.path.relpath(beside["folder"], folder)).as_posix()
+    (folder / BESIDE).write_text(json.dumps({**beside, "folder": way}), "utf-8")
+    write_checkpoint(folder / CHECKPOINT, state)
     steps = int(scenario["run"]["steps"])
     names = {"title": str(scenario["title"]), "model": str(scenario["model"]["name"])}
-    return {**names, "step": newest.state.step, "steps": steps}
+    return {**names, "step": state.step, "steps": steps}
 
 
 def holds_newest(folder: Path) -> bool:
@@ -53,19 +90,44 @@ def holds_newest(folder: Path) -> bool:
     return (folder / BESIDE).is_file()
 
 
-def open_newest(folder: Path, desk: Desk | None = None) -> StudioRun:
-    """The run in such a folder, paused; of its past only the measures are left.
+def open_newest(folder: Path, desk: Desk | None = None) -> tuple[StudioRun, list[str]]:
+    """The run in such a folder, paused, and a text for each of its branches that cannot be read any more.
 
-    Raises ArchiveError where a file is damaged.
+    Raises ArchiveError where the newest state or what stands beside it is damaged.
     """
     from barchan.archive.checkpoint import read_checkpoint
     from barchan.archive.folder import CHECKPOINT
 
     state = read_checkpoint(folder / CHECKPOINT)
+    beside = _read_beside(folder / BESIDE)
+    stored, lost = StoredStates(folder / str(beside["folder"])), list[str]()
+    run = resumed(state, stored.history(beside), desk, beside["rows"])
+    run.bookmarks = beside["bookmarks"]
+    current = Branch(int(beside["number"]), int(beside["began"]), run.live, run.history, run.measures)
+    others = []
+    for data in beside["others"]:
+        try:
+            others.append(_branch(data, stored, run.desk))
+        except BarchanError as error:
+            lost.append(f"Branch {data['number']} of this run cannot be opened any more: {error}.")
+    run.branches = Branches(current, others, int(beside["numbered"]))
+    return run, lost
+
+
+def _read_beside(path: Path) -> dict[str, Any]:
+    """What was written beside a state; a run without other branches may have been written with less."""
     try:
-        beside = json.loads((folder / BESIDE).read_text("utf-8"))
-        every, rows = int(beside["every"]), list(beside["rows"])
-        bookmarks = [bookmark_from(data) for data in beside["bookmarks"]]
+        data = json.loads(path.read_text("utf-8"))
+        bookmarks = Bookmarks(map(bookmark_from, data["bookmarks"]))
+        known = {"every": int(data["every"]), "rows": list(data["rows"]), "bookmarks": bookmarks}
     except (OSError, ValueError, KeyError, TypeError, BarchanError) as error:
-        raise ArchiveError(f"{folder / BESIDE}: damaged ({error})") from None
-    return continued(Newest(state, every, rows, bookmarks), desk)
+        raise ArchiveError(f"{path}: damaged ({error})") from None
+    alone = {"number": 1, "began": 0, "marks": marks_of(bookmarks), "states": []}
+    return {**alone, "folder": ".", "numbered": 1, "others": [], **data, **known}
+
+
+def _branch(data: dict[str, Any], stored: StoredStates, desk: Desk) -> Branch:
+    state = stored.state(str(data["newest"]))
+    simulation, history = Simulation.from_state(state), stored.history(data)
+    measures = measures_with(data["rows"], simulation, history, desk)
+    return Branch(int(data["number"]), int(data["began"]), simulation, history, measures)

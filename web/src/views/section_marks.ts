@@ -1,0 +1,67 @@
+/** What a section marks of a profile: zones in shadow, and slopes about as steep as the material can stand. */
+
+import type { Profile } from "../core/profile";
+import { themeColour } from "../ui/dom";
+
+/** The share of the angle of repose from which a slope counts as near it. */
+const NEAR = 0.85;
+/** Lengths of dashes and gaps of the other of two profiles (pixels). */
+export const DASHES = [6, 3];
+/** Distance of the lines of a hatching (pixels). */
+const HATCH = 7;
+
+export type Across = (distance: number) => number;
+
+/** What fills the shadow zones: of one run, and of the first of two, a tint; of the other one lines, so that both are seen where they overlap. */
+export function shadowFill(c: CanvasRenderingContext2D, hatched: boolean): string | CanvasPattern {
+  if (!hatched) return themeColour("shadow");
+  const tile = new OffscreenCanvas(HATCH, HATCH);
+  const t = tile.getContext("2d")!;
+  t.strokeStyle = themeColour("second");
+  for (const shift of [-HATCH, 0, HATCH]) {
+    t.moveTo(shift, HATCH);
+    t.lineTo(shift + HATCH, 0);
+  }
+  t.stroke();
+  return c.createPattern(tile, "repeat")!;
+}
+
+/** Fill the zones in shadow from the top of the plot to its foot. */
+export function drawShadows(c: CanvasRenderingContext2D, p: Profile, x: Across, top: number, foot: number, hatched: boolean): void {
+  if (!p.shadow) return;
+  c.fillStyle = shadowFill(c, hatched);
+  let from = -1;
+  p.distance.forEach((_, i) => {
+    const dark = p.shadow![i]! > 0.5;
+    if (dark && from < 0) from = i;
+    if (from >= 0 && (!dark || i === p.distance.length - 1)) {
+      c.fillRect(x(p.distance[from]!), top, x(p.distance[i]!) - x(p.distance[from]!), foot - top);
+      from = -1;
+    }
+  });
+}
+
+/** The line of a surface, in red where it is near an angle of repose (degrees). */
+export function drawSurface(c: CanvasRenderingContext2D, p: Profile, x: Across, y: (z: number) => number, repose: number | null, dashed: boolean): void {
+  const stroke = (colour: string, width: number, wanted: (i: number) => boolean) => {
+    c.strokeStyle = themeColour(colour);
+    c.lineWidth = width;
+    c.beginPath();
+    let drawing = false;
+    p.distance.forEach((d, i) => {
+      if (!wanted(i)) drawing = false;
+      else if (drawing) c.lineTo(x(d), y(p.surface[i]!));
+      else {
+        c.moveTo(x(d), y(p.surface[i]!));
+        drawing = true;
+      }
+    });
+    c.stroke();
+  };
+  c.save();
+  c.lineJoin = "round";
+  c.setLineDash(dashed ? DASHES : []);
+  stroke(dashed ? "second" : "ink", dashed ? 1.8 : 1.3, () => true);
+  if (repose !== null) stroke("steep", 3, (i) => Math.abs(p.slope[i]!) >= NEAR * repose);
+  c.restore();
+}
