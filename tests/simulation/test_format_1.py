@@ -27,6 +27,16 @@ def test_a_scenario_of_format_1_is_the_preset_of_today(path):
         assert set(old["wind"]["columns"].pop("missing")) < set(today["wind"]["columns"].pop("missing"))
     if today["model"].get("shadow_from") == "auto":  # the file states where lines started in its time
         assert (old["model"].pop("shadow_from"), today["model"].pop("shadow_from")) == ("centre", "auto")
+    if today["model"].get("neighbour_order") == "auto":  # and where slabs slid
+        assert (old["model"].pop("neighbour_order"), today["model"].pop("neighbour_order")) == (
+            "wind",
+            "auto",
+        )
+        tops = old["model"].pop("stack_tops"), today["model"].pop("stack_tops")
+        assert tops in {
+            ("level", "sloping"),
+            ("sloping", "sloping"),
+        }  # where they do not act it is all the same
     assert old == today
 
 

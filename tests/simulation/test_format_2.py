@@ -26,4 +26,4 @@ def test_a_run_of_format_2_goes_on_with_the_same_bits_after_its_wind_was_changed
         assert run.attrs["scenario"].count('"shadow_from": "centre"') == 1
     simulation = resume(tmp_path / "run", steps=80).simulation
     assert counts(simulation) == (245760, 191806, "e862158ca96721cf")
-    assert simulation.scenario.barchan == 4
+    assert simulation.scenario.barchan == 5

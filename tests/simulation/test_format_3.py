@@ -27,4 +27,4 @@ def test_a_run_of_format_3_on_hexagons_goes_on_with_the_same_bits(tmp_path):
     simulation = resume(tmp_path / "run", steps=80).simulation
     assert counts(simulation) == (153600, 77241, "5d9bf254cc94636c")
     assert simulation.scenario.model.shadow_from == "centre"
-    assert simulation.scenario.barchan == 4
+    assert simulation.scenario.barchan == 5

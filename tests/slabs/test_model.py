@@ -29,5 +29,6 @@ def test_the_facts_state_the_angles_that_slabs_really_hold():
     facts = Werner(WernerParameters(neighbourhood="moore", corner_limit=3), LATTICE).facts()
     assert facts == {
         "shadow from": "centre (auto: all winds blow along axes)",
+        "neighbour order": "wind (auto: all winds blow along axes)",
         "effective repose angle": "33.7° towards faces (2 slabs), 43.3° towards corners (4 slabs)",
     }
