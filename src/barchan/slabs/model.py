@@ -257,8 +257,9 @@ class SlabModel(Model):
             "effective repose angle of stabilised cells": self.rules().stabilised_angle,
         }
         angles = {name: self._angles(angle) for name, angle in named.items() if angle is not None}
-        shadow, order = self.acting
-        if shadow == "place" and self.parameters.stack_tops == "sloping":
+        acting, order = self.acting
+        shadow: str = acting
+        if acting == "place" and self.parameters.stack_tops == "sloping":
             shadow = "place, over sloping tops"
         return {
             "shadow from": self._chosen(self.parameters.shadow_from, shadow),

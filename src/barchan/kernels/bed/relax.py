@@ -12,7 +12,8 @@ from numpy.typing import NDArray
 from barchan.kernels.bed.active_layer import slide
 from barchan.kernels.bed.grid import neighbour
 from barchan.kernels.bed.loose import slide_loose
-from barchan.kernels.bed.slopes import drawn_downslope, has_sand, steepest
+from barchan.kernels.bed.sliding import drawn_downslope
+from barchan.kernels.bed.slopes import has_sand, steepest
 from barchan.kernels.bed.state import DOWN, STABLE, ActiveLayer, Grid, Repose, Stacks, unstable_cells
 from barchan.kernels.core.borrow import borrowed
 from barchan.kernels.core.inlining import never_inline

@@ -8,7 +8,8 @@ an argument of its own, so functions take an optional rule first. All work is do
 import numpy as np
 
 from barchan.kernels.bed.relax import CHECKED, NO_END, enqueue, enqueue_about, relax_queue
-from barchan.kernels.bed.slopes import next_on_slope, steepest
+from barchan.kernels.bed.sliding import next_on_slope
+from barchan.kernels.bed.slopes import steepest
 from barchan.kernels.bed.state import AT_REST, DOWN, DOWNSLOPE, STABLE, UP, UPSLOPE
 from barchan.kernels.core.borrow import borrowed
 from barchan.kernels.core.inlining import never_inline
