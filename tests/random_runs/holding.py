@@ -8,10 +8,14 @@ import numpy as np
 
 from barchan.errors import BarchanError, ConservationError
 from barchan.scenario import validate
+from barchan.scenario.cost import expected_seconds
 from barchan.simulation import Simulation, State, event_from
 from tests.random_runs.drawing import event, live_parameters
 
-REFUSED, RAN = "refused", "ran"
+REFUSED, RAN, LONG = "refused", "ran", "left out, for it would run for minutes"
+
+ENDLESS = 60.0
+"""Seconds that a scenario may be expected to run: rare ones move sand for hours, as ``check`` foretells."""
 
 TRAVEL = ("travel_x", "travel_y")
 """Sums of real numbers, which depend on the order of adding in their last digits."""
@@ -21,10 +25,13 @@ def check(data: dict[str, Any], number: int, few: bool = True) -> str:
     """Run a scenario in one go and in pieces, resumed from each; raises AssertionError where they differ.
 
     ``few``: events change nothing that decides which kernels are compiled.
-    Returns whether it was refused, as a scenario that is not sound may be, or ran.
+    Returns whether it was refused, as a scenario that is not sound may be, ran, or is foretold to take
+    minutes and was left out.
     """
     try:
         sound = validate(data)
+        if expected_seconds(sound) > ENDLESS:
+            return LONG
         whole = Simulation(sound)
     except ConservationError:
         raise
