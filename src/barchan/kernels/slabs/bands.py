@@ -159,7 +159,7 @@ def _next_band(plan, wrap):
         slowest = min(slowest, number)
         begun = load(plan.taken, band)
         left |= begun < last
-        if begun == number and number < counted and number <= found_round:
+        if begun == number and number < min(counted, last) and number <= found_round:
             place = plan.places[number, band]
             if (number < found_round or place < found_place) and not _waits(plan, band, number, wrap):
                 found, found_round, found_place = band, number, place
