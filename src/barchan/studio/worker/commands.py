@@ -76,7 +76,8 @@ class RunCommands:
             told = None
             if aside is not None:
                 told = {"new": aside.run is run, "changed": changed, "of_it": aside.of_it}
-            self._send("begun", number=number, ok=begun, aside=told)
+            origin = None if self.origin is None else self.origin.data()
+            self._send("begun", number=number, ok=begun, aside=told, origin=origin)
         return answer
 
     def way_back(self) -> dict[str, Any]:
