@@ -110,6 +110,8 @@ export interface Description {
   /** What a section can show of the layers; empty for a model that keeps none. */
   strata: Strata[];
   measures: Measure[];
+  /** How long a step lasts (s); null where steps have no duration. */
+  step_seconds: number | null;
   /** Steps from one measurement to the next at first, and rows until that doubles. */
   measured_every: number;
   measured_rows: number;

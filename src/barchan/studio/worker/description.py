@@ -48,6 +48,7 @@ def description(simulation: Simulation, origin: Scenario) -> dict[str, Any]:
         "strata": declared_strata(simulation),
         "paths": follows_grains(model),
         "measures": declared_measures(simulation),
+        "step_seconds": simulation.scenario.step_seconds,
         "measured_every": min(simulation.scenario.run.save_every, FINEST),
         "measured_rows": ROWS,
         "repose": math.degrees(math.atan(limits[0] * lattice.aspect)) if limits else None,
