@@ -55,7 +55,7 @@ def test_a_stalled_browser_neither_halts_the_run_nor_grows_memory(served):
     with served.browser() as browser:
         browser.until_frame()
         browser.send("limit", rate=None)
-        browser.send("run", steps=1_000_000)
+        browser.send("run", until=1_000_000)
         browser.until_frame(lambda status: status["step"] > 3000)
         lively = steps_in(browser, 1.0)
         browser.confirms = False
@@ -300,7 +300,7 @@ def save_and_go_on(browser):
     browser.send("pause")
     browser.send("save", name="saved", id=1)
     saved = browser.until_message("done", id=1)["step"]
-    browser.send("run", steps=7)
+    browser.send("run", until=saved + 7)
     browser.until_frame(lambda status: status["step"] == saved + 7)
     return saved, saved + 7
 
