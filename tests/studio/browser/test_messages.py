@@ -56,6 +56,21 @@ def test_a_refusal_leads_to_its_row_and_goes_when_another_value_is_taken(studio)
     studio.until("document.querySelectorAll('.toast.error').length === 0")
 
 
+def test_refusals_of_one_field_do_not_pile_up_and_go_with_a_value_that_is_taken(studio):
+    """The last one is refused for a reason that names no key."""
+    fill(studio, "model.p_s", "5")
+    toasts(studio).wait_for()
+    fill(studio, "model.p_s", "7")
+    toasts(studio).filter(has_text="7").wait_for()
+    assert toasts(studio).count() == 1
+    studio.ask("window.barchan.app.refused(new Error('a reason'), ['model.p_s'])")
+    toasts(studio).filter(has_text="a reason").wait_for()
+    assert toasts(studio).count() == 1
+    fill(studio, "model.p_s", "0.5")
+    studio.until("document.querySelectorAll('.toast.error').length === 0")
+    assert studio.page.locator("[data-trouble='model.p_s']").inner_text() == ""
+
+
 @pytest.mark.extended
 def test_a_refusal_stays_marked_at_the_log_until_the_log_is_opened(studio):
     page = studio.page

@@ -119,14 +119,14 @@ export class App {
     if (!this.watching || command.command === "confirm") this.connection.send(command);
   }
 
-  /** Send a command and wait for its answer; null where it was refused, which the page then says. */
-  async ask(command: Command): Promise<Message | null> {
-    return this.orSay(this.connection.ask(command));
+  /** Send a command and wait for its answer; null where it was refused, which the page then says of the keys that it is about. */
+  async ask(command: Command, about: string[] = []): Promise<Message | null> {
+    return this.orSay(this.connection.ask(command), about);
   }
 
-  /** Start a scenario; returns whether it runs. What is refused is said, and leaves the run as it was. */
-  async create(scenario: JsonObject, running = true, changed = false): Promise<boolean> {
-    return (await this.orSay(this.begin(scenario, running, changed))) ?? false;
+  /** Start a scenario; returns whether it runs. What is refused is said, of the changes of the keys that it is about, and leaves the run as it was. */
+  async create(scenario: JsonObject, running = true, changed = false, about: string[] = []): Promise<boolean> {
+    return (await this.orSay(this.begin(scenario, running, changed), about)) ?? false;
   }
 
   /** Start a scenario; ``changed`` where it came of the one that runs, else that is set aside. Returns whether that was wanted; throws where it is refused. */
@@ -141,20 +141,21 @@ export class App {
   }
 
   /** An answer; null where it was refused, which the page then says. */
-  private async orSay<T>(answer: Promise<T>): Promise<T | null> {
+  private async orSay<T>(answer: Promise<T>, about: string[] = []): Promise<T | null> {
     try {
       return await answer;
     } catch (error) {
-      this.refused(error);
+      this.refused(error, about);
       return null;
     }
   }
 
-  /** Say why something was refused, at the places that it concerns. */
-  refused(error: unknown): void {
-    if (error instanceof Refused && error.problems.length) {
-      for (const problem of error.problems) this.notices.note("error", problemText(problem), problem.key);
-    } else this.note("error", error instanceof Error ? error.message : String(error));
+  /** Say why something was refused, at the places that it concerns, in place of what was said of the same keys before. */
+  refused(error: unknown, about: string[] = []): void {
+    this.notices.settle(about);
+    const found = error instanceof Refused && error.problems.length ? error.problems.map((one) => [problemText(one), one.key] as const) : [];
+    const said = found.length ? found : [[error instanceof Error ? error.message : String(error), about[0] ?? ""] as const];
+    for (const [text, key] of said) this.notices.note("error", text, key).about = about;
   }
 
   /** Confirm the frames that were drawn, so that others may come. */

@@ -186,6 +186,7 @@ export class Files {
       codes.length ? `${codes.join(", ")} taken as cells without a height` : "",
     ];
     await this.app.begin({ ...scenario, ...this.lattice(scenario, kept), ground }, true, true);
+    this.app.notices.settle(["ground", "lattice"]);
     this.app.note("info", `${said.filter(Boolean).join(", ")}; see Ground in the panel.`);
   }
 
