@@ -129,6 +129,23 @@ def test_exaggeration_is_chosen_from_relief_over_wavelength(studio):
         assert chosen == pytest.approx(expected, abs=0.5)
 
 
+def test_roses_and_what_is_told_of_a_wind_are_those_of_the_wind_that_is_named_or_none(studio):
+    page = studio.page
+    page.get_by_role("tab", name="Wind").click()
+    page.locator(".roses").wait_for()
+    assert "dunes to expect" in page.locator("#wind-words").inner_text()
+    studio.ask(
+        """(() => {
+            const { connection } = window.barchan.app;
+            const ask = connection.ask.bind(connection);
+            connection.ask = (...one) => (one[0].command === "rose" ? new Promise(() => {}) : ask(...one));
+        })()"""
+    )
+    studio.ask("window.barchan.app.ask({ command: 'wind', wind: { kind: 'steady', direction: 90 } })")
+    page.locator("[data-rose]", has_text="are being prepared").wait_for()
+    assert page.locator(".roses").count() == 0
+
+
 def test_a_section_between_typed_ends_gives_the_places_of_its_points_in_field_and_map(studio):
     """The corner stands in for that of a terrain with coordinates, of which the run has none."""
     page = studio.page
