@@ -33,6 +33,8 @@ export class App {
   flat = false;
   /** Whether the browser has taken the graphics card away from the page for the moment. */
   graphicsLost = false;
+  /** Whether a model is being compiled, for which everything asked of its run waits. */
+  compiles = false;
   /** Whether two runs that are led together run; null where there is one. */
   pairRuns: boolean | null = null;
   /** The step that the server kept last of all runs, after one was lost; null where there is none. */
@@ -187,6 +189,7 @@ export class App {
     look: (message) => this.sharing.follow(message),
     compiling: (message) => {
       const functions = Number(message.functions);
+      this.compiles = true;
       if (functions === 0) this.note("info", "Compiling kernels; only the first run of a model does.");
       this.compiling.send(functions);
     },
@@ -257,6 +260,7 @@ export class App {
   /** Take frames over into their runs, all before anything is drawn of them. */
   private show(frames: Frame[]): void {
     const taken = new Set<Run>();
+    this.compiles = false;
     let opened = false;
     for (const frame of frames) {
       const run = this.run(frame.run);
