@@ -1,6 +1,11 @@
 """An error that a user can mend is printed on stderr, with exit code 1 and without a traceback."""
 
+import subprocess
+import sys
+
 import pytest
+
+from barchan.version import __version__
 
 BAD = {"wrong value": ["--run.steps", "-3"], "unknown key": ["--run.stpes", "3"], "no key": ["5"]}
 
@@ -57,3 +62,9 @@ def test_words_that_make_no_command_are_told_on_stderr(here, barchan, words, sai
     assert result.out == ""
     assert said in result.err
     assert "Traceback" not in result.err
+
+
+def test_the_package_run_as_a_module_is_the_command():
+    command = [sys.executable, "-m", "barchan", "--version"]
+    found = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert (found.returncode, found.stdout.strip(), found.stderr) == (0, __version__, "")

@@ -102,6 +102,26 @@ def test_a_scenario_changed_twice_names_both_changes():
     assert twice.title == "Barchans, changed: model.hop_length 7, wind.direction 90"
 
 
+def test_a_value_changed_twice_is_named_once_as_it_is_now():
+    once = barchan.load("barchans", model__hop_length=7, wind__direction=90)
+    twice = barchan.load(once.data(), model__hop_length=9, model__p_s=0.5)
+    assert twice.title == "Barchans, changed: model.hop_length 9, wind.direction 90, model.p_s 0.5"
+    assert twice.citation.partition("changed: ")[2] == twice.title.partition("changed: ")[2]
+
+
+def test_changes_that_another_kind_of_ground_does_not_have_are_named_no_more():
+    once = barchan.load("barchans", ground__kind="bump", ground__height=7, lattice__cell_size=2)
+    other = barchan.load({**once.data(), "ground": {"kind": "flat"}})
+    told = barchan.load(other.data(), lattice__cell_size=3).title
+    assert told == "Barchans, changed: ground.kind flat, lattice.cell_size 3"
+
+
+def test_words_of_ones_own_that_read_like_changes_stay():
+    mine = barchan.load("barchans", title="Dunes, changed: slow, steady wind")
+    told = barchan.load(mine.data(), model__hop_length=7).title
+    assert told == "Dunes, changed: slow, steady wind, model.hop_length 7"
+
+
 def test_a_title_that_was_given_stays():
     assert barchan.load("barchans", title="Mine", model__hop_length=7).title == "Mine"
 

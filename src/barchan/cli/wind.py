@@ -13,7 +13,7 @@ from barchan.errors import BarchanError
 from barchan.wind.records.format import RecordFormat
 
 if TYPE_CHECKING:
-    from barchan.cli.wind_subject import Subject
+    from barchan.theory.wind_report import Subject
 
     SandOptions = Any
     FormatOptions = Any
@@ -141,7 +141,8 @@ def _subject(
     grains: Saltation,
     supply: float | None,
 ) -> "Subject":
-    from barchan.cli.wind_subject import joined, names_record, of_record, of_scenario, read
+    from barchan.cli.wind_subject import joined, names_record, of_scenario, read
+    from barchan.theory.wind_report import of_record
 
     if names_record(source):
         height = None if sand is None or sand.height is None else grains.height

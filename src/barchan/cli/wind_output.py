@@ -10,7 +10,7 @@ from barchan.cli.terminal import console, print_note, print_warning
 from barchan.errors import BarchanError
 
 if TYPE_CHECKING:
-    from barchan.cli.wind_subject import Subject
+    from barchan.theory.wind_report import Subject
     from barchan.wind.records import WindRecord
 
 Part = Literal["month", "season"]
@@ -19,13 +19,13 @@ Part = Literal["month", "season"]
 def print_report(subject: "Subject", by: Part | None) -> None:
     """Warnings first, then the table, then remarks."""
     from barchan.cli.report import print_table
-    from barchan.cli.wind_table import drift_rows, part_rows
+    from barchan.cli.wind_table import part_rows
 
     found, record = subject.found, subject.measured
     for warning in subject.warnings:
         print_warning(warning)
     parts = part_rows(record, subject.sand, found.threshold, by) if record and by else []
-    print_table([*subject.rows, *drift_rows(found), *parts], left=True)
+    print_table([*subject.table, *parts], left=True)
     for remark in subject.all_remarks:
         print_note(remark)
 

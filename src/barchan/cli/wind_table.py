@@ -1,59 +1,13 @@
-"""Rows of the table of ``barchan wind``: the record, its drift potential, the drift and what it shapes."""
+"""Rows of the table of ``barchan wind --by``: the drift potential of months or seasons."""
 
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Literal
 
 from barchan.aeolian.saltation import Saltation
 
 if TYPE_CHECKING:
-    from barchan.theory.assessment import Assessment
-    from barchan.theory.drift import Drift
     from barchan.theory.seasons import PartOfYear
+    from barchan.theory.wind_table import Rows
     from barchan.wind.records import WindRecord
-
-Rows = list[tuple[str, str, str]]
-"""Name, value, unit."""
-
-
-def record_rows(record: "WindRecord", sand: Saltation) -> Rows:
-    """Facts of a record, and how often its winds move sand."""
-    import numpy as np
-
-    from barchan.wind.records.summary import record_facts
-
-    threshold, friction = sand.threshold_speed(), sand.threshold_friction_velocity()
-    exceeds = sand.at_own_height(record.speed, record.height) > threshold
-    blowing = float(record.duration[exceeds].sum()) / record.seconds
-    mean = float(np.average(record.speed, weights=record.duration))
-    return [
-        *((name, text, "") for name, text in record_facts(record, sand.height).items()),
-        ("wind speed", f"mean {mean:.2f} m/s, highest {record.speed.max():.1f} m/s", ""),
-        ("flux law", f"{sand.law}, grains of {1e3 * sand.grain_diameter:g} mm", ""),
-        ("threshold", f"{threshold:.2f} m/s at {sand.height:g} m, u* {friction:.3f} m/s", ""),
-        ("exceeded", f"{100 * blowing:.1f} % of the time", ""),
-    ]
-
-
-def weather_rows(record: "WindRecord") -> Rows:
-    """The weather that comes with a record, where it has any."""
-    from barchan.wind.records.summary import weather_facts
-
-    return [(name, text, "") for name, text in weather_facts(record).items()]
-
-
-def potential_rows(potential: "Drift | None", threshold: float, annual: bool) -> Rows:
-    """Drift potential (VU) above a threshold (knots), by its energy where it is that of a year."""
-    from barchan.theory.drift import energy, in_metres
-
-    if potential is None:
-        return []
-    total = potential.total
-    kind = f"energy {energy(total)}" if annual else "not annual"
-    told = f"DP {total:.0f} VU above {threshold:.3g} kn ({in_metres(total):.1f} by m/s), {kind}"
-    return [
-        ("drift potential", told, ""),
-        ("resultant", f"RDP {potential.resultant:.0f} VU, RDP/DP {_number(potential.steadiness)}", ""),
-        ("", f"RDD {_toward(potential.toward)}", ""),
-    ]
 
 
 def parts_of(
@@ -72,56 +26,18 @@ def parts_of(
 
 def part_rows(
     record: "WindRecord", sand: Saltation, threshold: float, by: Literal["month", "season"]
-) -> Rows:
+) -> "Rows":
     """Drift potential by month or by season; raises BarchanError where the record has no dates."""
+    from barchan.theory.wind_table import toward
+
     return [
         (
             part.name,
             (
                 f"DP {part.potential.total:.1f} VU, RDP {part.potential.resultant:.1f} VU "
-                f"{_toward(part.potential.toward)}, of {part.days:.4g} days"
+                f"{toward(part.potential.toward)}, of {part.days:.4g} days"
             ),
             "",
         )
         for part in parts_of(record, sand, threshold, by)
     ]
-
-
-def drift_rows(found: "Assessment") -> Rows:
-    """The drift, its directions, and the crests and dunes to expect; nothing where no sand moves."""
-    drift = found.drift
-    if not found.moves:
-        return []
-    rows = [] if drift.unit == "-" else [("sand flux", f"{drift.total:.1f} {drift.unit} to all sides", "")]
-    share = "" if drift.unit == "-" else f"{drift.resultant:.1f} {drift.unit}, "
-    modes = ", ".join(f"{mode:.0f}°" for mode in found.variability.modes)
-    return [
-        *rows,
-        ("resultant flux", f"{share}{drift.steadiness:.2f} of all, {_toward(drift.toward)}", ""),
-        ("directions", found.variability.name + (f", from {modes}" if modes else ""), ""),
-        ("crests, gross transport", _crest(found.gross_transport), ""),
-        ("crests, bed instability", _crest(found.bed_instability), ""),
-        ("fingers of scarce sand", f"grow {_toward(found.elongation)}", ""),
-        ("dunes to expect", found.dunes, ""),
-    ]
-
-
-def _crest(crest: Any) -> str:
-    import math
-
-    if math.isnan(crest.azimuth):
-        return "none, no direction stands out"
-    rivals = ", ".join(f"{rival:.0f}°" for rival in crest.rivals)
-    return f"azimuth {crest.azimuth:.0f}°" + (f", ambiguous: as good are {rivals}" if rivals else "")
-
-
-def _toward(angle: float) -> str:
-    import math
-
-    return "nowhere" if math.isnan(angle) else f"toward {angle:.0f}°"
-
-
-def _number(value: float) -> str:
-    import math
-
-    return "–" if math.isnan(value) else f"{value:.2f}"

@@ -10,10 +10,10 @@ from barchan.analysis.declared_measures import FROM_NORTH, Measure, Value
 from barchan.cli.measure_table import Words
 
 if TYPE_CHECKING:
-    from barchan.cli.wind_subject import Subject
     from barchan.theory.assessment import Assessment
     from barchan.theory.crests import Crest
     from barchan.theory.drift import Drift
+    from barchan.theory.wind_report import Subject
     from barchan.wind.records import WindRecord
 
 

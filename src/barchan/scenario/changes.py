@@ -9,6 +9,9 @@ from barchan.scenario.source_map import Path, dotted
 
 _CHANGED = "changed: "
 
+_CUT = "…"
+"""Ends words that are too long."""
+
 _UNCHANGED = "(without these changes) "
 """Stands before ``look_for`` of a scenario whose values were changed since."""
 
@@ -33,7 +36,7 @@ def with_changes_told(scenario: Scenario, before: Scenario) -> Scenario:
     if not told:
         return scenario
     words = {
-        name: _longer(getattr(scenario, name), told, separator, limit)
+        name: _longer(getattr(scenario, name), told, separator, limit, scenario)
         for name, separator, limit in _WORDS
         if getattr(scenario, name) and (name,) not in scenario.source_map.given
     }
@@ -47,13 +50,14 @@ def with_changes_told(scenario: Scenario, before: Scenario) -> Scenario:
 def changed_from(scenario: Scenario, before: Scenario) -> Scenario:
     """The scenario with the words of ``before``, and every value in which it differs told in them.
 
-    Without a difference the words are those of ``before``. Empty words stay empty.
+    Where those name changes already, each key stands once, with the value in force. Without a difference
+    the words are those of ``before``. Empty words stay empty.
     """
     told = _listed(scenario, _different(scenario.data(), before.data()))
     words = {
-        name: _longer(getattr(before, name), told, separator, limit) if told else getattr(before, name)
+        name: _longer(own, told, separator, limit, scenario) if told else own
         for name, separator, limit in _WORDS
-        if getattr(before, name)
+        if (own := getattr(before, name))
     }
     question = before.question if scenario.model.name == before.model.name else ""
     named = scenario.model_copy(update={**words, "look_for": before.look_for, "question": question})
@@ -81,17 +85,42 @@ def _expected(scenario: Scenario, before: Scenario) -> str:
     return text if text.startswith(_UNCHANGED) else f"{_UNCHANGED}{text}"[:_LONGEST]
 
 
-def _told(scenario: Scenario, before: Scenario) -> str:
+def _told(scenario: Scenario, before: Scenario) -> list[str]:
     now, then = scenario.data(), before.data()
     given = sorted(scenario.source_map.given, key=str)
     different = [path for path in given if path[0] not in _OWN_WORDS and _at(now, path) != _at(then, path)]
     return _listed(scenario, different)
 
 
-def _listed(scenario: Scenario, paths: list[Path]) -> str:
-    """Keys with their values."""
+def _listed(scenario: Scenario, paths: list[Path]) -> list[str]:
+    """Keys, each with its value."""
     now = scenario.data()
-    return ", ".join(f"{dotted(path)}{_shown(path, _at(now, path))}" for path in paths)
+    return [f"{dotted(path)}{_shown(path, _at(now, path))}" for path in paths]
+
+
+def _still(listed: str, scenario: Scenario) -> list[str]:
+    """Changes that words list already, with the values in force; none of keys that are gone."""
+    now = scenario.data()
+    changes: list[str] = []
+    for piece in listed.split(", "):
+        if not changes or _path(piece)[0] in now:
+            changes.append(piece)
+        else:
+            changes[-1] += f", {piece}"
+    found = []
+    for change in changes:
+        path = _path(change)
+        group = _at(now, path[:-1])
+        if path[0] not in now or change.endswith(_CUT):
+            found.append(change)
+        elif isinstance(group, dict) and path[-1] in group:
+            found += _listed(scenario, [path])
+    return found
+
+
+def _path(change: str) -> Path:
+    """The key of a change, of which the value follows."""
+    return tuple(change.partition(" ")[0].split("."))
 
 
 def _at(data: Any, path: Path) -> Any:
@@ -111,7 +140,9 @@ def _shown(path: Path, value: Any) -> str:
     return f" {value if isinstance(value, str) else json.dumps(value)}"
 
 
-def _longer(words: str, told: str, separator: str, limit: int) -> str:
-    already = _CHANGED in words
-    text = f"{words}, {told}" if already else f"{words}{separator}{_CHANGED}{told}"
-    return text if len(text) <= limit else f"{text[: limit - 1]}…"
+def _longer(words: str, told: list[str], separator: str, limit: int, scenario: Scenario) -> str:
+    own, already, listed = words.partition(_CHANGED)
+    before = _still(listed, scenario) if already else []
+    changes = {change.partition(" ")[0]: change for change in (*before, *told)}
+    text = f"{own if already else own + separator}{_CHANGED}{', '.join(changes.values())}"
+    return text if len(text) <= limit else f"{text[: limit - 1]}{_CUT}"

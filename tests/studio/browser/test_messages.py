@@ -57,6 +57,35 @@ def test_a_refusal_leads_to_its_row_and_goes_when_another_value_is_taken(studio)
 
 
 @pytest.mark.extended
+def test_a_file_that_waits_for_the_compiling_of_a_model_says_so(studio):
+    studio.ask(
+        """(() => {
+            const { app } = window.barchan;
+            app.connection.ask = () => new Promise(() => {}); // as a run that is being compiled
+            app.together.take = () => {}; // nor does a frame come
+            app.handlers.compiling({ functions: 3 });
+        })()"""
+    )
+    studio.drop_file("wind.csv", "text/csv", b"time,speed (m/s),direction\n2024-01-01T00:00,5,270\n")
+    studio.page.get_by_role("dialog").get_by_text("waits until the model is compiled").wait_for()
+
+
+def test_refusals_of_one_field_do_not_pile_up_and_go_with_a_value_that_is_taken(studio):
+    """The last one is refused for a reason that names no key."""
+    fill(studio, "model.p_s", "5")
+    toasts(studio).wait_for()
+    fill(studio, "model.p_s", "7")
+    toasts(studio).filter(has_text="7").wait_for()
+    assert toasts(studio).count() == 1
+    studio.ask("window.barchan.app.refused(new Error('a reason'), ['model.p_s'])")
+    toasts(studio).filter(has_text="a reason").wait_for()
+    assert toasts(studio).count() == 1
+    fill(studio, "model.p_s", "0.5")
+    studio.until("document.querySelectorAll('.toast.error').length === 0")
+    assert studio.page.locator("[data-trouble='model.p_s']").inner_text() == ""
+
+
+@pytest.mark.extended
 def test_a_refusal_stays_marked_at_the_log_until_the_log_is_opened(studio):
     page = studio.page
     fill(studio, "model.p_s", "5")

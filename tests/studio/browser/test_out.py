@@ -30,8 +30,8 @@ def show_plane(studio):
 
 
 def measured(page):
-    rows = page.locator(".ruler tr").all()
-    return {row.locator("th").inner_text(): row.locator("td").inner_text() for row in rows}
+    names, values = page.locator(".ruler th").all_inner_texts(), page.locator(".ruler td").all_inner_texts()
+    return dict(zip(names, values, strict=True))
 
 
 def test_the_ruler_measures_a_plane_between_two_places_by_keys_and_by_mouse(studio):
@@ -83,14 +83,38 @@ def test_messages_leave_the_scene_to_the_ruler(studio):
 
 
 @pytest.mark.extended
+def test_the_ruler_leaves_the_middle_of_the_field_free(studio):
+    """At 1280 × 720 with a view open below: what is at the middle of the scene is the scene."""
+    page = studio.page
+    page.set_viewport_size({"width": 1280, "height": 720})
+    show_plane(studio)
+    page.keyboard.press("1")
+    page.keyboard.press("m")
+    for number in ("8.5", "10.5", "40.5", "34.5"):
+        page.keyboard.type(number)
+        page.keyboard.press("Tab")
+    ruler, scene = page.locator(".ruler").bounding_box(), page.locator(".scene").bounding_box()
+    assert ruler["y"] + ruler["height"] < scene["y"] + scene["height"] / 3
+    page.screenshot(path=studio.folder / "ruler-low.png")
+
+
+@pytest.mark.extended
 def test_two_clicks_measure_as_a_drag_does(studio):
     show_plane(studio)
     page = studio.page
     studio.ask("window.barchan.stage.look('top')")
     page.keyboard.press("m")
     page.locator(".ruler input").first.evaluate("(input) => input.blur()")
+    studio.picture()  # the view has come to rest
     studio.drag((0.5, 0.7), (0.5, 0.7))
     assert page.locator(".ruler .hint").is_visible()
+    assert [box.input_value() != "" for box in page.locator(".ruler input").all()] == [
+        True,
+        True,
+        False,
+        False,
+    ]
+    assert measured(page) == {}  # one place is no distance
     studio.drag((0.7, 0.7), (0.7, 0.7))
     assert page.locator(".ruler .hint").is_hidden()
     assert float(measured(page)["azimuth"].rstrip("°")) == pytest.approx(90.0, abs=0.5)

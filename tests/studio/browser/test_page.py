@@ -339,7 +339,7 @@ def test_views_and_keys(studio):
     with page.expect_download() as download:
         page.get_by_role("button", name="Save the section as CSV").click()
     rows = Path(download.value.path()).read_text().splitlines()
-    assert rows[0] == "distance_m,elevation_m,ground_m,slope_degrees,shadow"
+    assert rows[0] == "distance_m,x_m,y_m,elevation_m,ground_m,slope_degrees,shadow"
     assert len(rows) > 64
     page.keyboard.press("?")
     assert page.get_by_role("dialog").get_by_text("restart with the same seed").is_visible()

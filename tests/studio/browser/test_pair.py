@@ -60,6 +60,40 @@ def test_a_wind_changed_in_mid_run_is_an_event_of_the_same_step_in_both(pair):
     assert first == second > 20
 
 
+@pytest.mark.extended
+def test_two_runs_whose_steps_last_differently_have_times_of_their_own_until_both_get_one_duration(studio):
+    """A step moves the hop length times a slab of every cell, so it lasts 7/5 times as long with 7 cells."""
+    page = studio.page
+    studio.ask(
+        """(() => {
+            const { app } = window.barchan;
+            const { scenario } = app.current.description;
+            const wind = { kind: "record" };
+            return app.create({ ...scenario, wind, clock: {}, run: { ...scenario.run, steps: 100000 } });
+        })()"""
+    )
+    studio.until("window.barchan.app.runs[0].description?.step_seconds > 0")
+    studio.ask("window.barchan.app.ask({ command: 'compare', key: 'model.hop_length', value: 7 })")
+    studio.until("window.barchan.app.runs.length === 2 && window.barchan.app.runs[1].status?.step > 20")
+    studio.pause()
+    left, right = studio.ask("window.barchan.app.runs.map((run) => run.status.time)")
+    assert right / left == pytest.approx(7 / 5)
+    names = page.locator(".names span").all_inner_texts()
+    assert all(" d " in name or " h" in name for name in names), names
+    assert " | " in page.locator("[data-status=clock]").inner_text()
+    said = page.locator(".toast", has_text="not at equal times")
+    said.get_by_role("button", name="give both the same duration").click()
+    lasting = "window.barchan.app.runs[0].description.step_seconds"
+    at_one_time = f"run.status.step > 0 && Math.abs(run.status.time / run.status.step / {lasting} - 1) < 1e-9"
+    studio.until(f"window.barchan.app.runs.every((run) => {at_one_time})")
+    said.wait_for(state="detached")
+    studio.pause()
+    left, right = studio.ask("window.barchan.app.runs.map((run) => [run.status.time, run.status.wind])")
+    assert left == right
+    studio.ask("window.barchan.app.send({ command: 'alone' })")
+    studio.until("window.barchan.app.runs.length === 1")
+
+
 LIMITS = "window.barchan.app.runs.map((run) => window.barchan.stage.terrain(run).colouring.limits)"
 
 

@@ -1,6 +1,8 @@
 """Nothing that the studio shows says more than the run: colours, exaggeration, crests, the section's line."""
 
+import csv
 import json
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -125,6 +127,50 @@ def test_exaggeration_is_chosen_from_relief_over_wavelength(studio):
             }})()"""
         )
         assert chosen == pytest.approx(expected, abs=0.5)
+
+
+def test_roses_and_what_is_told_of_a_wind_are_those_of_the_wind_that_is_named_or_none(studio):
+    page = studio.page
+    page.get_by_role("tab", name="Wind").click()
+    page.locator(".roses").wait_for()
+    assert "dunes to expect" in page.locator("#wind-words").inner_text()
+    studio.ask(
+        """(() => {
+            const { connection } = window.barchan.app;
+            const ask = connection.ask.bind(connection);
+            connection.ask = (...one) => (one[0].command === "rose" ? new Promise(() => {}) : ask(...one));
+        })()"""
+    )
+    studio.ask("window.barchan.app.ask({ command: 'wind', wind: { kind: 'steady', direction: 90 } })")
+    page.locator("[data-rose]", has_text="are being prepared").wait_for()
+    assert page.locator(".roses").count() == 0
+
+
+def test_a_section_between_typed_ends_gives_the_places_of_its_points_in_field_and_map(studio):
+    """The corner stands in for that of a terrain with coordinates, of which the run has none."""
+    page = studio.page
+    studio.pause()
+    page.keyboard.press("1")
+    studio.ask(
+        """(() => {
+            const { app } = window.barchan;
+            app.current.description.place = { west: 400000, south: 5300000, crs: "EPSG:32633" };
+            app.changed.send();
+        })()"""
+    )
+    boxes = page.locator(".ends input").all()
+    for box, text in zip(boxes, ("400002", "5300004", "400032", "5300044"), strict=True):
+        box.fill(text)
+        box.press("Tab")
+    with page.expect_download() as download:
+        page.get_by_role("button", name="Save the section as CSV").click()
+    rows = list(csv.DictReader(Path(download.value.path()).read_text().splitlines()))
+    ends = [[float(row[key]) for key in ("distance_m", "x_m", "y_m")] for row in (rows[0], rows[-1])]
+    assert ends == [[0, 2, 4], [50, 32, 44]]  # 30 m east and 40 m north
+    place = [float(rows[-1]["easting_m"]), float(rows[-1]["northing_m"])]
+    assert place == [400_032, 5_300_044]
+    page.get_by_label("Coordinates of the section’s ends").select_option("field")
+    assert [box.input_value() for box in boxes] == ["2", "4", "32", "44"]
 
 
 def test_the_section_is_a_line_in_the_scene_that_lies_on_the_surface(studio):

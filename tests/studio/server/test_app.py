@@ -55,7 +55,7 @@ def test_a_stalled_browser_neither_halts_the_run_nor_grows_memory(served):
     with served.browser() as browser:
         browser.until_frame()
         browser.send("limit", rate=None)
-        browser.send("run", steps=1_000_000)
+        browser.send("run", until=1_000_000)
         browser.until_frame(lambda status: status["step"] > 3000)
         lively = steps_in(browser, 1.0)
         browser.confirms = False
@@ -244,6 +244,21 @@ def test_two_models_run_step_by_step_on_the_same_ground(served):
 
 
 @pytest.mark.extended
+def test_a_run_beside_a_changed_one_names_what_differs_from_the_scenario_that_was_loaded(served):
+    with served.browser() as browser:
+        browser.until_message("scenario")
+        loaded = small(title="Sand", model={"hop_length": 5, "p_s": 0.6}).data()
+        browser.send("create", scenario=loaded, running=False)
+        browser.until_message("scenario", loaded=2)
+        changed = {**loaded, "model": {**loaded["model"], "hop_length": 7, "p_s": 0.5}}
+        browser.send("create", scenario=changed, running=False, changed=True, id=1)
+        browser.until_message("done", id=1)
+        browser.send("compare", key="model.hop_length", value=5, id=2)
+        told = browser.until_message("scenario", run="b")["scenario"]
+        assert told["title"] == "Sand, changed: model.p_s 0.5"
+
+
+@pytest.mark.extended
 def test_alone_again_leads_back_to_the_run_that_was_compared_and_both_can_be_saved(served):
     with served.browser() as browser:
         browser.until_frame(lambda status: status["step"] >= 20)
@@ -285,7 +300,7 @@ def save_and_go_on(browser):
     browser.send("pause")
     browser.send("save", name="saved", id=1)
     saved = browser.until_message("done", id=1)["step"]
-    browser.send("run", steps=7)
+    browser.send("run", until=saved + 7)
     browser.until_frame(lambda status: status["step"] == saved + 7)
     return saved, saved + 7
 

@@ -141,6 +141,15 @@ def test_both_run_to_the_end_of_the_scenario_that_ends_first_and_on_and_on_from_
     assert pair.steps[0] > 5
 
 
+def test_steps_stop_at_the_end_of_the_scenario_and_are_all_done_from_there_on(pair):
+    pair.lockstep.ends = {"a": 5, "b": 9}
+    for wanted in (5, 13):
+        pair.lockstep.run(steps=8)
+        while pair.lockstep.running:
+            pair.meet()
+        assert pair.steps == [wanted, wanted]
+
+
 def stand(pair, **steps):
     for name, step in steps.items():
         pair.workers[name].step = step

@@ -35,7 +35,7 @@ def test_a_lost_run_goes_on_from_the_state_that_the_server_kept(eager, served):
         browser.send("revive", kept=kept)
         status = browser.until_frame(lambda status: status["step"] == kept)[0]["status"]
         assert not status["running"]
-        browser.send("run", steps=5)
+        browser.send("run", until=kept + 5)
         browser.until_frame(lambda status: status["step"] == kept + 5)
 
 

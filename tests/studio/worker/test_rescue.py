@@ -58,6 +58,27 @@ def test_no_number_of_a_request_ends_the_worker(bench, request_):
     assert bench.worker.commands.current.live.steps_done >= 0
 
 
+def test_a_number_of_steps_and_every_new_run_stop_where_the_scenario_ends(bench):
+    short = small(run={"steps": 6, "seed": 7, "save_every": 10}).data()
+
+    def rest() -> int:
+        run = bench.worker.commands.current
+        while run.busy:
+            bench.worker.work()
+        return run.live.steps_done
+
+    bench.send("start", scenario=short, number=2)
+    bench.send("run", steps=4)
+    assert rest() == 4
+    bench.send("run", steps=100)
+    assert rest() == 6
+    bench.send("run", steps=5)  # sent on past the end
+    assert rest() == 11
+    bench.send("wind", wind={"kind": "steady", "direction": 90})
+    bench.send("start", scenario={**short, "ground": {"kind": "bump"}}, number=3, changed=True, running=True)
+    assert rest() == 6
+
+
 def test_a_request_for_which_memory_is_lacking_is_refused_and_the_run_goes_on(bench, monkeypatch):
     def lacking(*_):
         raise MemoryError("Unable to allocate 32.0 GiB")

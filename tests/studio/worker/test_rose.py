@@ -4,9 +4,14 @@ import math
 
 import pytest
 
+from barchan.aeolian.saltation import Saltation
 from barchan.scenario import validate
 from barchan.simulation import Simulation
 from barchan.studio.worker.rose import rose_of
+from barchan.theory.wind_report import of_record
+from barchan.theory.wind_table import drift_rows
+from barchan.wind.records import read_record
+from barchan.wind.records.reading import SAMPLE
 
 TINY = {"barchan": 5, "lattice": {"rows": 16, "columns": 16}, "run": {"steps": 40, "seed": 1}}
 WEST, SOUTH = 12, 8  # of 16 sectors, clockwise from north
@@ -23,6 +28,20 @@ def test_two_winds_in_turn_share_the_time_and_move_sand_between_their_ways():
     # Equal amounts towards east and north: north-east, sqrt(1² + 1²) of the 2 that move.
     assert rose["toward"] == pytest.approx(45.0)
     assert rose["steadiness"] == pytest.approx(math.sqrt(2) / 2)
+
+
+def test_a_record_comes_with_the_rows_and_remarks_of_the_command_line():
+    """Of the record that ships with Barchan, as ``barchan wind`` prints them."""
+    told = rose_of(Simulation(validate({**TINY, "wind": {"kind": "record"}, "clock": {}})))
+    found = dict(told["rows"])
+    subject = of_record(read_record(SAMPLE), Saltation(), 1.0, "wind.columns.height")
+    for name, value, unit in (*subject.rows, *drift_rows(subject.found)):
+        if name not in ("", "dunes to expect"):  # which depends on the supply
+            assert found[name] == f"{value} {unit}".rstrip()
+    assert "energy high" in found["drift potential"]
+    assert "RDP/DP 0.56" in found["resultant"]
+    assert found["crests, gross transport"] == "azimuth 116°"
+    assert set(subject.found.remarks) <= set(told["remarks"])
 
 
 def test_a_wind_in_metres_per_second_has_its_class_of_speed_and_its_days():

@@ -43,6 +43,34 @@ def test_a_packed_table_without_a_suffix_is_read(tmp_path):
     assert is_plain(read_record(path))
 
 
+@pytest.mark.parametrize(
+    "heading",
+    [
+        "Date and Time", "Date & Time", "Station time", "Local time", "time_local", "valid_time", "Zeit",
+        "Station Date/Time", "Datum und Uhrzeit", "Fecha y hora", "Measurement Timestamp", "Observation date",
+    ],
+)  # fmt: skip
+def test_headings_that_say_a_time_in_more_words_are_the_time(tmp_path, heading):
+    assert is_plain(read_record(table(tmp_path, PLAIN.replace("time", heading, 1))))
+
+
+def test_a_date_and_a_time_of_a_station_are_joined(tmp_path):
+    text = PLAIN.replace("time", "Station date,Station time", 1).replace("T", ",")
+    assert is_plain(read_record(table(tmp_path, text)))
+
+
+@pytest.mark.parametrize("heading", ["Time zone", "Sunset", "Start time", "Time quality flag"])
+def test_what_may_be_no_time_is_asked_for(tmp_path, heading):
+    with pytest.raises(RecordError, match="no column for the time"):
+        read_record(table(tmp_path, PLAIN.replace("time", heading, 1)))
+
+
+def test_of_two_times_alike_one_is_asked_for(tmp_path):
+    text = PLAIN.replace("time", "Station time,Logger time", 1).replace("2024", "2024-01-01,2024")
+    with pytest.raises(RecordError, match="several columns may be the time: Station time, Logger time"):
+        read_record(table(tmp_path, text))
+
+
 def workbook(folder):
     book = openpyxl.Workbook()
     book.active.title = "remarks"

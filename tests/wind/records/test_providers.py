@@ -245,4 +245,5 @@ def test_the_format_of_a_provider_is_recognised_and_its_units_hold(tmp_path, nam
     assert record.height == height
     assert (len(record), record.missing, record.duplicates) == (60, 0, int(make is isd))
     assert not record.warnings
-    assert record.start is None if make is aeolis else str(record.start) == "2024-01-30T00:00:00"
+    start = "2024-01-29T23:00:00" if make is hobo else "2024-01-30T00:00:00"  # its heading names GMT+01:00
+    assert record.start is None if make is aeolis else str(record.start) == start

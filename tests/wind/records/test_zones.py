@@ -31,6 +31,20 @@ def test_a_stated_zone_turns_times_to_utc(tmp_path):
 
 
 @pytest.mark.parametrize(
+    ("heading", "start"),
+    [
+        ("DateTime (UTC+1)", "2023-12-31T23:00:00"),
+        ("Date and Time (UTC-03:30)", "2024-01-01T03:30:00"),
+        ("time GMT+0530", "2023-12-31T18:30:00"),
+        ("Station time (UTC)", "2024-01-01T00:00:00"),
+    ],
+)
+def test_a_zone_in_the_heading_turns_times_to_utc(tmp_path, heading, start):
+    record = read_record(winds(tmp_path, heading=heading))
+    assert (str(record.start), record.utc) == (start, True)
+
+
+@pytest.mark.parametrize(
     ("zone", "heading", "utc"), [("", "time", False), ("Z", "time", True), ("", "time_utc", True)]
 )
 def test_a_zone_is_known_by_times_or_heading(tmp_path, zone, heading, utc):

@@ -33,6 +33,8 @@ export class App {
   flat = false;
   /** Whether the browser has taken the graphics card away from the page for the moment. */
   graphicsLost = false;
+  /** Whether a model is being compiled, for which everything asked of its run waits. */
+  compiles = false;
   /** Whether two runs that are led together run; null where there is one. */
   pairRuns: boolean | null = null;
   /** The step that the server kept last of all runs, after one was lost; null where there is none. */
@@ -119,14 +121,14 @@ export class App {
     if (!this.watching || command.command === "confirm") this.connection.send(command);
   }
 
-  /** Send a command and wait for its answer; null where it was refused, which the page then says. */
-  async ask(command: Command): Promise<Message | null> {
-    return this.orSay(this.connection.ask(command));
+  /** Send a command and wait for its answer; null where it was refused, which the page then says of the keys that it is about. */
+  async ask(command: Command, about: string[] = []): Promise<Message | null> {
+    return this.orSay(this.connection.ask(command), about);
   }
 
-  /** Start a scenario; returns whether it runs. What is refused is said, and leaves the run as it was. */
-  async create(scenario: JsonObject, running = true, changed = false): Promise<boolean> {
-    return (await this.orSay(this.begin(scenario, running, changed))) ?? false;
+  /** Start a scenario; returns whether it runs. What is refused is said, of the changes of the keys that it is about, and leaves the run as it was. */
+  async create(scenario: JsonObject, running = true, changed = false, about: string[] = []): Promise<boolean> {
+    return (await this.orSay(this.begin(scenario, running, changed), about)) ?? false;
   }
 
   /** Start a scenario; ``changed`` where it came of the one that runs, else that is set aside. Returns whether that was wanted; throws where it is refused. */
@@ -141,20 +143,21 @@ export class App {
   }
 
   /** An answer; null where it was refused, which the page then says. */
-  private async orSay<T>(answer: Promise<T>): Promise<T | null> {
+  private async orSay<T>(answer: Promise<T>, about: string[] = []): Promise<T | null> {
     try {
       return await answer;
     } catch (error) {
-      this.refused(error);
+      this.refused(error, about);
       return null;
     }
   }
 
-  /** Say why something was refused, at the places that it concerns. */
-  refused(error: unknown): void {
-    if (error instanceof Refused && error.problems.length) {
-      for (const problem of error.problems) this.notices.note("error", problemText(problem), problem.key);
-    } else this.note("error", error instanceof Error ? error.message : String(error));
+  /** Say why something was refused, at the places that it concerns, in place of what was said of the same keys before. */
+  refused(error: unknown, about: string[] = []): void {
+    this.notices.settle(about);
+    const found = error instanceof Refused && error.problems.length ? error.problems.map((one) => [problemText(one), one.key] as const) : [];
+    const said = found.length ? found : [[error instanceof Error ? error.message : String(error), about[0] ?? ""] as const];
+    for (const [text, key] of said) this.notices.note("error", text, key).about = about;
   }
 
   /** Confirm the frames that were drawn, so that others may come. */
@@ -186,6 +189,7 @@ export class App {
     look: (message) => this.sharing.follow(message),
     compiling: (message) => {
       const functions = Number(message.functions);
+      this.compiles = true;
       if (functions === 0) this.note("info", "Compiling kernels; only the first run of a model does.");
       this.compiling.send(functions);
     },
@@ -256,6 +260,7 @@ export class App {
   /** Take frames over into their runs, all before anything is drawn of them. */
   private show(frames: Frame[]): void {
     const taken = new Set<Run>();
+    this.compiles = false;
     let opened = false;
     for (const frame of frames) {
       const run = this.run(frame.run);

@@ -15,7 +15,8 @@ export class Refused extends Error {
   }
 }
 
-export type Progress = (done: number, of: number) => void;
+/** How much of an answer is done, of how much, and why nothing comes of it for the moment; 0 of 0 where nobody knows how long it takes. */
+export type Progress = (done: number, of: number, why?: string) => void;
 
 interface Waiting {
   done: (message: Message) => void;

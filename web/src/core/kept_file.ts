@@ -3,6 +3,9 @@
 import type { App } from "./app";
 import type { Progress } from "./connection";
 
+/** Milliseconds between two looks at whether a model is still being compiled. */
+const LOOK_AGAIN = 500;
+
 export interface KeptFile {
   path: string;
   /** The heights that it holds, if it does. */
@@ -16,8 +19,11 @@ export interface KeptFile {
  */
 export async function keepFile(app: App, file: File, progress: Progress, signal: AbortSignal): Promise<KeptFile> {
   const { path } = await app.connection.upload<{ path: string }>(`upload?name=${encodeURIComponent(file.name)}`, file, progress, signal);
-  progress(0, 0);
-  const answers = await Promise.all(app.runs.map((run) => app.connection.ask({ command: "inspect", path, run: run.name }, undefined, signal)));
+  const reading = () => progress(0, 0, app.compiles ? "This waits until the model is compiled." : "");
+  reading();
+  const again = setInterval(reading, LOOK_AGAIN);
+  const asked = app.runs.map((run) => app.connection.ask({ command: "inspect", path, run: run.name }, undefined, signal));
+  const answers = await Promise.all(asked).finally(() => clearInterval(again));
   signal.throwIfAborted();
   return { path, heights: answers[0]!.heights as unknown as KeptFile["heights"] };
 }

@@ -12,6 +12,8 @@ export interface Entry {
   text: string;
   /** The key of the scenario that it concerns; empty where there is none. */
   key: string;
+  /** Keys whose change was refused; a value that any of them takes since settles it. */
+  about?: string[] | undefined;
   /** What its user can do about it. */
   way?: Way | undefined;
 }
@@ -64,11 +66,13 @@ export class Notices {
     this.changed.send();
   }
 
-  /** Take away the refusals of keys, for values of them that were taken since. */
+  /** Take away the refusals of keys, and of changes of them, for values of them that were taken since. */
   settle(keys: string[]): void {
     const settled = (key: string) => keys.some((one) => one === key || key.startsWith(`${one}.`));
     const before = this.standing.length + this.troubles.size;
-    this.standing = this.standing.filter((one) => !settled(one.key));
+    const stays = ({ key, about = [] }: Entry) => !settled(key) && !about.some(settled);
+    for (const { key } of this.standing.filter((one) => !stays(one))) this.troubles.delete(key);
+    this.standing = this.standing.filter(stays);
     for (const key of this.troubles.keys()) if (settled(key)) this.troubles.delete(key);
     if (this.standing.length + this.troubles.size < before) this.changed.send();
   }

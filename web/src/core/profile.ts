@@ -8,6 +8,9 @@ const SLOPE_CELLS = 2;
 
 export interface Profile {
   distance: Float32Array;
+  /** Metres from the south-west corner. */
+  x: Float32Array;
+  y: Float32Array;
   surface: Float32Array;
   ground: Float32Array;
   shadow: Float32Array | null;
@@ -21,6 +24,8 @@ export function profile(run: Run, line: SectionLine): Profile {
   const shadow = run.fields.get("shadow");
   return {
     distance: places.distance,
+    x: places.x,
+    y: places.y,
     surface,
     ground: along(run.ground, places, lattice),
     shadow: shadow ? along(shadow, places, lattice) : null,

@@ -56,6 +56,13 @@ export interface Lattice {
   periodic: [boolean, boolean];
 }
 
+/** Where on Earth a field lies: easting and northing (m) of its south-west corner, and the reference system where it is known. */
+export interface Place {
+  west: number;
+  south: number;
+  crs: string | null;
+}
+
 export interface Measure {
   name: string;
   title: string;
@@ -98,6 +105,8 @@ export interface Strata {
 export interface Description {
   scenario: JsonObject;
   lattice: Lattice;
+  /** Null where the ground has no coordinates. */
+  place: Place | null;
   model: { name: string; title: string; citation: string };
   models: Record<string, string>;
   /** The material that each model moves, by the model's name: sand, for instance. */
@@ -110,6 +119,8 @@ export interface Description {
   /** What a section can show of the layers; empty for a model that keeps none. */
   strata: Strata[];
   measures: Measure[];
+  /** How long a step lasts (s); null where steps have no duration. */
+  step_seconds: number | null;
   /** Steps from one measurement to the next at first, and rows until that doubles. */
   measured_every: number;
   measured_rows: number;

@@ -3,11 +3,11 @@
 import type { App } from "../core/app";
 import type { Status } from "../core/protocol";
 import { namesOf, titleOfShown } from "../core/run";
-import { button, duration, h, metres, short } from "./dom";
+import { button, h, metres, short } from "./dom";
 import { icon } from "./icons";
 import { NumberField } from "./number_field";
 import { Speed } from "./speed";
-import { stepsOf } from "./steps";
+import { stepsOf, timesOf } from "./steps";
 import { watchingNote } from "./watching";
 
 export class Bar {
@@ -106,10 +106,11 @@ export class Bar {
     if (!status || !description) return;
     this.numbers.volume!.previousElementSibling!.textContent = run!.material;
     this.limit.show(status.limit);
+    const statuses = this.app.runs.map((one) => one.status);
     const texts: Record<string, string> = {
-      step: stepsOf(this.app.runs.map((one) => one.status)),
+      step: stepsOf(statuses),
       rate: running ? short(status.rate, 3) : "paused",
-      clock: status.time === null || status.time === undefined ? "" : duration(status.time),
+      clock: timesOf(statuses),
       highest: this.ofRuns((one) => short(one.highest)) ?? `${short(status.highest)} · ${metres(status.deepest, 3)}`,
       volume: `${this.ofRuns((one) => short(one.volume)) ?? short(status.volume)} m³`,
     };

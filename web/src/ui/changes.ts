@@ -30,5 +30,5 @@ function row(text: string, act: (() => void) | false): HTMLElement {
 /** Set the value before again, from now on. */
 function undo(app: App, { key, before }: Change): void {
   const run = app.selected;
-  void app.ask(key === "wind" ? { command: "wind", wind: before, run } : { command: "set", key, value: before, run });
+  void app.ask(key === "wind" ? { command: "wind", wind: before, run } : { command: "set", key, value: before, run }, [key]).then((answer) => answer && app.notices.settle([key]));
 }

@@ -36,6 +36,8 @@ export type Submit = (progress: Progress, signal: AbortSignal) => Promise<void>;
 /** What stands at the foot of a sheet while it works: how far that is, and the ways to break it off. */
 class Work {
   readonly bar = h("progress", { "aria-label": "Progress" });
+  /** Why nothing comes of it for the moment. */
+  readonly why = h("p", { className: "hint", role: "status", hidden: true });
   readonly stop = h("button", { type: "button", onclick: () => this.breakOff() }, "cancel");
   /** Shown where somebody is about to leave the sheet. */
   readonly question: HTMLElement;
@@ -53,14 +55,16 @@ class Work {
     return this.running.signal;
   }
 
-  readonly progress: Progress = (done, of) => {
+  readonly progress: Progress = (done, of, why = "") => {
     this.bar.hidden = this.stop.hidden = false;
+    this.why.hidden = why === "";
+    if (this.why.textContent !== why) this.why.textContent = why;
     showOn(this.bar, done, of);
   };
 
   end(): void {
     this.running = null;
-    this.bar.hidden = this.stop.hidden = true;
+    this.bar.hidden = this.stop.hidden = this.why.hidden = true;
     this.ask(false);
   }
 
@@ -105,7 +109,7 @@ export function formDialog(title: string, action: string, submit: Submit, ...con
       work.end();
     }
   };
-  const form = h("form", { method: "dialog", onsubmit: (event: Event) => void send(event) }, ...content.filter((one) => one !== false), trouble, work.bar, h("div", { className: "buttons" }, button, work.stop), work.question);
+  const form = h("form", { method: "dialog", onsubmit: (event: Event) => void send(event) }, ...content.filter((one) => one !== false), trouble, work.why, work.bar, h("div", { className: "buttons" }, button, work.stop), work.question);
   const element = dialog(title, "small", form);
   work.guard(element);
   return element;
@@ -118,7 +122,7 @@ export async function working(title: string, act: Submit): Promise<void> {
   let sheet: HTMLDialogElement | undefined;
   const soon = setTimeout(() => {
     work.bar.hidden = work.stop.hidden = false;
-    sheet = dialog(title, "small", work.bar, h("div", { className: "buttons" }, work.stop), work.question);
+    sheet = dialog(title, "small", work.why, work.bar, h("div", { className: "buttons" }, work.stop), work.question);
     work.guard(sheet);
   }, SOON);
   try {

@@ -149,7 +149,7 @@ export class Files {
       void blow(this.app, SHIPPED, SHIPPED_NAME).catch((error) => this.app.refused(error));
     };
     const clock = (await needsClock(this.app)) ? [h("p", { className: "hint" }, "A record blows by a clock, which this scenario does not have: it gets one with its defaults, and the run begins again.")] : [];
-    return [...clock, h("p", {}, "Or try it out with ", h("button", { type: "button", className: "quiet", onclick: shipped }, SHIPPED_NAME), ".")];
+    return [...clock, h("p", {}, "Or try it out with ", h("button", { type: "button", className: "quiet inline", onclick: shipped }, SHIPPED_NAME), ".")];
   }
 
   private choose(): void {
@@ -186,6 +186,7 @@ export class Files {
       codes.length ? `${codes.join(", ")} taken as cells without a height` : "",
     ];
     await this.app.begin({ ...scenario, ...this.lattice(scenario, kept), ground }, true, true);
+    this.app.notices.settle(["ground", "lattice"]);
     this.app.note("info", `${said.filter(Boolean).join(", ")}; see Ground in the panel.`);
   }
 

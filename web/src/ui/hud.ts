@@ -7,13 +7,15 @@ import { slopes } from "../scene/smooth";
 import { h, heights, metres, short, svg } from "./dom";
 import { scaleLength, scalesOf } from "./legend";
 import { LegendBox } from "./legend_box";
+import { stepsOf, timesOf, windsOf } from "./steps";
 
 const BAR = 110;
 
 export class Hud {
   readonly element: HTMLElement;
   private readonly rose = svg("g", {});
-  private readonly wind = svg("g", { class: "wind" }, svg("line", { x1: 0, y1: -30, x2: 0, y2: 24 }), svg("path", { d: "M0 30 L-6 17 L6 17 Z" }));
+  /** The winds of the left and of the right run; the latter where it blows otherwise. */
+  private readonly winds = ["wind", "wind beside"].map((name) => svg("g", { class: name }, svg("line", { x1: 0, y1: -30, x2: 0, y2: 24 }), svg("path", { d: "M0 30 L-6 17 L6 17 Z" })));
   private readonly windText = h("span", { className: "wind-text" });
   private readonly scale = h("div", { className: "scale" });
   private readonly steeper = h("div", { className: "steeper", title: "Heights are drawn this many times as steep as they are (View, vertical exaggeration)" });
@@ -29,7 +31,7 @@ export class Hud {
     this.rose.append(
       ...[0, 90, 180, 270].map((angle) => svg("line", { x1: 0, y1: -36, x2: 0, y2: -32, transform: `rotate(${angle})`, class: "mark" })),
       svg("text", { x: 0, y: -38 }, "N"),
-      this.wind,
+      ...this.winds,
     );
     const compass = svg("svg", { viewBox: "-50 -52 100 104", width: 92, height: 96, role: "img", "aria-label": "Compass; the arrow shows where the wind blows" }, svg("circle", { r: 36, class: "face" }), this.rose);
     this.legends = [new LegendBox(app), new LegendBox(app, "right")];
@@ -70,19 +72,37 @@ export class Hud {
     if (!run?.ready) return;
     const heading = (this.stage.heading() * 180) / Math.PI;
     this.rose.setAttribute("transform", `rotate(${-heading})`);
-    this.wind.setAttribute("transform", `rotate(${run.status!.wind})`);
-    this.windText.textContent = `wind from ${short(run.status!.wind, 3)}°`;
+    this.drawWinds();
     this.drawScale();
     this.drawColours();
     const two = this.app.runs.length > 1;
     this.names.hidden = !two;
     if (two) {
-      const names = namesOf(this.app.runs).map((name, at) => `${name} · step ${short(this.app.runs[at]!.status?.step, 9)}`);
+      const names = namesOf(this.app.runs).map((name, at) => [name, ...this.stand(at)].join(" · "));
       if (this.names.dataset.text !== names.join("|")) {
         this.names.dataset.text = names.join("|");
         this.names.replaceChildren(...names.map((name) => h("span", {}, name)));
       }
     }
+  }
+
+  private drawWinds(): void {
+    const statuses = this.app.runs.map((one) => one.status);
+    const differ = windsOf(statuses).includes("|");
+    this.winds.forEach((arrow, at) => {
+      arrow.style.display = at && !differ ? "none" : "";
+      arrow.setAttribute("transform", `rotate(${statuses[at]?.wind ?? 0})`);
+    });
+    this.windText.textContent = `wind from ${windsOf(statuses)}`;
+  }
+
+  /** Where one of two runs stands: its step, and its time and its wind where they are not those of the other. */
+  private stand(at: number): string[] {
+    const all = this.app.runs.map((run) => run.status);
+    const own = [all[at]];
+    const time = timesOf(all).includes("|") && timesOf(own);
+    const wind = windsOf(all).includes("|") && `wind from ${windsOf(own)}`;
+    return [`step ${stepsOf(own)}`, time, wind].filter((text) => text !== false);
   }
 
   private drawScale(): void {

@@ -194,7 +194,7 @@ export class Panel {
   }
 
   private async set(key: string, value: Json): Promise<void> {
-    if (await this.app.ask({ command: "set", key, value, run: this.app.selected })) this.app.notices.settle([key]);
+    if (await this.app.ask({ command: "set", key, value, run: this.app.selected }, [key])) this.app.notices.settle([key]);
     else this.shown = ""; // the row shows the accepted value again
   }
 
@@ -208,8 +208,9 @@ export class Panel {
     const accepted = this.app.current?.description?.scenario;
     if (!accepted || !changes.length) return;
     const scenario = changes.reduce<Json>((data, [path, value]) => replaced(data, path, value), accepted);
-    if (await this.app.create(scenario as JsonObject, true, true)) {
-      this.app.notices.settle(changes.map(([path]) => path.join(".")));
+    const keys = changes.map(([path]) => path.join("."));
+    if (await this.app.create(scenario as JsonObject, true, true, keys)) {
+      this.app.notices.settle(keys);
       const made = changes.map(([path, value]) => ({ path, before: at(accepted, path) ?? null, value }));
       this.app.restarts.push(...made);
       noteRestart(this.app, made);
@@ -248,7 +249,7 @@ export class Panel {
       this.refresh();
       return this.fromFile();
     }
-    const answer = await this.app.ask({ command: "variant", group, value: whole[group] ?? null });
+    const answer = await this.app.ask({ command: "variant", group, value: whole[group] ?? null }, [group]);
     if (!answer) return this.refresh();
     this.unsent.push([[group], answer.value as Json]);
     this.submit();

@@ -4,9 +4,9 @@ import type { App } from "../core/app";
 import { namesOf } from "../core/run";
 import type { Shot } from "../scene/shots";
 import type { Stage } from "../scene/stage";
-import { duration, heights, metres, short } from "./dom";
+import { heights, metres } from "./dom";
 import { type Scale, drawBar, legendOf, scaleLength, scalesOf } from "./legend";
-import { stepsOf } from "./steps";
+import { stepsOf, timesOf, windsOf } from "./steps";
 
 /** What a picture may have over its scene. */
 export interface Words {
@@ -28,12 +28,13 @@ export function titleLines(app: App, { statuses }: Pick<Shot, "statuses">, headi
   const run = app.current;
   const [description, status] = [run?.description, run && statuses.get(run)];
   if (!description || !status) return [];
-  const time = status.time === null ? "" : ` · ${duration(status.time)}`;
+  const all = app.runs.map((one) => statuses.get(one));
+  const time = timesOf(all);
   const seed = (description.scenario.run as { seed?: number }).seed;
   return [
     ...(heading ? [heading] : []),
     namesOf(app.runs).join("  |  "),
-    `step ${stepsOf(app.runs.map((one) => statuses.get(one)))}${time} · seed ${seed ?? "–"} · Barchan ${app.version}`,
+    `step ${stepsOf(all)}${time && ` · ${time}`} · seed ${seed ?? "–"} · Barchan ${app.version}`,
   ];
 }
 
@@ -124,13 +125,14 @@ class Writer {
   private compass(): void {
     const { c, u, margin } = this;
     const [radius, half] = [44 * u, 66 * u];
-    const wind = this.shot.statuses.get(this.app.current!)?.wind ?? 0;
+    const statuses = this.app.runs.map((run) => this.shot.statuses.get(run));
+    const winds = [...new Set(statuses.flatMap((status) => status?.wind ?? []))];
     c.save();
     c.translate(this.shot.canvas.width - margin - half, margin + radius);
     this.card(-half, -radius, 2 * half, 2 * radius + 30 * u);
     this.font(15);
     c.textAlign = "center";
-    c.fillText(`wind from ${short(wind, 3)}°`, 0, radius + 20 * u, 2 * half - 8 * u);
+    c.fillText(`wind from ${windsOf(statuses)}`, 0, radius + 20 * u, 2 * half - 8 * u);
     c.rotate(-this.shot.heading);
     c.lineWidth = 2 * u;
     for (let quarter = 0; quarter < 4; quarter++) {
@@ -141,6 +143,15 @@ class Writer {
       else c.fillText("N", 0, -0.66 * radius);
       c.rotate(Math.PI / 2);
     }
+    for (const [at, wind] of winds.entries()) this.arrow(wind, radius, at > 0);
+    c.restore();
+  }
+
+  /** An arrow from the centre of a compass; that of the right one of two runs is fainter. */
+  private arrow(wind: number, radius: number, faint: boolean): void {
+    const { c, u } = this;
+    c.save();
+    c.globalAlpha = faint ? 0.5 : 1;
     c.rotate((wind * Math.PI) / 180);
     c.lineWidth = 4 * u;
     c.beginPath();

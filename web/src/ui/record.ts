@@ -29,7 +29,7 @@ export async function blow(app: App, wind: JsonObject, name: string): Promise<vo
 /** Let a record blow from now on; where that takes a clock ask first, for the run would begin again. */
 export async function offerToBlow(app: App, wind: JsonObject, name: string): Promise<void> {
   if (!(await needsClock(app))) return blow(app, wind, name);
-  const act = () => void withClock(app, wind, name).catch((error) => app.refused(error));
+  const act = () => void withClock(app, wind, name).catch((error) => app.refused(error, ["wind"]));
   app.notices.note("warning", `The winds of ${name} blow by a clock, which this scenario does not have.`, "wind", true, { name: "add a clock and begin again", act });
 }
 

@@ -8,7 +8,7 @@ import type { Stage } from "../scene/stage";
 import { button, copyText, h, short, suitedLength } from "./dom";
 import { NumberField } from "./number_field";
 
-const ROWS: [string, string, (of: Distance) => string][] = [
+const VALUES: [string, string, (of: Distance) => string][] = [
   ["distance", "Metres on a map", (of) => suitedLength(of.horizontal)],
   ["height difference", "How much higher the surface is at the second place", (of) => suitedLength(of.rise)],
   ["along the surface", "Length of the profile, with every step of its cells", (of) => suitedLength(of.surface)],
@@ -42,11 +42,10 @@ export class Ruler {
         "header",
         {},
         h("h2", {}, "Ruler"),
+        h("div", { className: "places" }, "from", ...fields.slice(0, 2), "to", ...fields.slice(2), "m"),
         button("Copy the values", "copy", () => void this.copy()),
         h("button", { type: "button", className: "close", title: "Close (M)", "aria-label": "Close the ruler", onclick: () => this.toggle() }, "×"),
       ),
-      h("div", { className: "places" }, "from", ...fields.slice(0, 2), "m"),
-      h("div", { className: "places" }, "to", ...fields.slice(2), "m"),
       this.table,
       this.hint,
     );
@@ -84,9 +83,10 @@ export class Ruler {
     this.show();
   }
 
-  /** The mouse was let go: after a drag the second place is there. */
+  /** The mouse was let go: after a drag the second place is there, after a click only the first, however the mouse trembled. */
   release(dragged: boolean): void {
     if (dragged) this.half = false;
+    else if (this.half && this.line) this.line = [this.line[0], this.line[1], this.line[0], this.line[1]];
     this.show();
   }
 
@@ -109,20 +109,29 @@ export class Ruler {
     const [w, d] = [columns * cell_size, rows * cell_size];
     this.stage.showRuler(this.line && [this.line[0] / w, this.line[1] / d, this.line[2] / w, this.line[3] / d]);
     this.hint.hidden = this.line !== null && !this.half;
+    const known = this.second ? 4 : 2;
     this.line?.forEach((place, at) => {
       const input = this.inputs[at]!;
-      if (input.element !== document.activeElement || !this.half) input.show(Number(place.toPrecision(5)));
+      if (input.element !== document.activeElement || !this.half) input.show(at < known ? Number(place.toPrecision(5)) : null);
     });
     this.table.replaceChildren(...this.rows());
   }
 
-  /** A row for each value, a column for each run. */
+  /** Whether there is a second place, or the mouse is over one: the first place alone is none. */
+  private get second(): boolean {
+    const { line } = this;
+    return line !== null && !(this.half && line[0] === line[2] && line[1] === line[3]);
+  }
+
+  /** A column for each value, a row for each run: low, so that the field below stays free. */
   private rows(): HTMLElement[] {
     const { line } = this;
-    const runs = line ? this.app.runs.filter((run) => run.ready) : [];
-    const found = runs.map((run) => distance(run, line!));
-    const head = runs.length > 1 ? [h("tr", {}, h("th", {}), ...runs.map((run) => h("th", { scope: "col" }, this.name(run))))] : [];
-    return [...head, ...ROWS.map(([name, title, text]) => h("tr", { title }, h("th", { scope: "row" }, name), ...found.map((one) => h("td", {}, text(one)))))];
+    const runs = line && this.second ? this.app.runs.filter((run) => run.ready) : [];
+    if (!line || !runs.length) return [];
+    const two = runs.length > 1;
+    const head = h("tr", {}, two && h("th", {}), ...VALUES.map(([name, title]) => h("th", { scope: "col", title }, name)));
+    const values = (of: Distance) => VALUES.map(([, title, text]) => h("td", { title }, text(of)));
+    return [head, ...runs.map((run) => h("tr", {}, two && h("th", { scope: "row" }, this.name(run)), ...values(distance(run, line))))];
   }
 
   private name(run: Run): string {

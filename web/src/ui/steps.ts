@@ -1,9 +1,26 @@
-/** The step that is shown in words. */
+/** The step, the time and the wind that are shown, in words; of two that differ the left one's first. */
 
 import type { Status } from "../core/protocol";
-import { short } from "./dom";
+import { duration, short } from "./dom";
 
-/** The step of the runs that are shown; where two stand apart both steps, the left one's first. */
-export function stepsOf(statuses: (Status | null | undefined)[]): string {
-  return [...new Set(statuses.flatMap((status) => (status ? [short(status.step, 9)] : [])))].join(" | ");
+type Statuses = (Status | null | undefined)[];
+
+/** The step of the runs that are shown; where two stand apart both steps. */
+export function stepsOf(statuses: Statuses): string {
+  return each(statuses, ({ step }) => short(step, 9));
+}
+
+/** The time of the runs that are shown; empty where steps have no duration. */
+export function timesOf(statuses: Statuses): string {
+  return each(statuses, ({ time }) => (time === null || time === undefined ? null : duration(time)));
+}
+
+/** Where the winds of the runs that are shown come from. */
+export function windsOf(statuses: Statuses): string {
+  return each(statuses, ({ wind }) => `${short(wind, 3)}°`);
+}
+
+function each(statuses: Statuses, told: (status: Status) => string | null): string {
+  const all = statuses.flatMap((status) => (status ? (told(status) ?? []) : []));
+  return [...new Set(all)].join(" | ");
 }

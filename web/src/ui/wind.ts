@@ -1,6 +1,6 @@
 /** The wind: a dial, the list of regimes, and forms for every other kind. */
 
-import type { App } from "../core/app";
+import { type App, PREPARING } from "../core/app";
 import type { Json, JsonObject } from "../core/protocol";
 import { entryOf, replaced } from "../core/schema";
 import { Dial } from "./dial";
@@ -11,6 +11,7 @@ import { SHIPPED_NAME } from "./record";
 import { RefreshGuard } from "./refresh_guard";
 import { RefusedTexts } from "./refused_texts";
 import { roses } from "./rose";
+import { windWords } from "./wind_words";
 import { labelOf } from "../core/labels";
 import { lasting } from "./ramp";
 
@@ -21,6 +22,8 @@ export class WindPanel {
   private chosen = 0;
   private readonly guard: RefreshGuard;
   private readonly refused: RefusedTexts;
+  /** Roses, drift potential and remarks of the wind that the panel names. */
+  private readonly rose = h("div", { "data-rose": "" });
   /** Whether a change made here is still to be sent. */
   private unsent = false;
   private readonly send = later(60, () => {
@@ -42,7 +45,7 @@ export class WindPanel {
 
   /** Let the wind blow; one that is refused leaves the one that blew before. */
   private async tell(): Promise<void> {
-    if (await this.app.ask({ command: "wind", wind: this.wind })) this.app.notices.settle(["wind"]);
+    if (await this.app.ask({ command: "wind", wind: this.wind }, ["wind"])) this.app.notices.settle(["wind"]);
     else this.refresh();
   }
 
@@ -80,14 +83,13 @@ export class WindPanel {
     kinds.dataset.path = "wind.kind";
     const body =
       "regimes" in this.wind ? this.regimes() : "direction" in this.wind ? this.steady() : this.form(this.kind, []);
-    const rose = h("div", { "data-rose": "" }, ...(this.element.querySelector("[data-rose]")?.children ?? []));
     const open = new Set([...this.element.querySelectorAll("details[open]")].map((one) => one.id));
     const another: HTMLElement[] = this.kind === "record" ? [h("button", { type: "button", className: "quiet", onclick: this.fromFile }, "use another record …")] : [];
     if (another.length && !this.wind.path) another.unshift(h("p", { className: "hint" }, `The winds are of ${SHIPPED_NAME}.`));
     const rows = [
       h("div", { className: "row" }, h("span", {}, "kind"), h("div", { className: "control" }, kinds)),
       ...another,
-      rose,
+      this.rose,
       ...body,
       h("p", { className: "hint" }, `Changes blow at once.${"regimes" in this.wind || "direction" in this.wind ? " Drag the dial’s head to where the wind comes from; with Shift it turns by less than 5°." : ""}`),
     ];
@@ -95,11 +97,21 @@ export class WindPanel {
     for (const details of this.element.querySelectorAll("details")) details.open = open.has(details.id);
   }
 
-  /** Show the roses of the wind that blows. */
+  /** Show the roses of the wind that blows, and until they come none of another wind. */
   private async drawRose(): Promise<void> {
+    const wind = this.shown;
+    const details = this.rose.querySelector("details")?.open;
+    this.rose.classList.add("coming");
+    const late = setTimeout(() => {
+      if (wind === this.shown) this.rose.replaceChildren(h("p", { className: "hint", role: "status" }, "The roses of this wind are being prepared …"));
+      this.rose.classList.remove("coming");
+    }, PREPARING);
     const answer = await this.app.ask({ command: "rose", run: this.app.selected });
+    clearTimeout(late);
+    if (wind !== this.shown) return;
     const rose = answer?.rose as JsonObject | null | undefined;
-    this.element.querySelector("[data-rose]")?.replaceChildren(...(rose ? [roses(rose)] : []));
+    this.rose.replaceChildren(...(rose ? [roses(rose), windWords(rose, details ?? true)] : []));
+    this.rose.classList.remove("coming");
   }
 
   private steady(): HTMLElement[] {
@@ -225,7 +237,7 @@ export class WindPanel {
     const first: JsonObject = kind === "regimes" ? { regimes: [{ direction, steps: 100 }] } : {};
     const { model, clock } = this.app.current!.description!.scenario;
     const beside = { model: model ?? null, clock: clock ?? null };
-    const answer = await this.app.ask({ command: "variant", group: "wind", value: { kind, ...first }, beside });
+    const answer = await this.app.ask({ command: "variant", group: "wind", value: { kind, ...first }, beside }, ["wind"]);
     if (!answer) return this.refresh();
     this.wind = answer.value as JsonObject;
     if ("direction" in this.wind) this.wind = { ...this.wind, direction };

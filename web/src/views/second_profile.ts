@@ -27,18 +27,29 @@ export function placed({ run, profile: p }: Second, first: Run, at: number): str
   return `${nameBeside(run, first)}: elevation ${metres(p.surface[at])}, slope ${p.slope[at]!.toFixed(1)}°${lee}`;
 }
 
-/** The profiles of one run, or of two along the same line, as a table of text. */
+type Column = [string, (i: number) => string];
+
+/** The profiles of one run, or of two along the same line, as a table of text: distance, place, then each run. */
 export function sectionCsv(run: Run, own: Profile, second: Second | null): string {
-  const columns = (p: Profile, mark: string): [string, (i: number) => string][] => [
+  const values = (p: Profile, mark: string): Column[] => [
     [`elevation${mark}_m`, (i) => p.surface[i]!.toFixed(4)],
     [`ground${mark}_m`, (i) => p.ground[i]!.toFixed(4)],
     [`slope${mark}_degrees`, (i) => p.slope[i]!.toFixed(4)],
     [`shadow${mark}`, (i) => (p.shadow ? String(Number(p.shadow[i]! > 0.5)) : "")],
   ];
-  const named = (one: Run, other: Run): [string, (i: number) => string] => [`name_${one.name}`, () => cell(nameBeside(one, other))];
-  const all = second
-    ? [named(run, second.run), ...columns(own, `_${run.name}`), named(second.run, run), ...columns(second.profile, `_${second.run.name}`)]
-    : columns(own, "");
-  const rows = Array.from(own.distance, (d, i) => [d.toFixed(4), ...all.map(([, value]) => value(i))].join());
-  return `${[["distance_m", ...all.map(([name]) => name)].join(), ...rows].join("\n")}\n`;
+  const named = (one: Run, other: Run): Column => [`name_${one.name}`, () => cell(nameBeside(one, other))];
+  const runs = second
+    ? [named(run, second.run), ...values(own, `_${run.name}`), named(second.run, run), ...values(second.profile, `_${second.run.name}`)]
+    : values(own, "");
+  const columns: Column[] = [["distance_m", (i) => own.distance[i]!.toFixed(4)], ...places(run, own), ...runs];
+  const rows = Array.from(own.distance, (_, i) => columns.map(([, value]) => value(i)).join());
+  return `${[columns.map(([name]) => name).join(), ...rows].join("\n")}\n`;
+}
+
+/** Where each point lies: within the field, and in the ground's reference system where it has one. */
+function places(run: Run, { x, y }: Profile): Column[] {
+  const place = run.description!.place;
+  const within: Column[] = [["x_m", (i) => x[i]!.toFixed(3)], ["y_m", (i) => y[i]!.toFixed(3)]];
+  if (!place) return within;
+  return [...within, ["easting_m", (i) => (place.west + x[i]!).toFixed(3)], ["northing_m", (i) => (place.south + y[i]!).toFixed(3)]];
 }

@@ -6,6 +6,7 @@ import { type Profile, ends, profile } from "../core/profile";
 import { type SectionLine, alongWind } from "../core/section";
 import type { Stage } from "../scene/stage";
 import { nameBeside } from "../core/run";
+import { SectionEnds } from "./section_ends";
 import { SectionLegend, sectionItems } from "./section_legend";
 import { drawShadows, drawSurface } from "./section_marks";
 import { type Second, placed, secondProfile, sectionCsv } from "./second_profile";
@@ -13,7 +14,7 @@ import { SectionLayers } from "./strata";
 import { button, download, fitCanvas, h, heights, lengthUnit, metres, short, themeColour, ticks } from "../ui/dom";
 import { stepsOf } from "../ui/steps";
 
-const MARGIN = { left: 54, right: 14, top: 12, bottom: 30 };
+const MARGIN = { left: 54, right: 14, top: 24, bottom: 30 };
 /** A layer deeper than this multiple of its relief is not shown down to the ground. */
 const DEEP = 3;
 
@@ -29,6 +30,7 @@ export class SectionView {
   private hover: number | null = null;
   private visible = false;
   private readonly layers: SectionLayers;
+  private readonly ends: SectionEnds;
 
   constructor(
     private readonly app: App,
@@ -36,6 +38,7 @@ export class SectionView {
     drawLine: () => void,
   ) {
     this.layers = new SectionLayers(app, () => this.draw());
+    this.ends = new SectionEnds(app, (line) => this.put(line));
     this.element = h(
       "div",
       { className: "view" },
@@ -45,6 +48,7 @@ export class SectionView {
         button("Drag a line over the field (L)", "draw a line", drawLine),
         button("Along the wind through the middle", "along the wind", () => this.put(null)),
         button("Save the section as CSV", "save CSV", () => this.save()),
+        this.ends.element,
         this.layers.choice,
         this.readout,
       ),
@@ -92,6 +96,7 @@ export class SectionView {
     const [x0, y0, x1, y1] = this.current(run);
     const { columns, rows, cell_size } = run.description!.lattice;
     const [w, d] = [columns * cell_size, rows * cell_size];
+    this.ends.show([x0, y0, x1, y1]);
     this.stage.showSection([x0 / w, y0 / d, x1 / w, y1 / d]);
   }
 

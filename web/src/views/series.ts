@@ -92,8 +92,10 @@ export class SeriesView {
     this.drawnAt = performance.now();
     this.centreCrests();
     this.names.replaceChildren(...namesWithLines(this.app.runs));
-    for (const { measure, chart, value } of this.charts) {
-      chart.setData(this.data(measure.name));
+    for (const { measure, box, chart, value } of this.charts) {
+      const data = this.data(measure.name);
+      box.classList.toggle("bare", !data.slice(1).some((values) => Array.from(values!).some((one) => one != null)));
+      chart.setData(data);
       const found = this.app.runs.map((run) => lastOf(run, measure.name));
       const parts = found.map(({ text }, at) => h("b", { className: this.app.runs.length > 1 ? `run-${at}` : "" }, text));
       value.replaceChildren(...parts.flatMap((part, at) => (at ? [" | ", part] : [part])), measure.unit === "-" ? "" : ` ${measure.unit}`);
@@ -212,7 +214,7 @@ export class SeriesView {
 function lastOf(run: Run, name: string): { text: string; doubt: string } {
   const last = run.measures.findLast((row) => row.values[name] != null)?.values[name];
   const doubt = run.measures.at(-1)?.doubts[name] ?? "";
-  return { text: `${short(last ?? null, 3)}${doubt && " ?"}`, doubt };
+  return { text: last == null ? "no value yet" : `${short(last, 3)}${doubt && " ?"}`, doubt };
 }
 
 /** The names of two runs, each with the line that its measures have; none where there is one run. */

@@ -44,10 +44,12 @@ class Lockstep:
     def run(self, steps: int | None = None, until: int | None = None) -> None:
         """Run a number of steps, or up to a step; else to the scenario's end, and from there on and on.
 
+        A number of steps stops at the scenario's end, too, where that is ahead.
+
         Of two that stand at different steps the one that is behind comes to the step of the other one first.
         """
         at, end = self._step, min(self.ends.values(), default=0)
-        if steps is None and until is None and at < end:
+        if until is None and at < end:
             until = end
         self._left = None if steps is None else max(1, int(steps))
         self._until = None if until is None else int(until)

@@ -44,6 +44,8 @@ class Session:
         self.workers: dict[str, WorkerHandle] = {}
         self.scenarios: dict[str, dict[str, Any]] = {}
         """The scenario of each worker, as changes during the run have left it."""
+        self.origins: dict[str, dict[str, Any]] = {}
+        """The scenario that was loaded into each worker, of which its own came by changes on the page."""
         self.starts = Starts()
         self.kept = KeptStates()
         self.aside = Aside(self)
@@ -203,6 +205,7 @@ class Session:
         if worker is not None:
             worker.close()
         self.scenarios.pop(SECOND, None)
+        self.origins.pop(SECOND, None)
         self.kept.forget(SECOND)
         self.audience.forget(SECOND)
         self.report_runs()

@@ -58,7 +58,10 @@ def compare(session: "Session", request: Request) -> None:
     from_one = session.lockstep is None
     if from_one:
         session.workers[FIRST].send("keep")
-    beside = {SECOND: {"origin": first, **_id_of(request)}, FIRST: {"changed": True, "aside": from_one}}
+    beside = {
+        SECOND: {"origin": session.origins.get(FIRST, first), **_id_of(request)},
+        FIRST: {"changed": True, "aside": from_one},
+    }
     session.begin({FIRST: first, SECOND: second}, True, beside)
     session.report_runs()
 
@@ -91,7 +94,10 @@ def revive(session: "Session", request: Request) -> None:
     if request.get("kept") is not None:
         session.resume(int(request["kept"]))
     elif session.scenarios:
-        again: dict[str, Request] = {name: {"changed": True} for name in session.scenarios}
+        again: dict[str, Request] = {
+            name: {"changed": True, "origin": session.origins.get(name, data)}
+            for name, data in session.scenarios.items()
+        }
         session.begin(dict(session.scenarios), True, again)
     else:
         session.start_run(FIRST, session.first)

@@ -74,6 +74,7 @@ class WorkerMessages:
         start = session.starts.answered(name, content["number"])
         start_request: Request = (start.request if start is not None else None) or {}
         if content["ok"]:
+            session.origins[name] = content["origin"]
             if name == FIRST and start_request:
                 session.aside.begun(name, start_request, content["aside"])
             session.kept.begun(name, content["number"], resumed=start is not None and start.request is None)

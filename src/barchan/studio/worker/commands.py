@@ -76,7 +76,8 @@ class RunCommands:
             told = None
             if aside is not None:
                 told = {"new": aside.run is run, "changed": changed, "of_it": aside.of_it}
-            self._send("begun", number=number, ok=begun, aside=told)
+            origin = None if self.origin is None else self.origin.data()
+            self._send("begun", number=number, ok=begun, aside=told, origin=origin)
         return answer
 
     def way_back(self) -> dict[str, Any]:
@@ -152,12 +153,15 @@ class RunCommands:
     def start_running(self, request: Request) -> None:
         """Run ``steps`` steps, or up to step ``until``, whichever comes first; else to the scenario's end.
 
-        From that end on it runs on and on.
+        Steps stop at that end, too, unless they are those of an ``order`` to two runs, which are counted by
+        who leads them. From that end on it runs on and on.
         """
         targets = [int(request["until"])] if request.get("until") is not None else []
+        self.order = request.get("order")
         if request.get("steps") is not None:
             targets.append(self.current.live.steps_done + max(1, int(request["steps"])))
-        self.order = request.get("order")
+            if self.order is None and not self.current.past_its_end:
+                targets.append(self.current.live.scenario.run.steps)
         if targets:
             self.current.run(min(targets), bool(request.get("brief")))
         else:

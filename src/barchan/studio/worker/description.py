@@ -24,6 +24,7 @@ def description(simulation: Simulation, origin: Scenario) -> dict[str, Any]:
     """
     lattice, model = Squares(simulation.lattice).lattice, simulation.model
     sound = validate(simulation.current_data(), "run")
+    place = sound.ground.georeference()
     limits = model.slope_limits().get("bare", ())
     return {
         "scenario": changed_from(sound, origin).data(),
@@ -34,6 +35,7 @@ def description(simulation: Simulation, origin: Scenario) -> dict[str, Any]:
             "thickness": lattice.thickness,
             "periodic": lattice.periodic,
         },
+        "place": place and {"west": place.west, "south": place.south, "crs": place.crs},
         "model": {"name": model.name, "title": model.title, "citation": model.citation},
         "models": {name: known.title for name, known in models().items()},
         "materials": {name: known.material for name, known in models().items()},
@@ -48,6 +50,7 @@ def description(simulation: Simulation, origin: Scenario) -> dict[str, Any]:
         "strata": declared_strata(simulation),
         "paths": follows_grains(model),
         "measures": declared_measures(simulation),
+        "step_seconds": simulation.scenario.step_seconds,
         "measured_every": min(simulation.scenario.run.save_every, FINEST),
         "measured_rows": ROWS,
         "repose": math.degrees(math.atan(limits[0] * lattice.aspect)) if limits else None,

@@ -1,4 +1,4 @@
-"""The roses of the wind, as the wind panel draws them."""
+"""The roses of the wind, and what ``barchan wind`` tells of it, as the wind panel shows them."""
 
 import math
 from typing import Any
@@ -9,29 +9,34 @@ from numpy.typing import NDArray
 from barchan.aeolian.saltation import Saltation
 from barchan.scenario import Scenario
 from barchan.simulation import Simulation
-from barchan.theory.assessment import assess_record, scenario_drift, stated_winds, time_by_direction
+from barchan.theory.assessment import stated_winds, time_by_direction
 from barchan.theory.crests import gross_transport
 from barchan.theory.drift import Drift
 from barchan.theory.roses import sand_rose, sector_sums, speed_limits, wind_rose
-from barchan.wind import SeriesWind
+from barchan.theory.wind_report import Subject, of_winds
 from barchan.wind.clock import DAY
 from barchan.wind.records import WindRecord
 
 
 def rose_of(simulation: Simulation) -> dict[str, Any]:
-    """How often the wind blows from each side, and how much sand it moves.
+    """How often the wind blows from each side, how much sand it moves, and the table and remarks of it.
 
-    Of a record that is all of it, of any other wind the scenario's run. Classes of speed (m/s) and days are
-    known of winds in m/s alone.
+    Of a record that is all that was measured, of any other wind the scenario's run. Classes of speed (m/s)
+    and days are known of winds in m/s alone.
     """
-    if isinstance(simulation.wind, SeriesWind):
-        record = simulation.wind.series(simulation.scenario.seed).record
-        sand = simulation.scenario.clock or Saltation()
-        return {**_of_record(record, sand), **_of_drift(assess_record(record, sand).drift)}
     scenario = simulation.scenario_in_force
-    stated = stated_winds(scenario)
-    time = _of_steps(scenario) if stated is None else _of_record(stated, scenario.clock or Saltation())
-    return {**time, **_of_drift(scenario_drift(scenario))}
+    supply = float(simulation.bed.depth.mean())
+    told = of_winds(scenario, supply)
+    record = stated_winds(scenario) if told.record is None else told.measured
+    time = _of_steps(scenario) if record is None else _of_record(record, told.sand)
+    return {**time, **_of_drift(told.found.drift), **_in_words(told, supply)}
+
+
+def _in_words(told: Subject, supply: float) -> dict[str, Any]:
+    """Rows of name and value, and what makes them doubtful."""
+    table = [("sand supply", f"{supply:.3g} m", ""), *told.table]
+    rows = [(name, f"{value} {unit}".rstrip()) for name, value, unit in table]
+    return {"rows": rows, "warnings": told.warnings, "remarks": told.all_remarks}
 
 
 def _of_record(record: WindRecord, sand: Saltation) -> dict[str, Any]:

@@ -67,6 +67,11 @@ class StudioRun:
         return self.running and self.continues and self.live.finished is None
 
     @property
+    def past_its_end(self) -> bool:
+        """Whether it has done the steps of its scenario."""
+        return self.live.steps_done >= self.live.scenario.run.steps
+
+    @property
     def has_begun(self) -> bool:
         """Whether anything would be lost with it: steps, changes, moments, or other branches."""
         done = self.live.steps_done or self.live.events
@@ -84,8 +89,7 @@ class StudioRun:
 
     def run_to_its_end(self) -> None:
         """Run up to the last step of the scenario, or on and on where that is behind."""
-        end = self.live.scenario.run.steps
-        self.run(end if end > self.live.steps_done else None)
+        self.run(None if self.past_its_end else self.live.scenario.run.steps)
 
     def pause(self) -> None:
         """Stop; measures of the state follow, at whatever step it is."""

@@ -30,7 +30,9 @@ TIMES = Quantity(
     TIME,
     (
         "time", "datetime", "date_time", "timestamp", "valid_time", "valid", "mess_datum", "utc",
-        "observation_time", "obstime", "obs_time", "time_stamp", "date", "datum", "fecha",
+        "observation_time", "obstime", "obs_time", "time_stamp", "zeitstempel", "zeitpunkt", "datum_zeit",
+        "datum_uhrzeit", "datum_tijd", "fecha_hora", "data_ora", "date_heure", "date", "datum", "fecha",
+        "zeit",
     ),
     ("time",),
 )  # fmt: skip

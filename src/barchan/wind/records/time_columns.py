@@ -6,6 +6,7 @@ from barchan.errors import Problem, RecordError
 from barchan.wind.records.claims import guess
 from barchan.wind.records.headings import read_heading
 from barchan.wind.records.providers import Provider
+from barchan.wind.records.quantities import QUANTITIES
 
 _PARTS = (
     (("year", "yyyy", "yy", "yr"), "%Y"),
@@ -26,6 +27,13 @@ _OF_DAY = (
 """Names of a column with the time of the day beside one of dates."""
 
 
+_BESIDE = frozenset((
+    "and", "und", "et", "y", "e", "en", "station", "logger", "measurement", "measured", "observation",
+    "observed", "obs", "sample", "sampling", "record", "recorded", "recording",
+))  # fmt: skip
+"""Words of a heading that leave a time a time, as in ``Station date and time``."""
+
+
 def time_columns(
     headings: list[str], stated: str | None, provider: Provider, source: str
 ) -> tuple[list[str], str | None]:
@@ -42,8 +50,8 @@ def time_columns(
     for known in provider.times:
         if all(name in headings for name in known):
             return list(known), _hint(known, provider)
-    single = guess(headings, "time")
-    plain = {read_heading(h).name: h for h in reversed(headings)}
+    single = guess(headings, "time") or _worded(headings, source)
+    plain = {_said(h): h for h in reversed(headings)} | {read_heading(h).name: h for h in reversed(headings)}
     date = next((plain[name] for name in _DATES if name in plain), None)
     if date:
         hour = next((plain[name] for name in _OF_DAY if name in plain), None)
@@ -57,6 +65,25 @@ def time_columns(
         return parts, _parts_format(len(parts))
     message = f"no column for the time; the columns are {', '.join(headings)}"
     raise RecordError([Problem("time", message)], source)
+
+
+def _said(heading: str) -> str:
+    """The name in a heading without the words that leave a time a time."""
+    return "_".join(word for word in read_heading(heading).name.split("_") if word not in _BESIDE)
+
+
+def _worded(headings: list[str], source: str) -> str | None:
+    """The one heading whose words make it a time; None where there is none.
+
+    Raises RecordError where several are times alike.
+    """
+    names = QUANTITIES["time"].names
+    ranks = {h: names.index(_said(h)) for h in headings if read_heading(h).plain and _said(h) in names}
+    likely = [h for h in ranks if ranks[h] == min(ranks.values())]
+    if len(likely) > 1:
+        message = f"several columns may be the time: {', '.join(likely)}; name one"
+        raise RecordError([Problem("time", message)], source)
+    return likely[0] if likely else None
 
 
 def _hint(parts: Sequence[str], provider: Provider) -> str | None:

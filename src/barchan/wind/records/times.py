@@ -42,7 +42,10 @@ _SLASHES = tuple(
 )
 """Ways to write a time that put the day first, or the month."""
 
-_UTC_NAMED = re.compile(r"(?<![a-z])(?:utc|gmt)(?![a-z])", re.IGNORECASE)
+_UTC_NAMED = re.compile(
+    r"(?<![a-z])(?:utc|gmt)(?:\s*([+\u2212-])\s*(\d{1,2})(?::?([0-5]\d))?(?!\d))?(?![a-z])", re.IGNORECASE
+)
+"""A zone in a heading, such as ``UTC`` or ``UTC+1``."""
 
 
 class Dated(NamedTuple):
@@ -158,9 +161,19 @@ def _dates(words: "pd.Series", times: Times) -> Dated:
     if states:
         dates = dates.dt.tz_convert("UTC").dt.tz_localize(None)
     stamps = dates.to_numpy().astype("datetime64[ms]") + later.astype("timedelta64[D]")
-    stamps = stamps - offset_of(zone or "UTC")
-    utc = states or bool(zone) or times.utc or _UTC_NAMED.search(times.name) is not None
+    named = None if zone or states else _named_zone(times.name)
+    stamps = stamps - offset_of(zone or named or "UTC")
+    utc = states or bool(zone) or times.utc or named is not None
     return Dated((stamps - stamps[0]).astype(np.float64) / 1e3, stamps[0].astype("datetime64[s]"), utc)
+
+
+def _named_zone(name: str) -> str | None:
+    """The zone that a heading names; None where it names none."""
+    found = _UTC_NAMED.search(name)
+    if found is None:
+        return None
+    sign, hours, minutes = found.groups()
+    return "UTC" if sign is None else f"{'+' if sign == '+' else '-'}{int(hours):02d}:{minutes or '00'}"
 
 
 def _guessed(words: "pd.Series", times: Times) -> str:
