@@ -72,7 +72,8 @@ def open_together(
             session.autosave.adopt(adopted)
         if len(answers) == 1 and session.lockstep is not None:
             session.end_second()
-        session.tell("done", id=request, step=answers[first]["step"], aside=answers[first]["aside"])
+        told = {key: answers[first][key] for key in ("step", "aside", "ended")}
+        session.tell("done", id=request, **told)
 
     def failed(why: str, answers: "Answers") -> None:
         if adopted is not None:

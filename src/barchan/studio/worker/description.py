@@ -17,16 +17,21 @@ from barchan.studio.worker.live_measures import FINEST, ROWS, declared_measures
 from barchan.studio.worker.strata import declared_strata
 
 
+def named(simulation: Simulation, origin: Scenario) -> Scenario:
+    """The scenario as changes have left it; its words name the values in which it differs from ``origin``."""
+    return changed_from(validate(simulation.current_data(), "run"), origin)
+
+
 def description(simulation: Simulation, origin: Scenario) -> dict[str, Any]:
     """The scenario as changes have left it, lattice, fields, measures, facts and remarks.
 
     Title and citation name every value in which it differs from its ``origin``.
     """
     lattice, model = Squares(simulation.lattice).lattice, simulation.model
-    sound = validate(simulation.current_data(), "run")
+    scenario = named(simulation, origin)
     limits = model.slope_limits().get("bare", ())
     return {
-        "scenario": changed_from(sound, origin).data(),
+        "scenario": scenario.data(),
         "lattice": {
             "rows": lattice.rows,
             "columns": lattice.columns,
@@ -52,8 +57,8 @@ def description(simulation: Simulation, origin: Scenario) -> dict[str, Any]:
         "measured_rows": ROWS,
         "repose": math.degrees(math.atan(limits[0] * lattice.aspect)) if limits else None,
         "repose_slabs": float(limits[0]) if limits else None,
-        "facts": {**sound.facts(), **sound.forecast()},
-        "remarks": sound.remarks(simulation.bed.ground),
+        "facts": {**scenario.facts(), **scenario.forecast()},
+        "remarks": scenario.remarks(simulation.bed.ground),
         "events": len(simulation.events),
         "identity": identity(simulation),
         "changes": changes_of(simulation),

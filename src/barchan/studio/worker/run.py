@@ -35,6 +35,8 @@ class StudioRun:
         """Take a simulation over, paused, and let its states be measured at a desk."""
         self.continues = True
         """Whether there is a state that it can go on from; frames alone hold none."""
+        self.wanted = True
+        """Whether somebody asked for it, or has saved it; a studio may begin with another one by itself."""
         self.speed = RunSpeed(CHUNK_SECONDS)
         self.desk = desk or Desk()
         every = simulation.scenario.run.save_every
@@ -67,9 +69,10 @@ class StudioRun:
         return self.running and self.continues and self.live.finished is None
 
     @property
-    def has_begun(self) -> bool:
-        """Whether anything would be lost with it: steps, changes, moments, or other branches."""
-        done = self.live.steps_done or self.live.events
+    def would_be_missed(self) -> bool:
+        """Whether anything would be lost with it: steps asked for, changes, moments, or other branches."""
+        first_asked_for = 0 if self.wanted else self.live.scenario.run.steps
+        done = self.live.steps_done > first_asked_for or self.live.events
         return bool(done or self.bookmarks.data() or self.branches.others)
 
     def run(self, target: int | None = None, brief: bool = False) -> None:
