@@ -1,6 +1,7 @@
 """The first minute: the gallery by landform, where to start, the tour, the end of a preset, a class."""
 
 import json
+import re
 
 import pytest
 
@@ -39,6 +40,21 @@ def test_the_gallery_shows_groups_and_where_to_start(studio):
     page.get_by_label("Search the presets").fill("nebkha")
     assert page.locator(".sections section:visible h3").all_inner_texts() == ["Start here", "Plants"]
     page.keyboard.press("Escape")
+
+
+def test_cards_and_the_panel_call_presets_by_their_titles(studio):
+    page = studio.page
+    page.keyboard.press("g")
+    page.wait_for_selector(".lead")
+    names = [name for name in preset_names() if "-" in name]
+    cards = " ".join(page.locator("dialog.gallery .card, dialog.gallery .lead").all_text_contents())
+    assert "Compare “Hop length 5, 2 slabs a cell” with “Hop length 1, 2 slabs a cell”" in cards
+    assert [name for name in names if re.search(rf"(?<![\w-]){re.escape(name)}(?![\w-])", cards)] == []
+    page.keyboard.press("Escape")
+    fresh = load_scenario("momiji-strip", list(SMALL.items())).data()
+    studio.ask(f"window.barchan.app.create({json.dumps(fresh)}, false)")
+    question = page.locator(".about .question", has_text="Set the speedup to zero")
+    assert "as those of “A strip of Werner's ridges”?" in question.inner_text()
 
 
 def test_a_preset_runs_at_a_watchable_speed_to_its_end_and_goes_on_when_asked(studio):
