@@ -86,6 +86,17 @@ def test_the_tour_waits_for_dunes_turns_the_wind_and_ends(studio):
     assert not page.locator(".tour").is_visible()
 
 
+def test_the_first_step_of_the_tour_waits_for_its_reader_although_dunes_stand(studio):
+    page = studio.page
+    studio.ask("window.barchan.tour.begin()")
+    page.get_by_text("Dunes stand now.").wait_for(timeout=60_000)
+    studio.until("!window.barchan.app.running")
+    page.get_by_text("1 of 3").wait_for()
+    assert studio.status()["step"] == 120
+    assert page.locator(".notice").is_hidden()
+    page.get_by_role("button", name="End the tour").click()
+
+
 def test_two_values_of_a_parameter_run_side_by_side_after_one_click(studio):
     page = studio.page
     hop = page.locator(".row", has=page.locator("[data-path='model.hop_length']"))

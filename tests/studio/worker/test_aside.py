@@ -127,11 +127,8 @@ def test_a_run_that_nobody_asked_for_and_nobody_touched_is_neither_set_aside_nor
 @pytest.mark.parametrize("touch", ["wind", "paint", "moment", "save", "go on"])
 def test_whoever_touches_it_keeps_it(unasked, tmp_path, touch):
     shown = unasked.worker.commands.current
-    if touch == "wind":
-        turned(unasked, 90)
-    elif touch == "paint":
-        stroke = {"x": 5.0, "y": 5.0, "radius": 3.0, "amount": 4}
-        unasked.send("stroke", stroke=stroke, begin=True, end=True)
+    if touch in ("wind", "paint"):
+        make_a_change(unasked, touch)
     elif touch == "moment":
         unasked.send("bookmark", bookmarks=[{"id": "m", "name": "horns"}])
     elif touch == "save":
@@ -224,3 +221,28 @@ def test_a_run_without_a_target_goes_to_its_scenarios_end_and_on_and_on_from_the
     bench.send("restart", running=False)
     bench.send("run")
     assert bench.worker.commands.current.target == end
+
+
+@pytest.mark.parametrize("change", ["wind", "parameter", "paint"])
+def test_who_changes_a_run_before_its_end_sees_as_many_steps_again_as_it_would_have_had(bench, change):
+    """The scenario has 100 steps: a change after 60 lets it go on to 160, one at its end leaves it."""
+    run = bench.worker.commands.current
+    run_to(run, 60)
+    bench.send("run")
+    make_a_change(bench, change)
+    assert (run.target, run.status()["end"]) == (160, 160)
+    assert bench.messages("scenario")[-1]["end"] == 160
+    run_to(run, 160)
+    make_a_change(bench, change)
+    assert run.status()["end"] == 160
+    assert not run.busy
+
+
+def make_a_change(bench, change):
+    if change == "wind":
+        turned(bench, 90)
+    elif change == "parameter":
+        bench.send("set", key="model.p_s", value=0.9)
+    else:
+        stroke = {"x": 5.0, "y": 5.0, "radius": 3.0, "amount": 4}
+        bench.send("stroke", stroke=stroke, begin=True, end=True)

@@ -12,6 +12,8 @@ export type RunName = "a" | "b";
 export interface Status {
   step: number;
   live: number;
+  /** The step at which the run stops by itself. */
+  end: number;
   running: boolean;
   finished: string | null;
   looking: boolean;

@@ -199,6 +199,7 @@ class RunCommands:
         """A parameter of the model takes a new value."""
         self.current.look_now()
         self.current.live.apply(SetParameter(key=str(request["key"]), value=request["value"]))
+        self.current.carry_on()
         self.describe(changed=True)
 
     @WORKER.handles("wind")
@@ -206,6 +207,7 @@ class RunCommands:
         """Replace the wind from now on."""
         self.current.look_now()
         self.current.live.apply(SetWind(wind=request["wind"]))
+        self.current.carry_on()
         self.describe(changed=True)
 
     @WORKER.handles("stroke")
@@ -222,6 +224,10 @@ class RunCommands:
                 run.painting.stroke(run.live, _stroke({**request["stroke"], **place}))
         if request.get("end"):
             run.painting.end(run.live)
+            before = run.end
+            run.carry_on()
+            if run.end != before:
+                self.describe()
 
     @WORKER.handles("undo")
     def undo(self, _: Request) -> None:
@@ -276,6 +282,7 @@ class RunCommands:
             "scenario",
             **content,
             step=run.live.steps_done,
+            end=run.end,
             changed=changed,
             loaded=self.frames.loaded,
             branches=branches,

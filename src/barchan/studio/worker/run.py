@@ -55,6 +55,8 @@ class StudioRun:
         self.can_branch = True
         self.running = self.brief = False
         self.target: int | None = None
+        self.end = simulation.scenario.run.steps
+        """The step at which it stops by itself."""
         self._surfaces: list[tuple[int, NDArray[np.float64]]] = []
         self.remember()
 
@@ -86,9 +88,17 @@ class StudioRun:
             self.speed.restart()
 
     def run_to_its_end(self) -> None:
-        """Run up to the last step of the scenario, or on and on where that is behind."""
-        end = self.live.scenario.run.steps
-        self.run(end if end > self.live.steps_done else None)
+        """Run up to its end, or on and on where that is behind."""
+        self.run(self.end if self.end > self.live.steps_done else None)
+
+    def carry_on(self) -> None:
+        """Let as many steps follow as the scenario has, where something was changed before the end."""
+        before = self.end
+        if self.live.steps_done >= before:
+            return
+        self.end = max(before, self.live.steps_done + self.live.scenario.run.steps)
+        if self.target == before:
+            self.target = self.end
 
     def pause(self) -> None:
         """Stop; measures of the state follow, at whatever step it is."""
@@ -208,6 +218,7 @@ class StudioRun:
         return {
             "step": shown.steps_done,
             "live": self.live.steps_done,
+            "end": self.end,
             "running": self.busy,
             "finished": self.live.finished,
             "looking": self.looking is not None,
