@@ -15,7 +15,8 @@ export class Refused extends Error {
   }
 }
 
-export type Progress = (done: number, of: number) => void;
+/** Takes how much is done, and of how much; of what, where it is counted in things that have a name. */
+export type Progress = (done: number, of: number, what?: string) => void;
 
 interface Waiting {
   done: (message: Message) => void;
