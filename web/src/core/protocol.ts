@@ -75,6 +75,8 @@ export interface Brush {
   most: number;
   usual: number;
   whole: boolean;
+  /** What its user should know of it; empty where there is nothing. */
+  note: string;
   /** Further numbers that its strokes take, such as a density. */
   numbers: BrushNumber[];
 }

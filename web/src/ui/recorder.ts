@@ -99,7 +99,7 @@ export class Recorder {
   private save(name: string, film: Blob, long: string): void {
     if (!film.size) return this.fail();
     download(name, film);
-    this.app.note("info", `The film of the scene is saved as ${name}, ${long} long.`);
+    this.app.notices.confirm(`The film of the scene is saved as ${name}, ${long} long.`);
   }
 
   private fail(): void {

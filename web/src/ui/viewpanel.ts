@@ -178,6 +178,7 @@ export class ViewPanel {
     const usual = h("input", {
       type: "checkbox",
       onchange: () => {
+        if (usual.checked) for (const run of this.app.runs) run.painted = false;
         this.set({ exaggeration: usual.checked ? null : now() });
       },
     });
