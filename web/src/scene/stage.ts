@@ -8,7 +8,7 @@ import { Signal } from "../core/signal";
 import { Camera, type Standpoint, type Viewpoint } from "./camera";
 import { NATURAL } from "./colouring";
 import { still } from "./held";
-import { sunOf } from "./light";
+import { isDusk, sunOf } from "./light";
 import type { Place } from "./pick";
 import { Quality } from "./quality";
 import type { Ends } from "./line_mark";
@@ -275,9 +275,9 @@ export class Stage {
     return { camera: this.camera, level: this.view.level(), haze, around: !transparent, fine, dark: this.dark, lines: this.lines, wide };
   }
 
-  /** Whether the scene is at dusk, as the picture that is being drawn asks, or the page's theme. */
+  /** Whether the scene is at dusk, as the picture that is being drawn asks, or the view. */
   private get dark(): boolean {
-    return this.shooting?.dark ?? getComputedStyle(this.host).colorScheme === "dark";
+    return this.shooting?.dark ?? isDusk(this.app.view.look, this.host);
   }
 
   private aspect(): number {

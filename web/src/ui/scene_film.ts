@@ -3,6 +3,7 @@
 import type { App } from "../core/app";
 import type { Progress } from "../core/connection";
 import { shownSteps } from "../core/run";
+import { isDusk } from "../scene/light";
 import { type Shot, jpegOf } from "../scene/shots";
 import type { Stage } from "../scene/stage";
 import { download } from "./dom";
@@ -75,7 +76,7 @@ async function encoded(app: App, { name, rate }: SceneFilm, signal: AbortSignal,
 
 async function pictureOf(app: App, stage: Stage, { width, height, words }: SceneFilm, signal: AbortSignal): Promise<Blob> {
   const shot: Shot = await stage.shoot({ width, height, progress: () => signal.throwIfAborted() });
-  drawWords(app, stage, shot, words, document.documentElement.dataset.theme === "dark");
+  drawWords(app, stage, shot, words, isDusk(app.view.look, stage.host));
   return jpegOf(shot.canvas);
 }
 
