@@ -88,6 +88,9 @@ def test_the_tour_waits_for_dunes_turns_the_wind_and_ends(studio):
 
 def test_the_first_step_of_the_tour_waits_for_its_reader_although_dunes_stand(studio):
     page = studio.page
+    fresh = {**load_scenario("barchans", list(SMALL.items())).data(), "title": "At its beginning"}
+    studio.ask(f"window.barchan.app.create({json.dumps(fresh)}, false)")
+    studio.until(f"{RUN}.description.scenario.title === 'At its beginning' && {RUN}.status.step === 0")
     studio.ask("window.barchan.tour.begin()")
     page.get_by_text("Dunes stand now.").wait_for(timeout=60_000)
     studio.until("!window.barchan.app.running")
