@@ -71,7 +71,16 @@ def studio(
         for text in found.broken:
             print_note(f"a run that the studio kept cannot be read and is left as it is: {text}")
 
-    serve(Studio(folder, chosen, archive, host, port, gallery=scenario is None), ready, browser, left)
+    first = Studio(
+        folder,
+        chosen,
+        archive,
+        host,
+        port,
+        gallery=scenario is None,
+        asked=scenario is not None or bool(overrides),
+    )
+    serve(first, ready, browser, left)
 
 
 def _run_at(folder: str) -> tuple[str | Path, bool]:

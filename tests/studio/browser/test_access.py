@@ -196,6 +196,31 @@ def test_no_control_is_cut_off_on_usual_screens(studio, size):
     assert {name: list_ for name, list_ in found.items() if list_} == {}
 
 
+def test_the_bar_is_one_row_and_gives_its_free_room_to_the_title(studio):
+    page = studio.page
+    page.set_viewport_size({"width": 1024, "height": 700})
+    assert box(studio, ".bar")["height"] < 60
+    page.set_viewport_size({"width": 1600, "height": 1000})
+    title = studio.ask("window.barchan.app.current.description.scenario.title")
+    assert title.endswith("changed: lattice.columns 64, lattice.rows 48")
+    cut = "(({ scrollWidth, clientWidth }) => scrollWidth > clientWidth)(document.querySelector('.title'))"
+    assert not studio.ask(cut)
+    assert page.locator(".title").get_attribute("title") == page.locator(".title").inner_text()
+
+
+def test_the_letters_of_the_dial_are_not_selected_while_it_is_turned(studio):
+    page = studio.page
+    page.get_by_role("tab", name="Wind").click()
+    dial = box(studio, "svg.dial")
+    across, down = dial["x"] + dial["width"] / 2, dial["y"] + dial["height"] / 2
+    page.mouse.move(across, dial["y"] + 12)
+    page.mouse.down()
+    page.mouse.move(across + 45, down, steps=4)
+    page.mouse.move(across, down + 60, steps=4)
+    page.mouse.up()
+    assert studio.ask("getSelection().toString()") == ""
+
+
 def test_the_tour_covers_neither_scale_nor_values_nor_controls(studio):
     page = studio.page
     page.set_viewport_size({"width": 1024, "height": 700})

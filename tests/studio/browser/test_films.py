@@ -97,6 +97,49 @@ def test_a_film_that_is_broken_off_leaves_nothing_and_the_run_as_it_was(studio):
     assert not studio.ask("window.barchan.stage.steady")
 
 
+FRAMES_SEEN = """(() => {
+    const { app, stage } = window.barchan;
+    window.unlike = [];
+    window.seen = 0;
+    const look = () => {
+        const tiled = stage.canvas.width < stage.host.clientWidth;
+        const covered = document.querySelector(".scene canvas[aria-hidden]") !== null;
+        const names = document.querySelector(".names").textContent;
+        const step = document.querySelector("[data-status=step]").textContent;
+        if (tiled && !covered) window.unlike.push("a tile is seen");
+        if (tiled && !names.includes(`step ${step}`)) window.unlike.push(`${names}, not ${step}`);
+        window.seen += tiled;
+        requestAnimationFrame(look);
+    };
+    look();
+})()"""
+
+
+@pytest.mark.extended
+def test_while_a_film_of_two_runs_is_drawn_the_scene_stays_whole_and_says_how_far_it_is(studio):
+    page = studio.page
+    studio.ask("window.barchan.app.ask({ command: 'compare', key: 'model.hop_length', value: 10 })")
+    studio.until("window.barchan.app.runs.length === 2 && window.barchan.app.runs[1].status?.step > 60")
+    studio.pause()
+    sent = []
+    page.on("request", lambda request: request.method == "POST" and sent.append(request.url))
+    sheet = open_sheet(page, "Film of what was just seen")
+    sheet.get_by_label("States of the film, the last ones").fill("5")
+    sheet.get_by_label("Name of the file").fill("pair")
+    studio.ask(FRAMES_SEEN)
+    sheet.get_by_role("button", name="write the film").click()
+    sheet.get_by_text("picture 1 of 5").wait_for()
+    sheet.get_by_text("picture 2 of 5").wait_for(timeout=120_000)
+    sheet.get_by_role("button", name="cancel").click()
+    sheet.get_by_text("Broken off").wait_for()
+    assert sum("/films/" in url for url in sent) < 5
+    assert studio.ask("window.unlike") == []
+    assert studio.ask("window.seen") > 0
+    assert page.locator(".scene canvas[aria-hidden]").count() == 0
+    studio.ask("window.barchan.app.send({ command: 'alone' })")
+    studio.until("window.barchan.app.runs.length === 1")
+
+
 def begin_recording(studio):
     studio.page.keyboard.press("v")
     studio.page.get_by_role("button", name="begin", exact=True).click()

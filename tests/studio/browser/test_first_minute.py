@@ -1,6 +1,7 @@
 """The first minute: the gallery by landform, where to start, the tour, the end of a preset, a class."""
 
 import json
+import re
 
 import pytest
 
@@ -41,6 +42,21 @@ def test_the_gallery_shows_groups_and_where_to_start(studio):
     page.keyboard.press("Escape")
 
 
+def test_cards_and_the_panel_call_presets_by_their_titles(studio):
+    page = studio.page
+    page.keyboard.press("g")
+    page.wait_for_selector(".lead")
+    names = [name for name in preset_names() if "-" in name]
+    cards = " ".join(page.locator("dialog.gallery .card, dialog.gallery .lead").all_text_contents())
+    assert "Compare “Hop length 5, 2 slabs a cell” with “Hop length 1, 2 slabs a cell”" in cards
+    assert [name for name in names if re.search(rf"(?<![\w-]){re.escape(name)}(?![\w-])", cards)] == []
+    page.keyboard.press("Escape")
+    fresh = load_scenario("momiji-strip", list(SMALL.items())).data()
+    studio.ask(f"window.barchan.app.create({json.dumps(fresh)}, false)")
+    question = page.locator(".about .question", has_text="Set the speedup to zero")
+    assert "as those of “A strip of Werner's ridges”?" in question.inner_text()
+
+
 def test_a_preset_runs_at_a_watchable_speed_to_its_end_and_goes_on_when_asked(studio):
     studio.until(
         "document.querySelector('[aria-label=\"Speed limit\"]').selectedOptions[0].text === '40 steps/s'"
@@ -68,6 +84,20 @@ def test_the_tour_waits_for_dunes_turns_the_wind_and_ends(studio):
     page.get_by_text("3 of 3").wait_for()
     page.get_by_role("button", name="done").click()
     assert not page.locator(".tour").is_visible()
+
+
+def test_the_first_step_of_the_tour_waits_for_its_reader_although_dunes_stand(studio):
+    page = studio.page
+    fresh = {**load_scenario("barchans", list(SMALL.items())).data(), "title": "At its beginning"}
+    studio.ask(f"window.barchan.app.create({json.dumps(fresh)}, false)")
+    studio.until(f"{RUN}.description.scenario.title === 'At its beginning' && {RUN}.status.step === 0")
+    studio.ask("window.barchan.tour.begin()")
+    page.get_by_text("Dunes stand now.").wait_for(timeout=60_000)
+    studio.until("!window.barchan.app.running")
+    page.get_by_text("1 of 3").wait_for()
+    assert studio.status()["step"] == 120
+    assert page.locator(".notice").is_hidden()
+    page.get_by_role("button", name="End the tour").click()
 
 
 def test_two_values_of_a_parameter_run_side_by_side_after_one_click(studio):

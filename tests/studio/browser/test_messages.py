@@ -21,6 +21,36 @@ def toasts(studio):
     return studio.page.locator(".toast.error")
 
 
+def test_a_moment_and_a_saved_run_are_confirmed_over_the_scene(studio):
+    page = studio.page
+    said = page.locator(".toast.info")
+    studio.pause()
+    step = studio.status()["step"]
+    page.keyboard.press("f")
+    page.keyboard.press("k")
+    said.filter(has_text=f"Marked as “moment 1” at step {step}").wait_for()
+    page.keyboard.press("f")
+    page.locator("summary", has_text="File").click()
+    page.get_by_role("menuitem", name="Save the run").click()
+    page.get_by_label("Name of the run").fill("confirmed")
+    page.get_by_role("button", name="save", exact=True).click()
+    said.filter(has_text="in the folder “confirmed”").wait_for()
+
+
+def test_messages_stand_below_the_names_of_two_runs(studio):
+    page = studio.page
+    page.set_viewport_size({"width": 1280, "height": 720})
+    studio.ask("window.barchan.app.ask({ command: 'compare', key: 'model.hop_length', value: 10 })")
+    studio.until("window.barchan.app.runs.length === 2 && window.barchan.app.runs.every((run) => run.ready)")
+    page.locator(".names span").first.wait_for()
+    studio.ask(f"window.barchan.app.note('error', '{'a long refusal ' * 12}')")
+    names, message = (page.locator(one).first.bounding_box() for one in (".names", ".toast.error"))
+    assert names["y"] + names["height"] <= message["y"]
+    studio.ask("window.barchan.app.notices.dismissAll()")
+    studio.ask("window.barchan.app.send({ command: 'alone' })")
+    studio.until("window.barchan.app.runs.length === 1")
+
+
 def test_a_refused_value_goes_back_and_hinders_no_later_change(studio):
     page = studio.page
     page.locator("summary", has_text="Lattice").click()

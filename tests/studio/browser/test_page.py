@@ -193,6 +193,46 @@ def test_painting_and_undoing(studio):
 
 
 @pytest.mark.extended
+def test_what_is_painted_on_is_drawn_as_steep_as_before_until_that_is_chosen_anew(studio):
+    page = studio.page
+    studio.pause()
+    steep = "window.barchan.stage.terrain(window.barchan.app.runs[0]).exaggeration"
+    before = studio.ask(steep)
+    page.get_by_role("tab", name="Paint").click()
+    page.keyboard.press("b")
+    page.locator("[data-paint=what]").select_option("rock")
+    assert "Rock rises under the sand" in page.locator(".forms .hint:visible").first.inner_text()
+    page.locator("[data-paint=strength]").fill("60")
+    page.locator("[data-paint=strength]").press("Enter")
+    studio.drag((0.45, 0.55), (0.5, 0.55), (0.55, 0.6))
+    studio.until("window.barchan.app.runs[0].status.undo === 1")
+    studio.catch_up()
+    studio.picture()
+    assert studio.ask(steep) == before
+    page.get_by_role("tab", name="View").click()
+    page.get_by_label("automatic", exact=True).first.click()
+    page.get_by_label("automatic", exact=True).first.click()
+    studio.picture()
+    assert studio.ask(steep) < before
+
+
+@pytest.mark.extended
+def test_time_line_and_export_count_the_states_alike(studio):
+    page = studio.page
+    studio.pause()
+    studio.ask("window.barchan.app.send({ command: 'run', steps: 7 })")
+    studio.until("!window.barchan.app.running && window.barchan.app.runs[0].status.step % 10 > 0")
+    kept = page.locator(".timeline output").inner_text().removesuffix(" states kept")
+    page.locator("summary", has_text="File").click()
+    page.get_by_role("menuitem", name="Export for other programs").click()
+    assert f"all {kept} that are kept" in page.get_by_label("States", exact=True).inner_text()
+    page.keyboard.press("Escape")
+    page.locator("summary", has_text="File").click()
+    page.get_by_role("menuitem", name="Picture with title and scale").click()
+    assert page.get_by_role("textbox", name="Title", exact=True).input_value() == "Barchans"
+
+
+@pytest.mark.extended
 def test_painting_rock_and_plants(studio):
     run = "window.barchan.app.runs[0]"
     scenario = load_scenario("nebkhas", list(SMALL.items())).data()

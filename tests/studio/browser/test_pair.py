@@ -357,3 +357,31 @@ def test_fields_that_were_looked_at_from_elsewhere_stay_whole_beside_one_another
 
 def distance(studio) -> float:
     return studio.ask("window.barchan.stage.camera.position.distanceTo(window.barchan.stage.controls.target)")
+
+
+SEEN = """(() => {
+    const { stage, app } = window.barchan;
+    const { min, max } = stage.terrain(app.runs[0]).box();
+    const corners = [min.x, max.x].flatMap((x) => [min.z, max.z].map((z) => new min.constructor(x, 0, z)));
+    const heights = corners.map((corner) => corner.project(stage.camera).y);
+    return [Math.min(...heights), Math.max(...heights)];
+})()"""
+"""From where to where the field reaches in a view, of -1 at its lower edge and 1 at its upper one."""
+
+
+@pytest.mark.extended
+def test_the_field_fills_a_narrow_view_as_well(studio):
+    """In half a window it filled a quarter of the height, in its lower half."""
+    page = studio.page
+    page.set_viewport_size({"width": 1280, "height": 720})
+    studio.ask("window.barchan.app.ask({ command: 'compare', key: 'model.hop_length', value: 10 })")
+    studio.until("window.barchan.app.runs.length === 2 && window.barchan.app.runs.every((run) => run.ready)")
+    studio.pause()
+    page.keyboard.press("f")
+    studio.picture()
+    low, high = studio.ask(SEEN)
+    page.keyboard.press("f")
+    assert high - low > 0.9
+    assert abs(high + low) < 0.4
+    studio.ask("window.barchan.app.send({ command: 'alone' })")
+    studio.until("window.barchan.app.runs.length === 1")

@@ -87,7 +87,7 @@ def test_the_panel_tells_the_exaggeration_at_which_the_scene_is_drawn(studio):
     def same_as_beside_the_scale_bar() -> str:
         studio.picture()
         beside = page.locator(".steeper").inner_text().removeprefix("heights × ")
-        assert row.locator(".unit").inner_text() == f"{beside.replace('heights to scale', '1')} ×"
+        assert row.get_by_role("spinbutton").input_value() == beside.replace("heights to scale", "1")
         return beside
 
     first = same_as_beside_the_scale_bar()
@@ -107,6 +107,26 @@ def test_the_panel_tells_the_exaggeration_at_which_the_scene_is_drawn(studio):
     assert (
         same_as_beside_the_scale_bar() == "heights to scale" != first
     )  # 8 m over 16 m are steep as they are
+
+
+def test_exaggeration_sun_and_light_are_typed_or_chosen_in_the_panel(studio):
+    page = studio.page
+    studio.pause()
+    page.get_by_role("tab", name="View").click()
+    for label, value in (
+        ("Times as steep", "7"),
+        ("Direction of the sun", "120"),
+        ("Height of the sun", "31"),
+    ):
+        page.get_by_label(label, exact=True).fill(value)
+        page.get_by_label(label, exact=True).press("Enter")
+    assert studio.ask("window.barchan.stage.sun()") == {"azimuth": 120, "height": 31}
+    page.get_by_label("light", exact=True).select_option("day")
+    day = studio.picture().mean()
+    assert page.locator(".steeper").inner_text() == "heights × 7"
+    page.get_by_label("light", exact=True).select_option("dusk")
+    assert studio.picture().mean() < 0.7 * day
+    page.get_by_role("button", name="reset the view").click()
 
 
 def test_exaggeration_is_chosen_from_relief_over_wavelength(studio):

@@ -164,6 +164,16 @@ def test_two_that_were_opened_run_to_the_end_of_their_scenario_and_no_further(pa
     assert pair.steps == [100, 100]
 
 
+def test_two_whose_ends_are_put_off_on_the_way_go_on_to_the_new_one(pair):
+    stand(pair, a=90, b=90)
+    pair.lockstep.run()
+    for name in "ab":
+        pair.lockstep.stands(name, 90, 190)
+    while pair.lockstep.running:
+        pair.meet()
+    assert pair.steps == [190, 190]
+
+
 def test_one_that_is_behind_comes_to_the_step_of_the_other_one_first(pair):
     stand(pair, a=40, b=34)
     pair.lockstep.run(steps=2)

@@ -79,6 +79,68 @@ def test_a_run_and_another_scenario_take_turns_in_being_set_aside(bench):
         assert len(run.branches.listing(step)) <= 1
 
 
+def turned(bench, direction):
+    bench.send("wind", wind={"kind": "steady", "direction": direction})
+
+
+def test_another_run_is_said_to_have_ended_also_where_it_has_the_same_name(bench):
+    """What is set aside is named with what was changed of it, as the page names it."""
+    scenario = small(title="Two winds").data()
+    bench.send("start", scenario=scenario, number=2)
+    run_to(bench.worker.commands.current, 20)
+    turned(bench, 90)
+    bench.send("start", scenario=scenario, number=3, aside=True, id=1)
+    first = "Two winds, changed: wind.direction 90"
+    assert told(bench) == (first, None)
+    run_to(bench.worker.commands.current, 10)
+    bench.send("start", scenario=scenario, number=4, aside=True, id=2)
+    assert told(bench) == ("Two winds", first)
+
+
+def told(bench) -> tuple[str | None, str | None]:
+    """The titles of the run that is set aside, and of the one that has ended for it."""
+    content = answer(bench)
+    return content["aside"], content["ended"]
+
+
+def answer(bench) -> dict:
+    return bench.messages("done")[-1]
+
+
+@pytest.fixture
+def unasked():
+    """A run that the studio began with by itself, at step 10."""
+    bench = Bench()
+    bench.send("start", scenario=small(title="Shown").data(), number=1, unasked=True)
+    run_to(bench.worker.commands.current, 10)
+    return bench
+
+
+def test_a_run_that_nobody_asked_for_and_nobody_touched_is_neither_set_aside_nor_kept(unasked, tmp_path):
+    unasked.send("keep_in", folder=str(tmp_path / "state"), id=1)
+    assert not answer(unasked)["written"]
+    unasked.send("start", scenario=small().data(), number=2, aside=True, id=2)
+    assert told(unasked) == (None, None)
+    assert unasked.worker.commands.aside is None
+
+
+@pytest.mark.parametrize("touch", ["wind", "paint", "moment", "save", "go on"])
+def test_whoever_touches_it_keeps_it(unasked, tmp_path, touch):
+    shown = unasked.worker.commands.current
+    if touch in ("wind", "paint"):
+        make_a_change(unasked, touch)
+    elif touch == "moment":
+        unasked.send("bookmark", bookmarks=[{"id": "m", "name": "horns"}])
+    elif touch == "save":
+        unasked.send("save_folder", folder=str(tmp_path / "saved"))
+        while unasked.worker.owed:
+            unasked.worker.owed.pay()
+    else:
+        run_to(shown, shown.live.scenario.run.steps + 1)
+    unasked.send("start", scenario=small().data(), number=2, aside=True)
+    assert unasked.worker.commands.aside.run is shown
+
+
 @pytest.fixture
 def saved(tmp_path):
     """The folder of a run that was saved at step 10."""
@@ -87,10 +149,6 @@ def saved(tmp_path):
     run_to(run, 10)
     save_run(states_of(run), folder)
     return folder
-
-
-def answer(bench) -> dict:
-    return bench.messages("done")[-1]
 
 
 def test_a_run_in_whose_place_a_saved_one_is_opened_is_set_aside_and_both_take_turns(bench, saved):
@@ -163,3 +221,28 @@ def test_a_run_without_a_target_goes_to_its_scenarios_end_and_on_and_on_from_the
     bench.send("restart", running=False)
     bench.send("run")
     assert bench.worker.commands.current.target == end
+
+
+@pytest.mark.parametrize("change", ["wind", "parameter", "paint"])
+def test_who_changes_a_run_before_its_end_sees_as_many_steps_again_as_it_would_have_had(bench, change):
+    """The scenario has 100 steps: a change after 60 lets it go on to 160, one at its end leaves it."""
+    run = bench.worker.commands.current
+    run_to(run, 60)
+    bench.send("run")
+    make_a_change(bench, change)
+    assert (run.target, run.status()["end"]) == (160, 160)
+    assert bench.messages("scenario")[-1]["end"] == 160
+    run_to(run, 160)
+    make_a_change(bench, change)
+    assert run.status()["end"] == 160
+    assert not run.busy
+
+
+def make_a_change(bench, change):
+    if change == "wind":
+        turned(bench, 90)
+    elif change == "parameter":
+        bench.send("set", key="model.p_s", value=0.9)
+    else:
+        stroke = {"x": 5.0, "y": 5.0, "radius": 3.0, "amount": 4}
+        bench.send("stroke", stroke=stroke, begin=True, end=True)

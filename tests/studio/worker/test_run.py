@@ -148,4 +148,4 @@ def test_a_branch_that_only_begins_does_not_let_the_run_count_as_one_that_has_no
     run.look(0)
     run.branch()
     assert run.live.steps_done == 0
-    assert run.has_begun
+    assert run.would_be_missed

@@ -15,8 +15,14 @@ export class Refused extends Error {
   }
 }
 
-/** How much of an answer is done, of how much, and why nothing comes of it for the moment; 0 of 0 where nobody knows how long it takes. */
-export type Progress = (done: number, of: number, why?: string) => void;
+/** What is counted, where that has a name, or why nothing comes of it for the moment. */
+export interface ProgressWords {
+  counted?: string;
+  waits?: string;
+}
+
+/** Takes how much is done, and of how much; 0 of 0 where nobody knows how long it takes. */
+export type Progress = (done: number, of: number, words?: ProgressWords) => void;
 
 interface Waiting {
   done: (message: Message) => void;

@@ -19,7 +19,7 @@ export interface KeptFile {
  */
 export async function keepFile(app: App, file: File, progress: Progress, signal: AbortSignal): Promise<KeptFile> {
   const { path } = await app.connection.upload<{ path: string }>(`upload?name=${encodeURIComponent(file.name)}`, file, progress, signal);
-  const reading = () => progress(0, 0, app.compiles ? "This waits until the model is compiled." : "");
+  const reading = () => progress(0, 0, app.compiles ? { waits: "This waits until the model is compiled." } : {});
   reading();
   const again = setInterval(reading, LOOK_AGAIN);
   const asked = app.runs.map((run) => app.connection.ask({ command: "inspect", path, run: run.name }, undefined, signal));

@@ -18,6 +18,11 @@ export function valueLabel(value: string, models: Record<string, string> = {}): 
   return /^[a-z]\w*$/.test(value) ? labelOf(value) : value;
 }
 
+/** Words of a preset without the names by which the command line knows other presets: each stands behind the title. */
+export function withoutNames(words: string): string {
+  return words.replaceAll(/” \([a-z0-9.-]+\)/g, "”");
+}
+
 /** A title without those keys. */
 export function withoutChanges(title: string): string {
   return title.split(`, ${CHANGED}`)[0]!;

@@ -23,6 +23,8 @@ export interface Way {
   act: () => void;
 }
 
+/** Milliseconds for which a confirmation stands on the page. */
+const SEEN = 6000;
 /** Entries of the log that are kept. */
 const MOST = 1000;
 
@@ -45,6 +47,12 @@ export class Notices {
     this.logged.send(entry);
     if (stands) this.changed.send();
     return entry;
+  }
+
+  /** Confirm what its user has asked for: it stands on the page for a while. */
+  confirm(text: string): void {
+    const entry = this.note("info", text, "", true);
+    setTimeout(() => this.dismiss(entry), SEEN);
   }
 
   /** Let a line of the log say something else. */

@@ -12,6 +12,8 @@ export type RunName = "a" | "b";
 export interface Status {
   step: number;
   live: number;
+  /** The step at which the run stops by itself. */
+  end: number;
   running: boolean;
   finished: string | null;
   looking: boolean;
@@ -80,6 +82,8 @@ export interface Brush {
   most: number;
   usual: number;
   whole: boolean;
+  /** What its user should know of it; empty where there is nothing. */
+  note: string;
   /** Further numbers that its strokes take, such as a density. */
   numbers: BrushNumber[];
 }

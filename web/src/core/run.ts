@@ -18,6 +18,8 @@ export class Run {
   rows = 0;
   columns = 0;
   lost = false;
+  /** Whether it was painted on: it is drawn as steep from then on as when that began. */
+  painted = false;
   /** The run that is to take this one's place, until its first frame comes: no data are shown under another run's name. */
   coming: { description: Description; since: number } | null = null;
   /** As of the frame that was taken last. */
@@ -47,6 +49,7 @@ export class Run {
   }
 
   take(frame: Frame): void {
+    if (frame.loaded !== this.loaded) this.painted = false;
     this.loaded = frame.loaded;
     this.rows = frame.rows;
     this.columns = frame.columns;

@@ -23,6 +23,8 @@ export interface Look {
   /** Degrees; null: across the crests that the wind makes, in the late afternoon. */
   sunAzimuth: number | null;
   sunHeight: number | null;
+  /** Day or dusk; by the theme of the page unless one is chosen. */
+  light: "theme" | "day" | "dusk";
   /** Whether colours of data are shaded by the relief. */
   shaded: boolean;
   /** Whether the view turns slowly while nobody moves it. */
@@ -52,6 +54,7 @@ export const LOOK: Look = {
   shadows: true,
   sunAzimuth: null,
   sunHeight: null,
+  light: "theme",
   shaded: true,
   turning: true,
   quality: "automatic",
@@ -65,6 +68,7 @@ export const CHOICES = {
   map: ["perceptual", "grey", "red-green"],
   contours: ["off", "interval", "count"],
   side: ["surface", "difference"],
+  light: ["theme", "day", "dusk"],
   theme: ["system", "light", "dark"],
 } as const;
 

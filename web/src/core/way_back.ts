@@ -2,8 +2,9 @@
 
 import type { App } from "./app";
 import { readable } from "./labels";
+import { titleOf } from "./run";
 import type { Entry } from "./notices";
-import type { Command, Json, Message } from "./protocol";
+import type { Command, Message } from "./protocol";
 
 export class WayBack {
   /** Asks whether what a text says may happen; the page sets it. */
@@ -20,7 +21,7 @@ export class WayBack {
     const answer = await this.app.connection.ask(command);
     this.app.restarts.length = 0;
     this.app.notices.dismissAll(); // they are of the run before
-    this.offer(answer.aside);
+    this.offer(answer);
     return answer;
   }
 
@@ -40,28 +41,36 @@ export class WayBack {
   private async mayEndRight(): Promise<boolean> {
     const right = this.app.runs[1];
     if (!right?.description || !right.status?.live) return true;
-    return this.allowed(`The right one of the two runs, “${right.description.model.title}” at step ${right.status.live}, ends. What of it is not saved is lost. The left one is set aside with its moments.`);
+    return this.allowed(`The right one of the two runs, “${titleOf(right.description)}” at step ${right.status.live}, ends. What of it is not saved is lost. The left one is set aside with its moments.`);
   }
 
-  /** Offer the way back to the run that is set aside, by its title; it leads there and back again. */
-  private offer(aside: Json | undefined): void {
-    const before = this.title;
+  /** Offer the way back to the run that an answer says is set aside; it leads there and back again. */
+  private offer({ aside, ended }: Message): void {
     this.forget();
     if (typeof aside !== "string") return;
-    const title = (this.title = aside ? readable(aside, this.app.current?.description?.models) : "without a title");
-    const ended = before !== null && before !== title ? ` “${before}”, which was set aside before, has ended.` : "";
+    this.title = this.spoken(aside);
+    const lost = typeof ended === "string" ? ` “${this.spoken(ended)}”, which was set aside before, has ended.` : "";
+    this.say(`Your run “${this.title}” is set aside with its moments.${lost}`);
+  }
+
+  private say(text: string): void {
     const way = { name: "go back to it", act: () => void this.lead() };
-    this.entry = this.app.notices.note("info", `Your run “${title}” is set aside with its moments.${ended}`, "", true, way);
+    this.entry = this.app.notices.note("info", text, "", true, way);
+  }
+
+  /** A title of the server as the page says it. */
+  private spoken(title: string): string {
+    return title ? readable(title, this.app.current?.description?.models) : "without a title";
   }
 
   private async lead(): Promise<void> {
     const { title } = this;
-    if (!(await this.mayEndRight())) return this.offer(title);
+    if (!(await this.mayEndRight())) return this.say(`Your run “${title}” is set aside with its moments.`);
     const answer = await this.app.ask({ command: "alone", back: true });
     if (!answer) return;
     this.app.restarts.length = 0;
     this.title = null; // it is the one that is shown now
     this.app.note("info", `Back at the run “${title}”, paused.`);
-    this.offer(answer.aside);
+    this.offer(answer);
   }
 }

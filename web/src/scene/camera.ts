@@ -2,6 +2,7 @@
 
 import * as THREE from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
+import { narrowness } from "./narrow";
 
 export type Viewpoint = "oblique" | "top" | "side";
 
@@ -12,6 +13,8 @@ const FILLED = { across: 0.94, up: 0.86 };
 /** Where there is room above and below, the field lies this share of it lower than the middle: there is more sky. */
 const LOWER = 0.4;
 const TILT = { oblique: 25, top: 90, side: 0 };
+/** Degrees by which the oblique view is steeper in a view of no width, and in part in a narrow one, whose height it fills so. */
+const STEEPER = 35;
 const HEADING = 22;
 /** Fields this much longer than wide are looked at across their long side. */
 const LONG = 1.7;
@@ -199,7 +202,8 @@ export class Camera {
     const size = this.box.getSize(new THREE.Vector3());
     const across = this.viewpoint !== "top" && size.z > LONG * size.x ? 90 : 0;
     const heading = ((this.viewpoint === "oblique" ? HEADING : 0) + across) * (Math.PI / 180);
-    const tilt = Math.min((TILT[this.viewpoint] * Math.PI) / 180, Math.PI / 2 - 1e-4);
+    const steeper = this.isParallel ? 0 : STEEPER * (1 - narrowness(this.aspect));
+    const tilt = Math.min(((TILT[this.viewpoint] + steeper) * Math.PI) / 180, Math.PI / 2 - 1e-4);
     const back = new THREE.Vector3(-Math.sin(heading) * Math.cos(tilt), Math.sin(tilt), Math.cos(heading) * Math.cos(tilt));
     const right = new THREE.Vector3(0, 1, 0).cross(back).normalize();
     const up = back.clone().cross(right);
@@ -244,5 +248,5 @@ export function fitted(points: (readonly [number, number, number])[], aspect: nu
   const up = along(1, tangent * FILLED.up);
   const distance = Math.max(across.distance, up.distance);
   const spare = tangent * FILLED.up * (distance - up.distance);
-  return { across: across.aside, up: up.aside + LOWER * spare, distance };
+  return { across: across.aside, up: up.aside + LOWER * narrowness(aspect) ** 2 * spare, distance };
 }

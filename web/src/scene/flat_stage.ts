@@ -9,6 +9,7 @@ import { hillShade } from "./hill_shade";
 import { type Ends, INKS } from "./line_mark";
 import type { Shot, ShotOptions } from "./shots";
 import type { Place } from "./pick";
+import type { Lines } from "./shown";
 import { smoothed } from "./smooth";
 
 /** Times that heights are drawn as steep as they are, unless chosen. */
@@ -40,8 +41,7 @@ export class FlatStage {
   private next = 0;
   private readonly resized = new ResizeObserver(() => this.redraw());
   private zoom = 1;
-  private section: Ends | null = null;
-  private ruler: Ends | null = null;
+  private readonly lines: Lines = { section: null, ruler: null };
   private brush: [number, number, number] = [0, 0, 0];
 
   constructor(
@@ -105,13 +105,8 @@ export class FlatStage {
     return this.maps.find((map) => map.run === run);
   }
 
-  showSection(line: Ends | null): void {
-    this.section = line;
-    this.redraw();
-  }
-
-  showRuler(line: Ends | null): void {
-    this.ruler = line;
+  showLine(of: keyof Lines, line: Ends | null): void {
+    this.lines[of] = line;
     this.redraw();
   }
 
@@ -221,7 +216,7 @@ export class FlatStage {
     context.globalAlpha = 1;
     const on = (x: number, y: number): [number, number] => [left + x * width, top + (1 - y) * height];
     context.lineWidth = 2;
-    for (const [line, ink] of [[this.section, INKS.section], [this.ruler, INKS.ruler]] as const) {
+    for (const [line, ink] of [[this.lines.section, INKS.section], [this.lines.ruler, INKS.ruler]] as const) {
       if (!line) continue;
       context.strokeStyle = `#${ink.toString(16).padStart(6, "0")}`;
       context.beginPath();

@@ -3,7 +3,7 @@
 import * as THREE from "three";
 import type { Look } from "../core/view";
 
-export type LightUniforms = Record<"sun" | "sunLight" | "skyLight" | "horizon" | "zenith" | "level" | "haze", THREE.IUniform>;
+export type LightUniforms = Record<"sun" | "sunLight" | "skyLight" | "horizon" | "zenith" | "level" | "haze" | "thin", THREE.IUniform>;
 
 interface Mood {
   sun: [number, number, number];
@@ -23,7 +23,7 @@ const BEHIND = 200;
 
 export function lightUniforms(): LightUniforms {
   const vector = () => ({ value: new THREE.Vector3(0, 1, 0) });
-  return { sun: vector(), sunLight: vector(), skyLight: vector(), horizon: vector(), zenith: vector(), level: { value: 0 }, haze: { value: 1 } };
+  return { sun: vector(), sunLight: vector(), skyLight: vector(), horizon: vector(), zenith: vector(), level: { value: 0 }, haze: { value: 1 }, thin: { value: 1 } };
 }
 
 /** The sun's azimuth and height (degrees): as chosen, or across the crests that this wind makes. */
@@ -32,6 +32,11 @@ export function sunOf(look: Pick<Look, "sunAzimuth" | "sunHeight">, wind: number
   const [one, other] = [wind + ASIDE, wind - ASIDE];
   const across = (away(one) >= away(other) ? one : other + 360) % 360;
   return { azimuth: look.sunAzimuth ?? across, height: look.sunHeight ?? HEIGHT };
+}
+
+/** Whether a scene is at dusk: as chosen, or as dark as the part of the page that holds it. */
+export function isDusk(look: Pick<Look, "light">, host: Element): boolean {
+  return look.light === "theme" ? getComputedStyle(host).colorScheme === "dark" : look.light === "dusk";
 }
 
 export function shine(uniforms: LightUniforms, sun: { azimuth: number; height: number }, dark: boolean): void {

@@ -3,6 +3,7 @@
 import type * as THREE from "three";
 import type { Status } from "../core/protocol";
 import type { Run } from "../core/run";
+import { breath } from "./breath";
 
 /** Pixels of a tile along a side, at most: every graphics card can do it, and even without one a page answers after some seconds. */
 const TILE = 512;
@@ -50,6 +51,7 @@ export class Tiles {
   async draw(paint: (view: number, viewport: Viewport) => void, progress?: (done: number, of: number) => void): Promise<void> {
     const context = this.canvas.getContext("2d")!;
     const tiles = this.tiles();
+    const breathe = breath();
     const wide = Math.round(this.width / this.count);
     for (const [at, [view, x, y, w, h]] of tiles.entries()) {
       this.renderer.setPixelRatio(1);
@@ -60,7 +62,7 @@ export class Tiles {
       this.camera.setViewOffset(wide, this.height, x, y, w, h);
       paint(view, [0, 0, w, h]);
       context.drawImage(this.renderer.domElement, 0, 0, w, h, view * wide + x, y, w, h);
-      if (at + 1 < tiles.length) await new Promise((done) => setTimeout(done));
+      await breathe();
       progress?.(at + 1, tiles.length);
     }
   }

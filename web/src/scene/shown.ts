@@ -6,6 +6,7 @@ import type { Run } from "../core/run";
 import { type LightUniforms, lightUniforms } from "./light";
 import { type Ends, INKS, LineMark } from "./line_mark";
 import { lookOf } from "./looks";
+import { narrowness } from "./narrow";
 import { Surroundings } from "./surroundings";
 import { Terrain } from "./terrain";
 
@@ -53,6 +54,7 @@ export class Shown {
     if (!run.ready || !terrain.drawn.length) return;
     light.haze.value = manner.haze ? 1 : 0;
     light.level.value = manner.level;
+    light.thin.value = manner.camera instanceof THREE.PerspectiveCamera ? narrowness(manner.camera.aspect) : 1;
     for (const name of ["section", "ruler"] as const) {
       this.marks[name].widen(manner.wide);
       this.marks[name].update(manner.lines[name], terrain, run.rows, run.columns);

@@ -7,7 +7,8 @@ import type { Run } from "../core/run";
 import { Signal } from "../core/signal";
 import { Camera, type Standpoint, type Viewpoint } from "./camera";
 import { NATURAL } from "./colouring";
-import { sunOf } from "./light";
+import { still } from "./held";
+import { isDusk, sunOf } from "./light";
 import type { Place } from "./pick";
 import { Quality } from "./quality";
 import type { Ends } from "./line_mark";
@@ -115,15 +116,9 @@ export class Stage {
     return this.surfaces.terrain(run);
   }
 
-  /** Show the line of a section (shares of the field), or none. */
-  showSection(line: Ends | null): void {
-    this.lines.section = line;
-    this.redraw();
-  }
-
-  /** Show the line of the ruler (shares of the field), or none. */
-  showRuler(line: Ends | null): void {
-    this.lines.ruler = line;
+  /** Show the line of a section, or of the ruler (shares of the field), or none. */
+  showLine(of: keyof Lines, line: Ends | null): void {
+    this.lines[of] = line;
     this.redraw();
   }
 
@@ -159,6 +154,8 @@ export class Stage {
 
   private async draw(options: ShotOptions): Promise<Shot> {
     const { width, height, transparent = false } = options;
+    this.paint();
+    const held = still(this.canvas);
     this.shooting = options;
     const ratio = this.renderer.getPixelRatio();
     const { count } = this.surfaces;
@@ -176,6 +173,7 @@ export class Stage {
       this.view.active.clearViewOffset();
       this.renderer.setPixelRatio(ratio);
       this.resize();
+      held.remove();
       this.all();
     }
   }
@@ -252,6 +250,11 @@ export class Stage {
     if (!this.dirty) return;
     this.dirty = false;
     if (this.quality.drawn(performance.now(), moving)) this.resize();
+    this.paint();
+  }
+
+  /** Draw the scene into the page. */
+  private paint(): void {
     this.update(this.plain === false, this.stale);
     this.stale.clear();
     this.surfaces.paint(this.canvas.clientWidth, this.canvas.clientHeight, this.manner());
@@ -272,9 +275,9 @@ export class Stage {
     return { camera: this.camera, level: this.view.level(), haze, around: !transparent, fine, dark: this.dark, lines: this.lines, wide };
   }
 
-  /** Whether the scene is at dusk, as the picture that is being drawn asks, or the page's theme. */
+  /** Whether the scene is at dusk, as the picture that is being drawn asks, or the view. */
   private get dark(): boolean {
-    return this.shooting?.dark ?? getComputedStyle(this.host).colorScheme === "dark";
+    return this.shooting?.dark ?? isDusk(this.app.view.look, this.host);
   }
 
   private aspect(): number {

@@ -72,7 +72,7 @@ export class Terrain {
   settle(run: Run, plain: boolean): void {
     this.reshape(run, plain);
     this.drawn = settled(run.surface, run.rows, run.columns, this.app.view.look.smoothing, run.description!.lattice.thickness, run.description!.lattice.periodic);
-    this.usual = this.usualExaggeration(run);
+    if (!run.painted || !Number.isFinite(this.usual)) this.usual = this.usualExaggeration(run);
   }
 
   /** Whether it is drawn at another exaggeration than the one chosen, or else `usual`. */
@@ -140,7 +140,10 @@ export class Terrain {
   /** Note where the wind comes from when a run begins; to be called before `update`. */
   begin(run: Run): void {
     const { step, wind } = run.status!;
-    if (step < this.lastStep) this.forget();
+    if (step < this.lastStep) {
+      this.forget();
+      run.painted = false;
+    }
     this.firstWind ??= wind;
     this.lastStep = step;
   }

@@ -2,6 +2,7 @@
 
 import type { Progress } from "../core/connection";
 import { h } from "./dom";
+import { TimeLeft } from "./time_left";
 
 type Content = HTMLElement | false;
 
@@ -35,14 +36,16 @@ export type Submit = (progress: Progress, signal: AbortSignal) => Promise<void>;
 
 /** What stands at the foot of a sheet while it works: how far that is, and the ways to break it off. */
 class Work {
-  readonly bar = h("progress", { "aria-label": "Progress" });
-  /** Why nothing comes of it for the moment. */
-  readonly why = h("p", { className: "hint", role: "status", hidden: true });
+  private readonly bar = h("progress", { "aria-label": "Progress" });
+  private readonly count = h("span", { className: "unit", role: "status" });
+  /** How far it is. */
+  readonly shown = h("div", { className: "work" }, this.bar, this.count);
   readonly stop = h("button", { type: "button", onclick: () => this.breakOff() }, "cancel");
   /** Shown where somebody is about to leave the sheet. */
   readonly question: HTMLElement;
   private readonly stay = h("button", { type: "button", className: "primary", onclick: () => this.ask(false) }, "go on");
   private running: AbortController | null = null;
+  private left = new TimeLeft();
 
   constructor() {
     const give = h("button", { type: "button", onclick: () => this.breakOff() }, "break it off");
@@ -52,19 +55,26 @@ class Work {
 
   begin(): AbortSignal {
     this.running = new AbortController();
+    this.left = new TimeLeft();
+    this.count.textContent = "";
     return this.running.signal;
   }
 
-  readonly progress: Progress = (done, of, why = "") => {
-    this.bar.hidden = this.stop.hidden = false;
-    this.why.hidden = why === "";
-    if (this.why.textContent !== why) this.why.textContent = why;
+  readonly progress: Progress = (done, of, words = {}) => {
+    this.show();
     showOn(this.bar, done, of);
+    const counted = words.counted ? `${words.counted} ${Math.min(done + 1, of)} of ${of}` : "";
+    const told = words.waits ?? [counted, this.left.told(done, of)].filter(Boolean).join(" · ");
+    if (this.count.textContent !== told) this.count.textContent = told;
   };
+
+  show(): void {
+    this.shown.hidden = this.stop.hidden = false;
+  }
 
   end(): void {
     this.running = null;
-    this.bar.hidden = this.stop.hidden = this.why.hidden = true;
+    this.shown.hidden = this.stop.hidden = true;
     this.ask(false);
   }
 
@@ -109,7 +119,7 @@ export function formDialog(title: string, action: string, submit: Submit, ...con
       work.end();
     }
   };
-  const form = h("form", { method: "dialog", onsubmit: (event: Event) => void send(event) }, ...content.filter((one) => one !== false), trouble, work.why, work.bar, h("div", { className: "buttons" }, button, work.stop), work.question);
+  const form = h("form", { method: "dialog", onsubmit: (event: Event) => void send(event) }, ...content.filter((one) => one !== false), trouble, work.shown, h("div", { className: "buttons" }, button, work.stop), work.question);
   const element = dialog(title, "small", form);
   work.guard(element);
   return element;
@@ -121,8 +131,8 @@ export async function working(title: string, act: Submit): Promise<void> {
   const signal = work.begin();
   let sheet: HTMLDialogElement | undefined;
   const soon = setTimeout(() => {
-    work.bar.hidden = work.stop.hidden = false;
-    sheet = dialog(title, "small", work.why, work.bar, h("div", { className: "buttons" }, work.stop), work.question);
+    work.show();
+    sheet = dialog(title, "small", work.shown, h("div", { className: "buttons" }, work.stop), work.question);
     work.guard(sheet);
   }, SOON);
   try {

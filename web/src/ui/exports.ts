@@ -76,7 +76,7 @@ class ExportSheet {
     const chosen = fields === "none" ? [] : [...this.fields.querySelectorAll<HTMLInputElement>("input:checked")].map((box) => box.value);
     const what = { format: name, states: Number(this.states.value), options: this.read(), ...(chosen.length ? { fields: chosen } : {}) };
     const written = await fetchFile(this.app, { command: "export", name: `${this.name.value}${suffix}`, ...what, run: this.app.selected }, progress, signal);
-    this.app.note("info", `Exported ${written}; it is kept in studio-exports, with a file that tells what its numbers mean.`);
+    this.app.notices.confirm(`Exported ${written}; it is kept in studio-exports, with a file that tells what its numbers mean.`);
   }
 }
 
@@ -127,7 +127,7 @@ export function reportSheet(app: App): void {
   const text = `Maps, sections, slopes, differences and measures of both runs from the start to step ${until}, in one HTML file. Every kept state of both runs is measured for it, which can take minutes.`;
   const write: Submit = async (progress, signal) => {
     const name = await fetchFile(app, { command: "report", until }, progress, signal);
-    app.note("info", `Wrote ${name}; it is kept in studio-exports.`);
+    app.notices.confirm(`Wrote ${name}; it is kept in studio-exports.`);
   };
   formDialog("Comparison report of both runs", "write the report", write, h("p", {}, text));
 }

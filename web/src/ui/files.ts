@@ -204,7 +204,7 @@ export class Files {
     const pair = this.app.runs.length > 1;
     const save: Submit = async (progress, signal) => {
       const answer = await this.app.connection.ask({ command: "save", name: name.value }, progress, signal);
-      this.app.note("info", `Saved ${answer.frames} frames up to step ${answer.step} as ${name.value}.`);
+      this.app.notices.confirm(`Saved ${answer.frames} frames up to step ${answer.step} in the folder “${name.value}”.`);
     };
     formDialog(
       "Save the run",

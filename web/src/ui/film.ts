@@ -69,7 +69,7 @@ export async function filmSheet(app: App, stage: Stage): Promise<void> {
     const request = { command: "export" as const, name: file, format: format.name, states: last, options: { frames_per_second: second, pixels: Number(side.value) }, run: app.selected };
     const film = { name: file, states: last, width, height, rate: second, turn: turn.number!, words: words.chosen() };
     const written = view.value === "scene" ? await filmOfStates(app, stage, film, progress, signal) : await fetchFile(app, request, progress, signal);
-    app.note("info", `The film ${written} is written; it is kept in studio-exports.`);
+    app.notices.confirm(`The film ${written} is written; it is kept in studio-exports.`);
   };
   formDialog("Film of what was just seen", "write the film", write, row("drawn", view), row("how far back", h("div", { className: "control" }, states, count)), row("frames a second", rate.element), told, ...ofScene, ...ofMap, row(`name (${format.suffix})`, name), hint);
   show();

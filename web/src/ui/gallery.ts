@@ -1,6 +1,7 @@
 /** The gallery of presets by landform: pictures, what to look for, and where to start. */
 
 import type { App } from "../core/app";
+import { withoutNames } from "../core/labels";
 import type { JsonObject } from "../core/protocol";
 import { dialog } from "./dialog";
 import { h } from "./dom";
@@ -55,7 +56,7 @@ export async function gallery(app: App, onTour: () => void, unfinished: Unfinish
 function lead(app: App, preset: Preset, close: () => void, onTour: () => void): HTMLElement {
   const begin = (tour: boolean) => {
     close();
-    void open(app, preset.name).then(() => tour && onTour());
+    void open(app, preset).then(() => tour && onTour());
   };
   return h(
     "section",
@@ -65,8 +66,8 @@ function lead(app: App, preset: Preset, close: () => void, onTour: () => void): 
       "div",
       {},
       h("h3", {}, "Start here"),
-      h("p", {}, h("b", {}, preset.title), ". ", preset.look_for),
-      h("p", { className: "question" }, preset.question),
+      h("p", {}, h("b", {}, preset.title), ". ", withoutNames(preset.look_for)),
+      h("p", { className: "question" }, withoutNames(preset.question)),
       h(
         "div",
         { className: "buttons" },
@@ -78,17 +79,17 @@ function lead(app: App, preset: Preset, close: () => void, onTour: () => void): 
 }
 
 /** Start a preset. */
-export async function open(app: App, name: string): Promise<void> {
+export async function open(app: App, { name, title }: Pick<Preset, "name" | "title">): Promise<void> {
   const answer = await app.ask({ command: "preset", name });
   if (!answer) return;
-  app.note("info", `Preset ${name}.`);
+  app.note("info", `Preset “${title}”.`);
   await app.create(answer.scenario as JsonObject, true);
 }
 
 function card(app: App, preset: Preset, close: () => void): HTMLElement {
   const begin = () => {
     close();
-    void open(app, preset.name);
+    void open(app, preset);
   };
   const picture = preset.picture
     ? h("img", { src: app.connection.picture(preset.name), alt: "", loading: "lazy", width: 320, height: 200 })
@@ -99,9 +100,9 @@ function card(app: App, preset: Preset, close: () => void): HTMLElement {
     picture,
     h("b", {}, preset.title),
     h("small", {}, `${preset.model} · ${preset.columns} × ${preset.rows} cells`),
-    h("span", {}, preset.look_for),
-    h("em", { className: "question" }, preset.question),
-    h("small", { className: "source" }, preset.citation),
+    h("span", {}, withoutNames(preset.look_for)),
+    h("em", { className: "question" }, withoutNames(preset.question)),
+    h("small", { className: "source" }, withoutNames(preset.citation)),
   );
 }
 

@@ -30,10 +30,10 @@ export class Hud {
   ) {
     this.rose.append(
       ...[0, 90, 180, 270].map((angle) => svg("line", { x1: 0, y1: -36, x2: 0, y2: -32, transform: `rotate(${angle})`, class: "mark" })),
-      svg("text", { x: 0, y: -38 }, "N"),
+      svg("text", { x: 0, y: -41 }, "N"),
       ...this.winds,
     );
-    const compass = svg("svg", { viewBox: "-50 -52 100 104", width: 92, height: 96, role: "img", "aria-label": "Compass; the arrow shows where the wind blows" }, svg("circle", { r: 36, class: "face" }), this.rose);
+    const compass = svg("svg", { viewBox: "-54 -54 108 108", width: 92, height: 96, role: "img", "aria-label": "Compass; the arrow shows where the wind blows" }, svg("circle", { r: 36, class: "face" }), this.rose);
     this.legends = [new LegendBox(app), new LegendBox(app, "right")];
     this.element = h(
       "div",

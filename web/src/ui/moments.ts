@@ -39,9 +39,10 @@ export class Moments {
   async mark(): Promise<void> {
     const { status } = this.app.current ?? {};
     if (!status) return;
-    await this.bookmarks.add(`moment ${this.bookmarks.list.length + 1}`, this.app.view.look.field, this.stage.standpoint() as unknown as JsonObject);
-    const set = this.bookmarks.list.at(-1);
-    if (set) this.app.note("info", `Marked; see Moments in the panel.`);
+    const name = `moment ${this.bookmarks.list.length + 1}`;
+    await this.bookmarks.add(name, this.app.view.look.field, this.stage.standpoint() as unknown as JsonObject);
+    const set = this.bookmarks.list.find((one) => one.name === name);
+    if (set) this.app.notices.confirm(`Marked as “${name}” at step ${short(set.step, 9)}; see Moments in the panel.`);
   }
 
   private async visit(bookmark: Bookmark): Promise<void> {

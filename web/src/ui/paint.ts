@@ -45,6 +45,7 @@ export class Paint {
   private readonly strength = new NumberField({ take: (strength) => this.strengthen(strength!), props: { "data-paint": "strength" } });
   private readonly unit = h("span", { className: "unit" });
   private readonly numbers = h("div", {});
+  private readonly note = h("p", { className: "hint" });
   /** Further numbers of brushes, by brush and key. */
   private readonly chosen = new Map<string, number>();
 
@@ -72,6 +73,7 @@ export class Paint {
       row("radius", this.radiusInput.element, h("span", { className: "unit" }, "m")),
       row("strength", this.strength.element, this.unit),
       this.numbers,
+      this.note,
       row("falloff", falloff),
       h("div", { className: "buttons" }, this.undo, this.redo),
       h("p", { className: "hint" }, "Draw over the surface, while it runs or paused. [ and ] change the radius; hold Alt to turn the view."),
@@ -106,6 +108,7 @@ export class Paint {
 
   press(run: Run, place: Place): void {
     this.pressed = run;
+    for (const one of this.app.runs) one.painted = true;
     this.last = [place.x, place.y];
     this.send([this.last], { begin: true });
   }
@@ -141,6 +144,8 @@ export class Paint {
     this.painted = this.what.value = title;
     const brush = this.brush!;
     this.unit.textContent = brush.unit;
+    this.note.textContent = brush.note;
+    this.note.hidden = !brush.note;
     this.strengthen(this.strengths.get(title) ?? brush.usual);
     this.numbers.replaceChildren(...brush.numbers.map((number) => this.numberRow(title, number)));
   }

@@ -4,7 +4,7 @@ import type { App } from "../core/app";
 import type { Json, JsonObject } from "../core/protocol";
 import { compare } from "./compare";
 import { type Schema, at, entryOf, replaced } from "../core/schema";
-import { readable } from "../core/labels";
+import { readable, withoutNames } from "../core/labels";
 import { remaining } from "../core/restarts";
 import { namesOf } from "../core/run";
 import { h, id, later } from "./dom";
@@ -82,14 +82,13 @@ export class Panel {
       beside: this.app.runs.length > 1 ? null : (key, value) => void this.beside(key, value),
       live: (path, schema) => path[0] === "model" && !path.some(Number.isInteger) && schema.live === true,
     };
-    const look = String(this.scenario.look_for ?? "");
-    const question = String(this.scenario.question ?? "");
+    const [look, question, citation] = ["look_for", "question", "citation"].map((name) => withoutNames(String(this.scenario[name] ?? "")));
     const about = h(
       "div",
       { className: "about" },
       look && h("p", {}, look),
       question && h("p", { className: "question" }, question),
-      h("p", { className: "source" }, readable(String(this.scenario.citation ?? ""), this.app.current!.description!.models)),
+      h("p", { className: "source" }, readable(citation!, this.app.current!.description!.models)),
     );
     return [
       ...this.whose(),

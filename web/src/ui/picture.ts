@@ -2,6 +2,7 @@
 
 import type { App } from "../core/app";
 import type { Progress } from "../core/connection";
+import { isDusk } from "../scene/light";
 import { type Shot, blobOf } from "../scene/shots";
 import type { Stage } from "../scene/stage";
 import { formDialog } from "./dialog";
@@ -35,7 +36,7 @@ class PictureSheet {
   private readonly light = h(
     "select",
     { "aria-label": "Light", onchange: () => this.changed() },
-    ...["as the page", "day", "dusk"].map((text) => h("option", { value: text }, text)),
+    ...["as the scene", "day", "dusk"].map((text) => h("option", { value: text }, text)),
   );
   private readonly words: WordsRows;
   private readonly clear = h("input", { type: "checkbox", onchange: () => this.changed() });
@@ -82,7 +83,7 @@ class PictureSheet {
   private readonly changed = later(SETTLED, () => void this.show());
 
   private get dark(): boolean {
-    return this.light.value === "as the page" ? document.documentElement.dataset.theme === "dark" : this.light.value === "dusk";
+    return this.light.value === "as the scene" ? isDusk(this.app.view.look, this.stage.host) : this.light.value === "dusk";
   }
 
   /** The picture with its words; `share` of its size. */

@@ -1,6 +1,7 @@
 /** Records the scene while it runs, as it is seen: the browser makes the film, of which a bar in the scene tells how long it is. */
 
 import type { App } from "../core/app";
+import { isDusk } from "../scene/light";
 import type { Shot } from "../scene/shots";
 import type { Stage } from "../scene/stage";
 import { type Submit, formDialog } from "./dialog";
@@ -99,7 +100,7 @@ export class Recorder {
   private save(name: string, film: Blob, long: string): void {
     if (!film.size) return this.fail();
     download(name, film);
-    this.app.note("info", `The film of the scene is saved as ${name}, ${long} long.`);
+    this.app.notices.confirm(`The film of the scene is saved as ${name}, ${long} long.`);
   }
 
   private fail(): void {
@@ -114,7 +115,7 @@ export class Recorder {
     this.drawnAt = now;
     const { canvas, stage, app } = this;
     const context = canvas.getContext("2d")!;
-    const dark = document.documentElement.dataset.theme === "dark";
+    const dark = isDusk(app.view.look, stage.host);
     context.fillStyle = getComputedStyle(stage.host).backgroundColor;
     context.fillRect(0, 0, canvas.width, canvas.height);
     context.drawImage(stage.canvas, 0, 0, canvas.width, canvas.height);

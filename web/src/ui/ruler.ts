@@ -104,10 +104,10 @@ export class Ruler {
 
   private show(): void {
     const run = this.app.current;
-    if (!this.active || !run?.ready) return this.stage.showRuler(null);
+    if (!this.active || !run?.ready) return this.stage.showLine("ruler", null);
     const { columns, rows, cell_size } = run.description!.lattice;
     const [w, d] = [columns * cell_size, rows * cell_size];
-    this.stage.showRuler(this.line && [this.line[0] / w, this.line[1] / d, this.line[2] / w, this.line[3] / d]);
+    this.stage.showLine("ruler", this.line && [this.line[0] / w, this.line[1] / d, this.line[2] / w, this.line[3] / d]);
     this.hint.hidden = this.line !== null && !this.half;
     const known = this.second ? 4 : 2;
     this.line?.forEach((place, at) => {

@@ -3,6 +3,7 @@
 import type { App } from "../core/app";
 import type { Progress } from "../core/connection";
 import { shownSteps } from "../core/run";
+import { isDusk } from "../scene/light";
 import { type Shot, jpegOf } from "../scene/shots";
 import type { Stage } from "../scene/stage";
 import { download } from "./dom";
@@ -42,12 +43,12 @@ export async function filmOfStates(app: App, stage: Stage, film: SceneFilm, prog
   try {
     return await encoded(app, film, signal, async (send) => {
       for (const [at, step] of steps.entries()) {
-        signal.throwIfAborted();
-        await showStep(app, step, back);
-        await send(await pictureOf(app, stage, film));
+        progress(at, steps.length, { counted: "picture" });
+        await showStep(app, step, back, signal);
+        await send(await pictureOf(app, stage, film, signal));
         if (film.turn) stage.turn((film.turn * Math.PI) / 180 / Math.max(steps.length - 1, 1), 0);
-        progress(at + 1, steps.length);
       }
+      progress(steps.length, steps.length);
     });
   } finally {
     stage.steady = false;
@@ -73,9 +74,9 @@ async function encoded(app: App, { name, rate }: SceneFilm, signal: AbortSignal,
   }
 }
 
-async function pictureOf(app: App, stage: Stage, { width, height, words }: SceneFilm): Promise<Blob> {
-  const shot: Shot = await stage.shoot({ width, height });
-  drawWords(app, stage, shot, words, document.documentElement.dataset.theme === "dark");
+async function pictureOf(app: App, stage: Stage, { width, height, words }: SceneFilm, signal: AbortSignal): Promise<Blob> {
+  const shot: Shot = await stage.shoot({ width, height, progress: () => signal.throwIfAborted() });
+  drawWords(app, stage, shot, words, isDusk(app.view.look, stage.host));
   return jpegOf(shot.canvas);
 }
 
@@ -91,23 +92,27 @@ async function rest(app: App): Promise<void> {
 }
 
 /** Let all runs show the state after a step, which is the newest one unless one looks `back`. */
-async function showStep(app: App, step: number, back: number | null): Promise<void> {
+async function showStep(app: App, step: number, back: number | null, signal: AbortSignal): Promise<void> {
   const newest = back === null && app.current!.status!.live === step;
   app.send({ command: "look", step: newest ? null : step });
-  await until(app, () => app.runs.every(({ status }) => status!.step === step && status!.looking !== newest));
+  await until(app, () => app.runs.every(({ status }) => status!.step === step && status!.looking !== newest), signal);
 }
 
-/** Wait until a frame has brought what is wanted; throws where none does. */
-function until(app: App, wanted: () => boolean): Promise<void> {
+/** Wait until a frame has brought what is wanted; throws where none does, or that was broken off. */
+function until(app: App, wanted: () => boolean, signal?: AbortSignal): Promise<void> {
   return new Promise((done, failed) => {
     const late = setTimeout(() => end(() => failed(new Error("The run does not show the state that was asked for."))), 1000 * PATIENCE);
     const see = () => wanted() && end(done);
+    const stop = () => end(() => failed(signal?.reason));
     const end = (act: () => void) => {
       clearTimeout(late);
       app.framed.leave(see);
       app.changed.leave(see);
+      signal?.removeEventListener("abort", stop);
       act();
     };
+    if (signal?.aborted) return stop();
+    signal?.addEventListener("abort", stop);
     app.framed.watch(see);
     app.changed.watch(see);
     see();

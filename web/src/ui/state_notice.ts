@@ -115,11 +115,10 @@ export class StateNotice {
     );
   }
 
-  /** Whether the run stands at the last step that its scenario names. */
+  /** Whether the run stands where it has stopped by itself. */
   private atItsEnd(): boolean {
     const { current, running } = this.app;
-    const run = current?.description?.scenario.run as { steps?: number } | undefined;
-    return !running && !current?.status?.looking && current?.status?.step === run?.steps;
+    return !running && !current?.status?.looking && current?.status?.step === current?.status?.end;
   }
 }
 

@@ -1,7 +1,7 @@
 /** The run's past: look back, play, return to now, go on from an earlier state. */
 
 import type { App } from "../core/app";
-import { commonHistory } from "../core/run";
+import { commonHistory, shownSteps } from "../core/run";
 import { button, h, isActive, short } from "./dom";
 
 const PLAY_PAUSE = 90;
@@ -107,7 +107,8 @@ export class Timeline {
       this.slider.value = String(status.looking ? at : history.length - 1);
     }
     this.slider.setAttribute("aria-valuetext", `step ${status.step}`);
-    this.label.textContent = status.looking ? `step ${short(status.step, 9)} of ${short(status.live, 9)}` : history.length === 1 ? "1 state kept" : `${history.length} states kept`;
+    const kept = shownSteps(this.app.runs).length; // the present one as well
+    this.label.textContent = status.looking ? `step ${short(status.step, 9)} of ${short(status.live, 9)}` : kept === 1 ? "1 state kept" : `${kept} states kept`;
     this.element.classList.toggle("looking", status.looking);
     this.now.hidden = !status.looking;
     this.branch.hidden = !status.looking;

@@ -1,14 +1,16 @@
-/** The first minute: three steps that each wait until the user has done them. */
+/** The first minute: three steps that each wait for their reader. */
 
 import type { App } from "../core/app";
 import { h } from "./dom";
 
 interface Step {
   text: string;
+  /** What stands behind the text once what it waits for is there. */
+  ready?: string;
   /** What the button does for those who would rather watch. */
   label: string;
   act: () => void;
-  /** Whether the step is done. */
+  /** Whether what it waits for is there: without words of its own for that the next step begins. */
   done: () => boolean;
 }
 
@@ -21,7 +23,7 @@ export class Tour {
   readonly element = h("section", { className: "tour", "aria-label": "Tour", hidden: true });
   private at = -1;
   private windAtStart = 0;
-  private turnedAt = 0;
+  private readonly text = h("p", { role: "status" });
 
   constructor(
     private readonly app: App,
@@ -45,6 +47,7 @@ export class Tour {
     return [
       {
         text: `Wait until dunes stand: sand that the wind moves gathers in heaps with a steep side in the lee. The arrow shows where the wind blows${this.steady ? "" : "; it comes from several sides in turn"}.`,
+        ready: "Dunes stand now.",
         label: "go on",
         act: () => this.choose(1),
         done: () => (status()?.step ?? 0) >= GROWN,
@@ -66,19 +69,18 @@ export class Tour {
 
   private choose(at: number): void {
     this.at = at;
+    if (at === 0) this.app.send({ command: "run", until: GROWN });
     if (at === 1) {
       this.windAtStart = this.app.current?.status?.wind ?? 0;
       this.openWind();
     }
-    if (at === 2) {
-      this.turnedAt = this.app.current?.status?.step ?? 0;
-      this.app.send({ command: "run", until: this.turnedAt + FOLLOWED });
-    }
+    if (at === 2) this.app.send({ command: "run", until: (this.app.current?.status?.step ?? 0) + FOLLOWED });
     const step = this.steps()[at]!;
+    this.text.textContent = step.text;
     this.element.hidden = false;
     this.element.replaceChildren(
       h("b", {}, `${at + 1} of ${this.steps().length}`),
-      h("p", { role: "status" }, step.text),
+      this.text,
       h("button", { type: "button", className: "primary", onclick: step.act }, step.label),
       h("button", { type: "button", className: "close", "aria-label": "End the tour", title: "End the tour", onclick: () => this.end() }, "×"),
     );
@@ -99,6 +101,10 @@ export class Tour {
 
   private follow(): void {
     if (this.at < 0 || !this.app.current?.ready) return;
-    if (this.steps()[this.at]!.done()) this.choose(this.at + 1);
+    const { done, ready, text } = this.steps()[this.at]!;
+    if (!done()) return;
+    if (ready === undefined) return this.choose(this.at + 1);
+    const whole = `${text} ${ready}`;
+    if (this.text.textContent !== whole) this.text.textContent = whole;
   }
 }

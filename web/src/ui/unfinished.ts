@@ -40,24 +40,24 @@ export class Unfinished {
 
   /** The offers over the scene, each of which can be put off. */
   overScene(): HTMLElement {
-    return this.list(() => this.left.filter(({ name }) => !this.put.has(name)), true, () => undefined);
+    return this.list(this.put, () => undefined);
   }
 
-  /** All offers, in a sheet; `onOpen` is called when one was opened. */
+  /** All offers, in a sheet, those as well that were put off before it; `onOpen` is called when one was opened. */
   inSheet(onOpen: () => void): HTMLElement {
-    return this.list(() => this.left, false, onOpen);
+    return this.list(new Set(), onOpen);
   }
 
-  /** A list of offers, which is hidden where there are none. */
-  private list(offered: () => Left[], wait: boolean, onOpen: () => void): HTMLElement {
+  /** A list of offers but those that were put off, which is hidden where there are none. */
+  private list(put: Set<string>, onOpen: () => void): HTMLElement {
     const element = h("ul", { className: "unfinished", "aria-label": "Runs that stopped unexpectedly" });
     let shown = false;
     const draw = () => {
       if (shown && !element.isConnected) return this.changed.leave(draw); // its sheet was closed
       shown = element.isConnected;
-      const offers = offered();
+      const offers = this.left.filter(({ name }) => !put.has(name));
       element.hidden = offers.length === 0;
-      element.replaceChildren(...offers.map((one) => this.offer(one, wait, onOpen)));
+      element.replaceChildren(...offers.map((one) => this.offer(one, put, onOpen)));
     };
     this.changed.watch(draw);
     draw();
@@ -82,7 +82,7 @@ export class Unfinished {
     this.changed.send();
   }
 
-  private offer(one: Left, wait: boolean, onOpen: () => void): HTMLElement {
+  private offer(one: Left, put: Set<string>, onOpen: () => void): HTMLElement {
     const discard = h("button", { type: "button", onclick: () => this.confirm(discard, one) }, "discard it");
     return h(
       "li",
@@ -90,7 +90,7 @@ export class Unfinished {
       h("span", {}, words(one, this.app.current?.description?.models ?? {})),
       h("button", { type: "button", className: "primary", onclick: () => void this.open(one, onOpen) }, "open it"),
       discard,
-      wait && h("button", { type: "button", onclick: () => this.putOff(one) }, "later"),
+      h("button", { type: "button", onclick: () => this.putOff(one, put) }, "later"),
     );
   }
 
@@ -101,8 +101,9 @@ export class Unfinished {
     onOpen();
   }
 
-  /** Take an offer from the scene for now. */
-  private putOff(one: Left): void {
+  /** Take an offer from the scene, and from the list where that was said, for now. */
+  private putOff(one: Left, put: Set<string>): void {
+    put.add(one.name);
     this.put.add(one.name);
     this.changed.send();
     this.app.note("info", "The run is kept; Presets offers it further on, and so does the next start of the studio.");

@@ -4,7 +4,7 @@ import type { App } from "../core/app";
 import { LOOK, type Look } from "../core/view";
 import { plainFields } from "../scene/colouring";
 import type { Stage } from "../scene/stage";
-import { h, id, short } from "./dom";
+import { h, id, isActive } from "./dom";
 import { labelOf } from "../core/labels";
 import { NumberField } from "./number_field";
 import { OverlayPanel } from "./overlay";
@@ -83,6 +83,7 @@ export class ViewPanel {
       ...steep.rows,
       this.slider("smoothing (display only)", "smoothing", 0, 4, "×"),
       ...sun.rows,
+      this.choice("light", "light", [["theme", "as the theme"], ["day", "day"], ["dusk", "dusk"]]),
       this.check("shadows of the sun", "shadows"),
       this.choice("detail", "quality", [["automatic", "automatic"], ["full", "full"], ["plain", "plain (slow graphics)"]]),
       h("h2", {}, "Camera"),
@@ -165,11 +166,12 @@ export class ViewPanel {
   /** A slider by factors, and the choice to leave it to the lattice. */
   private exaggeration(): Rows {
     const now = () => (this.app.current && this.stage.terrain(this.app.current)?.exaggeration) ?? 1;
-    const value = h("span", { className: "unit" });
+    const [least, most] = [0.5, 50];
+    const value = new NumberField({ label: "Times as steep", least, most, take: (typed) => this.set({ exaggeration: typed! }) });
     const slider = h("input", {
       type: "range",
-      min: String(Math.log(0.5)),
-      max: String(Math.log(50)),
+      min: String(Math.log(least)),
+      max: String(Math.log(most)),
       step: "any",
       oninput: () => {
         this.set({ exaggeration: Number(Math.exp(Number(slider.value)).toPrecision(2)) });
@@ -178,22 +180,23 @@ export class ViewPanel {
     const usual = h("input", {
       type: "checkbox",
       onchange: () => {
+        if (usual.checked) for (const run of this.app.runs) run.painted = false;
         this.set({ exaggeration: usual.checked ? null : now() });
       },
     });
     const show = () => {
       usual.checked = this.app.view.look.exaggeration === null;
-      write(value, `${short(now(), 2)} ×`);
+      follow(value, Number(now().toPrecision(3)));
       if (slider !== document.activeElement || usual.checked) slider.value = String(Math.log(now()));
     };
     show();
-    return { rows: [this.row("vertical exaggeration", slider, value), this.row("automatic", usual)], show };
+    return { rows: [this.row("vertical exaggeration", slider, value.element, "×"), this.row("automatic", usual)], show };
   }
 
   /** Where the sun stands, and the choice to leave it to the wind. */
   private sun(): Rows {
     const rows = ([["sun from", "azimuth", "sunAzimuth", 0, 360], ["sun height", "height", "sunHeight", 5, 89]] as const).map(([label, part, key, min, max]) => {
-      const value = h("span", { className: "unit" });
+      const value = new NumberField({ label: label === "sun from" ? "Direction of the sun" : "Height of the sun", least: min, most: max, take: (typed) => this.set({ [key]: typed! }) });
       const slider = h("input", {
         type: "range",
         min: String(min),
@@ -205,10 +208,10 @@ export class ViewPanel {
       });
       const show = () => {
         slider.value = String(this.stage.sun()[part]);
-        write(value, `${Number(this.stage.sun()[part].toFixed(1))} °`);
+        follow(value, Number(this.stage.sun()[part].toFixed(1)));
         across.checked = this.app.view.look.sunAzimuth === null && this.app.view.look.sunHeight === null;
       };
-      return { row: this.row(label, slider, value), show };
+      return { row: this.row(label, slider, value.element, "°"), show };
     });
     const show = () => rows.forEach((row) => row.show());
     const across = h("input", {
@@ -258,7 +261,7 @@ export class ViewPanel {
   }
 }
 
-/** Let a text stand in an element, which is not drawn again where it stands there already. */
-function write(element: HTMLElement, text: string): void {
-  if (element.textContent !== text) element.textContent = text;
+/** Let a number stand in a field, unless somebody is typing there or it stands there already. */
+function follow(field: NumberField, value: number): void {
+  if (!isActive(field.element) && field.element.value !== String(value)) field.show(value);
 }

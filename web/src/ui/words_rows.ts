@@ -1,6 +1,7 @@
 /** The boxes that choose what is written over a picture or a film. */
 
 import type { App } from "../core/app";
+import { withoutChanges } from "../core/labels";
 import { titleOfShown } from "../core/run";
 import type { Stage } from "../scene/stage";
 import { h } from "./dom";
@@ -14,9 +15,9 @@ export interface WordsRows {
 /** The titles that were typed, each for the scenario whose title it stands for. */
 const typed = new WeakMap<App, Map<string, string>>();
 
-/** The field of the title: that of the scenario, until another one is typed, which is kept for the next picture of it. */
+/** The field of the title: that of the scenario without what was changed, until another one is typed, which is kept for the next picture of it. */
 function headingField(app: App, changed: () => void): HTMLInputElement {
-  const own = titleOfShown(app.runs, app.current);
+  const own = withoutChanges(titleOfShown(app.runs, app.current));
   const titles = typed.get(app) ?? new Map<string, string>();
   typed.set(app, titles);
   const take = () => {

@@ -92,12 +92,12 @@ export class SectionView {
 
   private mark(): void {
     const run = this.app.current;
-    if (!this.visible || !run?.ready) return this.stage.showSection(null);
+    if (!this.visible || !run?.ready) return this.stage.showLine("section", null);
     const [x0, y0, x1, y1] = this.current(run);
     const { columns, rows, cell_size } = run.description!.lattice;
     const [w, d] = [columns * cell_size, rows * cell_size];
     this.ends.show([x0, y0, x1, y1]);
-    this.stage.showSection([x0 / w, y0 / d, x1 / w, y1 / d]);
+    this.stage.showLine("section", [x0 / w, y0 / d, x1 / w, y1 / d]);
   }
 
   private save(): void {

@@ -8,12 +8,13 @@ if TYPE_CHECKING:
     from barchan.studio.server.session import Session
 
 Answers = dict[str, dict[str, Any]]
-"""The contents of the workers' answers, by run."""
+"""The contents of the workers' answers, by run, in the order in which they were asked for."""
 
 
 @dataclass
 class _Joint:
     number: int
+    runs: tuple[str, ...]
     open: set[str]
     """Runs whose workers are at their part."""
     done: Callable[[Answers], None]
@@ -23,6 +24,11 @@ class _Joint:
     answers: Answers = field(default_factory=dict)
     counts: dict[str, tuple[int, int]] = field(default_factory=dict)
     error: str = ""
+
+    @property
+    def in_order(self) -> Answers:
+        """The answers that there are; they came in any order."""
+        return {run: self.answers[run] for run in self.runs if run in self.answers}
 
     def id(self, run: str) -> str:
         """The id of a worker's part: the session's own, never a browser's."""
@@ -60,7 +66,10 @@ class JointAnswers:
         on where that takes more than the worker that there is.
         """
         self._count += 1
-        joint = self._open[self._count] = _Joint(self._count, set(parts), done, failed, progress, request)
+        runs = tuple(parts)
+        joint = self._open[self._count] = _Joint(
+            self._count, runs, set(runs), done, failed, progress, request
+        )
         for run, part in parts.items():
             (send or self._forward)(run, {**part, "id": joint.id(run)})
 
@@ -113,6 +122,6 @@ class JointAnswers:
             return
         del self._open[joint.number]
         if joint.error:
-            joint.failed(joint.error, joint.answers)
+            joint.failed(joint.error, joint.in_order)
         else:
-            joint.done(joint.answers)
+            joint.done(joint.in_order)

@@ -50,6 +50,8 @@ class Studio:
     """0: any free one; None: the usual one, so that what the browser keeps is found again, or a free one."""
     gallery: bool = False
     """Whether the page opens with the gallery of presets."""
+    asked: bool = True
+    """Whether somebody asked for the scenario, or for a value of it."""
 
 
 def serve(
@@ -69,7 +71,8 @@ def serve(
     sock = usual_listener(studio.host) if studio.port is None else listener(studio.host, studio.port)
     port = sock.getsockname()[1]
     guard = Guard(port, tuple({*LOOPBACK, studio.host, *names_of(studio.host)}))
-    session = Session(Workspace(studio.folder), studio.scenario, studio.archive, data_folder() / AUTOSAVES)
+    home = data_folder() / AUTOSAVES
+    session = Session(Workspace(studio.folder), studio.scenario, studio.archive, home, studio.asked)
     config = configured(application(session, guard))
     shown = "127.0.0.1" if studio.host in EVERYWHERE else studio.host
     address = f"{guard.address(shown)}/?token={guard.token}"

@@ -24,7 +24,7 @@ class Lockstep:
         self.running = False
         """Whether they run, or are still on their way to where they meet."""
         self.ends: dict[str, int] = {}
-        """The last step of each run's scenario."""
+        """The step at which each run stops by itself."""
         self._at: dict[str, int] = {}
         """The step where each run stands, or stood when it arrived last."""
         self._behind: set[str] = set()
@@ -42,7 +42,7 @@ class Lockstep:
         self._began = 0.0
 
     def run(self, steps: int | None = None, until: int | None = None) -> None:
-        """Run a number of steps, or up to a step; else to the scenario's end, and from there on and on.
+        """Run a number of steps, or up to a step; else to the end of the run, and from there on and on.
 
         A number of steps stops at the scenario's end, too, where that is ahead.
 
@@ -69,8 +69,11 @@ class Lockstep:
         self._at.clear()
 
     def stands(self, name: str, step: int, end: int) -> None:
-        """A run is at a step, and its scenario ends at another one."""
+        """A run is at a step, and stops by itself at another one; both on their way go so far."""
+        before = min(self.ends.values(), default=None)
         self._at[name], self.ends[name] = step, end
+        if self._until is not None and self._until == before:
+            self._until = min(self.ends.values())
 
     def pause(self) -> None:
         """Stop where both meet next; there both are measured, and not before are they said to pause."""

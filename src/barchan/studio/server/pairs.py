@@ -30,7 +30,7 @@ def save_together(session: "Session", folder: Path, request: Any) -> None:
             Member(folder=folders[run], **{word: answer[word] for word in words})
             for run, answer in answers.items()
         ]
-        name_together(folder, sorted(members, key=lambda one: list(folders.values()).index(one.folder)))
+        name_together(folder, members)
         frames = sum(answer["frames"] for answer in answers.values())
         session.tell("done", id=request, frames=frames, step=members[0].step)
 
@@ -72,7 +72,8 @@ def open_together(
             session.autosave.adopt(adopted)
         if len(answers) == 1 and session.lockstep is not None:
             session.end_second()
-        session.tell("done", id=request, step=answers[first]["step"], aside=answers[first]["aside"])
+        told = {key: answers[first][key] for key in ("step", "aside", "ended")}
+        session.tell("done", id=request, **told)
 
     def failed(why: str, answers: "Answers") -> None:
         if adopted is not None:

@@ -35,10 +35,12 @@ class Session:
         scenario: Scenario | None = None,
         archive: Path | None = None,
         home: Path | None = None,
+        asked: bool = True,
     ) -> None:
         """Prepare a session that begins with a scenario, an archive, or two that were saved together.
 
-        Its runs are kept in ``home`` in case that the studio ends unexpectedly.
+        ``asked`` is whether somebody asked for the scenario. Its runs are kept in ``home`` in case that the
+        studio ends unexpectedly.
         """
         self.workspace = workspace
         self.workers: dict[str, WorkerHandle] = {}
@@ -66,7 +68,7 @@ class Session:
         else:
             data = (scenario or Scenario()).seeded().data()
             workspace.trust(data)
-            self.first = {"command": "start", "scenario": data, "running": True}
+            self.first = {"command": "start", "scenario": data, "running": True, "unasked": not asked}
 
     def start(self) -> None:
         """Start the first worker, both for two that were saved together."""

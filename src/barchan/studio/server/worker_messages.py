@@ -39,7 +39,7 @@ class WorkerMessages:
         if content["type"] == "scenario":
             session.scenarios[worker.name] = content["scenario"]
             if pair is not None:
-                pair.stands(worker.name, content["step"], int(content["scenario"]["run"]["steps"]))
+                pair.stands(worker.name, content["step"], content["end"])
             session.workspace.trust(content["scenario"])
         elif content["type"] == "arrived":
             if pair is not None:

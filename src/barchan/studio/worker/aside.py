@@ -3,6 +3,7 @@
 from typing import NamedTuple
 
 from barchan.scenario import Scenario
+from barchan.studio.worker.description import named
 from barchan.studio.worker.run import StudioRun
 
 
@@ -15,6 +16,11 @@ class SetAside(NamedTuple):
     """The number of the start that loaded its scenario."""
     of_it: bool
     """Whether the other one came of it by changes."""
+
+    @property
+    def title(self) -> str:
+        """Its title, with what was changed."""
+        return named(self.run.live, self.origin or self.run.live.scenario).title
 
     def take_in(self, other: StudioRun) -> None:
         """Keep a run that came of it as a branch of it, unless it has done no step."""

@@ -24,7 +24,7 @@ def start(commands: "RunCommands", request: Request) -> Answer:
     """Start a scenario; ``changed`` where it came of the last one by changes on the page.
 
     ``aside`` keeps the run that there is, paused, to be taken back; a scenario that did not come of it takes
-    the place of that, too.
+    the place of that, too. ``unasked`` is one that the studio begins with by itself.
     """
     scenario = validate(request["scenario"], "scenario")
     origin = scenario
@@ -33,13 +33,15 @@ def start(commands: "RunCommands", request: Request) -> Answer:
     elif request.get("changed") and commands.origin is not None:
         origin = commands.origin
     run = started(changed_from(scenario, origin), commands.desk)
+    run.wanted = not request.get("unasked")
+    ended = None
     if request.get("aside") and commands.run is not None:
-        commands.set_aside(of_it=bool(request.get("changed")))
+        ended = commands.set_aside(of_it=bool(request.get("changed")))
     elif not request.get("changed"):
         commands.aside = None
     loaded = commands.frames.loaded if request.get("changed") and commands.run is not None else None
     commands.take(run, bool(request.get("running")), origin, loaded)
-    return commands.way_back()
+    return commands.way_back(ended)
 
 
 @WORKER.handles("take_back")
@@ -65,6 +67,7 @@ def restart(commands: "RunCommands", request: Request) -> None:
     """Start again with the same scenario and seed."""
     running = bool(request.get("running", commands.current.running))
     run = started(commands.current.live.scenario, commands.desk)
+    run.wanted = commands.current.wanted
     commands.take(run, running, commands.origin, commands.frames.loaded)
 
 
@@ -77,19 +80,19 @@ def open_folder(commands: "RunCommands", request: Request) -> Answer:
     from barchan.studio.worker.saved_runs import open_saved_run  # brings zarr, which a new run does without
 
     folder = Path(request["folder"])
-    lost: list[str] = []
+    ended, lost = None, list[str]()
     if holds_newest(folder):
         run, lost = open_newest(folder, commands.desk)
     else:
         run = open_saved_run(folder, commands.desk)
     if request.get("aside") and commands.run is not None:
-        commands.set_aside(of_it=False)
+        ended = commands.set_aside(of_it=False)
     else:
         commands.aside = None
     commands.take(run, running=False)
     for text in lost:
         commands.warn(text)
-    return {"step": run.live.steps_done, **commands.way_back()}
+    return {"step": run.live.steps_done, **commands.way_back(ended)}
 
 
 @WORKER.handles("resume")

@@ -17,16 +17,21 @@ USUAL_ICE = 1.0
 """Height of a lump of ice at first, in cells."""
 
 
+UNDER_SAND = "Rock rises under the {}: where that lies on it, rock is not seen before the wind lays it bare."
+"""What is said of the brush of rock."""
+
+
 def brushes(simulation: Simulation) -> list[dict[str, Any]]:
-    """What may be painted: data of a stroke, unit and strengths, and further numbers that it takes."""
+    """What may be painted: data of a stroke, unit, strengths, a note, and further numbers that it takes."""
     layer = simulation.bed.layers[-1]
     units = {"unit": layer.unit, "least": 1.0, "most": 1000.0, "whole": True, "usual": 2.0}
     own = [{"title": simulation.model.material, "stroke": {"kind": "stroke"}, **units}]
     if layer.mass is None:
-        own.append({"title": "rock", "stroke": {"kind": "rock"}, **units})
+        note = UNDER_SAND.format(simulation.model.material)
+        own.append({"title": "rock", "stroke": {"kind": "rock"}, **units, "note": note})
     else:
         own += [*_fresh(simulation, units), _ice(simulation)]
-    return [{"numbers": [], **brush} for brush in (*own, *_plants(simulation))]
+    return [{"numbers": [], "note": "", **brush} for brush in (*own, *_plants(simulation))]
 
 
 def _fresh(simulation: Simulation, units: dict[str, Any]) -> list[dict[str, Any]]:

@@ -10,7 +10,7 @@ from barchan.studio.commands import command_of
 from barchan.studio.protocol import Request
 from barchan.studio.worker import beginnings, bookmark_commands, questions  # noqa: F401 - register what they carry out
 from barchan.studio.worker.aside import SetAside, held_aside
-from barchan.studio.worker.description import description
+from barchan.studio.worker.description import description, named
 from barchan.studio.worker.desk import Desk
 from barchan.studio.worker.frame_sender import FrameSender
 from barchan.studio.worker.handlers import WORKER, Answer
@@ -80,12 +80,20 @@ class RunCommands:
             self._send("begun", number=number, ok=begun, aside=told, origin=origin)
         return answer
 
-    def way_back(self) -> dict[str, Any]:
-        """For an answer: the title of the other run that can be taken back; None where there is none."""
+    def way_back(self, ended: str | None = None) -> dict[str, Any]:
+        """For an answer: the title of the other run that can be taken back; None where there is none.
+
+        ``ended`` is the title of one that can be taken back no more.
+        """
         aside = self.aside
-        if aside is None or aside.of_it or not aside.run.has_begun:
-            return {"aside": None}
-        return {"aside": aside.run.live.scenario.title}
+        if aside is None or aside.of_it or not aside.run.would_be_missed:
+            return {"aside": None, "ended": ended}
+        return {"aside": aside.title, "ended": ended}
+
+    @property
+    def title(self) -> str:
+        """The title of the run, with what was changed."""
+        return named(self.current.live, self.origin or self.current.live.scenario).title
 
     @property
     def current(self) -> StudioRun:
@@ -93,19 +101,23 @@ class RunCommands:
         assert self.run is not None
         return self.run
 
-    def set_aside(self, *, of_it: bool) -> None:
+    def set_aside(self, *, of_it: bool) -> str | None:
         """Keep the run, paused, to be taken back; the next one comes ``of_it``, or is another.
 
-        A run that came of the one that is set aside already becomes a branch of that; one that has only begun
-        leaves what is set aside as it is.
+        A run that came of the one that is set aside already becomes a branch of that; one that nobody would
+        miss leaves what is set aside as it is. Returns the title of the run that was set aside before where
+        it has ended.
         """
-        self.current.pause()
-        before = self.aside
+        run, before = self.current, self.aside
+        run.pause()
         if before is not None and before.of_it:
-            before.take_in(self.current)
+            before.take_in(run)
             self.aside = before._replace(of_it=of_it)
-        elif before is None or of_it or self.current.has_begun:
-            self.aside = SetAside(self.current, self.origin, self.frames.loaded, of_it)
+            return None
+        if not (of_it or run.would_be_missed or (before is None and run.wanted)):
+            return None
+        self.aside = SetAside(run, self.origin, self.frames.loaded, of_it)
+        return before.title if before is not None and before.run.would_be_missed else None
 
     def take(
         self, run: StudioRun, running: bool, origin: Scenario | None = None, loaded: int | None = None
@@ -191,6 +203,7 @@ class RunCommands:
         """A parameter of the model takes a new value."""
         self.current.look_now()
         self.current.live.apply(SetParameter(key=str(request["key"]), value=request["value"]))
+        self.current.carry_on()
         self.describe(changed=True)
 
     @WORKER.handles("wind")
@@ -198,6 +211,7 @@ class RunCommands:
         """Replace the wind from now on."""
         self.current.look_now()
         self.current.live.apply(SetWind(wind=request["wind"]))
+        self.current.carry_on()
         self.describe(changed=True)
 
     @WORKER.handles("stroke")
@@ -214,6 +228,10 @@ class RunCommands:
                 run.painting.stroke(run.live, _stroke({**request["stroke"], **place}))
         if request.get("end"):
             run.painting.end(run.live)
+            before = run.end
+            run.carry_on()
+            if run.end != before:
+                self.describe()
 
     @WORKER.handles("undo")
     def undo(self, _: Request) -> None:
@@ -268,6 +286,7 @@ class RunCommands:
             "scenario",
             **content,
             step=run.live.steps_done,
+            end=run.end,
             changed=changed,
             loaded=self.frames.loaded,
             branches=branches,

@@ -17,17 +17,22 @@ from barchan.studio.worker.live_measures import FINEST, ROWS, declared_measures
 from barchan.studio.worker.strata import declared_strata
 
 
+def named(simulation: Simulation, origin: Scenario) -> Scenario:
+    """The scenario as changes have left it; its words name the values in which it differs from ``origin``."""
+    return changed_from(validate(simulation.current_data(), "run"), origin)
+
+
 def description(simulation: Simulation, origin: Scenario) -> dict[str, Any]:
     """The scenario as changes have left it, lattice, fields, measures, facts and remarks.
 
     Title and citation name every value in which it differs from its ``origin``.
     """
     lattice, model = Squares(simulation.lattice).lattice, simulation.model
-    sound = validate(simulation.current_data(), "run")
-    place = sound.ground.georeference()
+    scenario = named(simulation, origin)
+    place = scenario.ground.georeference()
     limits = model.slope_limits().get("bare", ())
     return {
-        "scenario": changed_from(sound, origin).data(),
+        "scenario": scenario.data(),
         "lattice": {
             "rows": lattice.rows,
             "columns": lattice.columns,
@@ -55,8 +60,8 @@ def description(simulation: Simulation, origin: Scenario) -> dict[str, Any]:
         "measured_rows": ROWS,
         "repose": math.degrees(math.atan(limits[0] * lattice.aspect)) if limits else None,
         "repose_slabs": float(limits[0]) if limits else None,
-        "facts": {**sound.facts(), **sound.forecast()},
-        "remarks": sound.remarks(simulation.bed.ground),
+        "facts": {**scenario.facts(), **scenario.forecast()},
+        "remarks": scenario.remarks(simulation.bed.ground),
         "events": len(simulation.events),
         "identity": identity(simulation),
         "changes": changes_of(simulation),

@@ -44,18 +44,20 @@ def keep_in(commands: "RunCommands", request: Request) -> Answer:
     found = fingerprint(commands)
     if found is None or found == request.get("known"):
         return {"fingerprint": found, "written": False}
-    return _kept(commands, commands.current, request, {"fingerprint": found})
+    return _kept(commands, commands.current, commands.title, request, {"fingerprint": found})
 
 
 @WORKER.handles("keep_aside_in")
 def keep_aside_in(commands: "RunCommands", request: Request) -> Answer:
-    """Write the state of the run that is set aside into a folder, unless that run has only begun."""
-    if commands.aside is None or not commands.aside.run.has_begun:
+    """Write the state of the run that is set aside into a folder, unless nobody would miss it."""
+    if commands.aside is None or not commands.aside.run.would_be_missed:
         return {"written": False}
-    return _kept(commands, commands.aside.run, request, {})
+    return _kept(commands, commands.aside.run, commands.aside.title, request, {})
 
 
-def _kept(commands: "RunCommands", run: StudioRun, request: Request, answer: dict[str, Any]) -> Answer:
+def _kept(
+    commands: "RunCommands", run: StudioRun, title: str, request: Request, answer: dict[str, Any]
+) -> Answer:
     """Write the newest state; ``lacking`` says why branches or earlier states could not be written beside."""
     folder, state = Path(request["folder"]), newest_of(run)
     if state is None:
@@ -64,7 +66,7 @@ def _kept(commands: "RunCommands", run: StudioRun, request: Request, answer: dic
     beside = beside_newest(run, files)
 
     def write(_: Count) -> dict[str, Any]:
-        member = write_newest(state, beside, folder)
+        member = {**write_newest(state, beside, folder), "title": title}
         lacking = files.write()
         again = {"fingerprint": None} if lacking else {}
         return {
@@ -89,7 +91,8 @@ def save_folder(commands: "RunCommands", request: Request) -> Answer:
     step = states[-1].step
     bookmarks = [one for one in commands.current.bookmarks_here() if one.step <= step]
     scenario = commands.current.live.scenario
-    words = {"title": scenario.title, "model": scenario.model.name, "steps": scenario.run.steps}
+    commands.current.wanted = True
+    words = {"title": commands.title, "model": scenario.model.name, "steps": scenario.run.steps}
     return _written(
         folder, lambda count: {"frames": save_run(states, folder, count, bookmarks), **words, "step": step}
     )

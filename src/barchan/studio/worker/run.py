@@ -35,6 +35,8 @@ class StudioRun:
         """Take a simulation over, paused, and let its states be measured at a desk."""
         self.continues = True
         """Whether there is a state that it can go on from; frames alone hold none."""
+        self.wanted = True
+        """Whether somebody asked for it, or has saved it; a studio may begin with another one by itself."""
         self.speed = RunSpeed(CHUNK_SECONDS)
         self.desk = desk or Desk()
         every = simulation.scenario.run.save_every
@@ -53,6 +55,8 @@ class StudioRun:
         self.can_branch = True
         self.running = self.brief = False
         self.target: int | None = None
+        self.end = simulation.scenario.run.steps
+        """The step at which it stops by itself."""
         self._surfaces: list[tuple[int, NDArray[np.float64]]] = []
         self.remember()
 
@@ -68,13 +72,14 @@ class StudioRun:
 
     @property
     def past_its_end(self) -> bool:
-        """Whether it has done the steps of its scenario."""
-        return self.live.steps_done >= self.live.scenario.run.steps
+        """Whether it has come to its end."""
+        return self.live.steps_done >= self.end
 
     @property
-    def has_begun(self) -> bool:
-        """Whether anything would be lost with it: steps, changes, moments, or other branches."""
-        done = self.live.steps_done or self.live.events
+    def would_be_missed(self) -> bool:
+        """Whether anything would be lost with it: steps asked for, changes, moments, or other branches."""
+        first_asked_for = 0 if self.wanted else self.live.scenario.run.steps
+        done = self.live.steps_done > first_asked_for or self.live.events
         return bool(done or self.bookmarks.data() or self.branches.others)
 
     def run(self, target: int | None = None, brief: bool = False) -> None:
@@ -88,8 +93,17 @@ class StudioRun:
             self.speed.restart()
 
     def run_to_its_end(self) -> None:
-        """Run up to the last step of the scenario, or on and on where that is behind."""
-        self.run(None if self.past_its_end else self.live.scenario.run.steps)
+        """Run up to its end, or on and on where that is behind."""
+        self.run(self.end if self.end > self.live.steps_done else None)
+
+    def carry_on(self) -> None:
+        """Let as many steps follow as the scenario has, where something was changed before the end."""
+        before = self.end
+        if self.live.steps_done >= before:
+            return
+        self.end = max(before, self.live.steps_done + self.live.scenario.run.steps)
+        if self.target == before:
+            self.target = self.end
 
     def pause(self) -> None:
         """Stop; measures of the state follow, at whatever step it is."""
@@ -209,6 +223,7 @@ class StudioRun:
         return {
             "step": shown.steps_done,
             "live": self.live.steps_done,
+            "end": self.end,
             "running": self.busy,
             "finished": self.live.finished,
             "looking": self.looking is not None,

@@ -29,9 +29,9 @@ because later states of the run need them, too.
 
 
 def fingerprint(commands: "RunCommands") -> str | None:
-    """A text that changes whenever there is more to keep of the run; None for one that only began."""
+    """A text that changes whenever there is more to keep of the run; None for one that nobody would miss."""
     run = commands.current
-    if not run.has_begun:
+    if not run.would_be_missed:
         return None
     branches = run.branches.current, sorted(run.branches.numbers)
     at = (commands.number, *branches, run.live.steps_done, len(run.live.events))
@@ -70,7 +70,7 @@ def _facts(number: int, began: int, history: History, measures: LiveMeasures) ->
 
 
 def write_newest(state: State, beside: dict[str, Any], folder: Path) -> dict[str, Any]:
-    """Write both into a new folder; returns title, model, step and steps of the run."""
+    """Write both into a new folder; returns model, step and steps of the run."""
     from barchan.archive.checkpoint import write_checkpoint  # brings zarr, which a first picture does without
     from barchan.archive.folder import CHECKPOINT, SCENARIO
 
@@ -81,8 +81,7 @@ def write_newest(state: State, beside: dict[str, Any], folder: Path) -> dict[str
     (folder / BESIDE).write_text(json.dumps({**beside, "folder": way}), "utf-8")
     write_checkpoint(folder / CHECKPOINT, state)
     steps = int(scenario["run"]["steps"])
-    names = {"title": str(scenario["title"]), "model": str(scenario["model"]["name"])}
-    return {**names, "step": state.step, "steps": steps}
+    return {"model": str(scenario["model"]["name"]), "step": state.step, "steps": steps}
 
 
 def holds_newest(folder: Path) -> bool:

@@ -64,6 +64,7 @@ uniform vec3 horizon;     // colours of the sky and of the air, as they are show
 uniform vec3 zenith;
 uniform float level;      // elevation (as a height of a unit direction) at which the plain meets the sky
 uniform float haze;       // 1: distant things fade into the air
+uniform float thin;       // how thin the air is: below 1 in narrow views, which are looked at from farther away
 
 vec3 toneMapped(vec3 c) {
   c *= 0.64;
@@ -88,7 +89,7 @@ vec3 skyAt(vec3 d) {
 }
 
 vec3 inAir(vec3 colour, float distance_) {
-  float lost = haze * (1.0 - exp(-pow(max(distance_ - 14.0, 0.0) / 70.0, 1.2)));
+  float lost = haze * (1.0 - exp(-pow(max(thin * distance_ - 14.0, 0.0) / 70.0, 1.2)));
   return mix(colour, horizon, lost);
 }
 `;

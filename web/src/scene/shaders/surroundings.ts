@@ -60,15 +60,19 @@ void main() {
   // The sun's shadow of the block: the block itself, moved away from the sun, softer where it is longer.
   float longest = block.z * length(sun.xz) / max(sun.y, 0.08);
   vec2 from = normalize(sun.xz + 1e-5);
-  float lightest = 1.0;
-  for (int i = 0; i <= 20; i++) {
-    float t = float(i) / 20.0;
-    lightest = min(lightest, smoothstep(-0.05, 0.06 + 0.25 * t, beside(p + from * longest * t)));
+  // How far the block is from here decreases on the way to the sun, then increases: its least is found by thirds.
+  float near = 0.0, far = 1.0;
+  for (int i = 0; i < 16; i++) {
+    float a = mix(near, far, 0.382), b = mix(near, far, 0.618);
+    if (beside(p + from * longest * a) < beside(p + from * longest * b)) far = b;
+    else near = a;
   }
+  float t = 0.5 * (near + far);
+  float lightest = smoothstep(-0.05, 0.06 + 0.25 * t, beside(p + from * longest * t));
   float open = 1.0 - 0.62 * exp(-max(beside(p), 0.0) / (0.35 + 0.5 * block.z));
   colour = inAir(lit(colour, vec3(0.0, 1.0, 0.0), lightest, open), away);
   vec3 d = normalize(spot - cameraPosition);
-  float lost = haze * max(smoothstep(30.0, 300.0, away), smoothstep(level - 0.16, level, d.y));
+  float lost = haze * max(smoothstep(30.0, 300.0, thin * away), smoothstep(level - 0.16, level, d.y));
   gl_FragColor = vec4(toneMapped(mix(colour, skyAt(d), lost)), 1.0);
   #include <colorspace_fragment>
 }
