@@ -115,7 +115,7 @@ class HexField(Field):
         middle, centre = self.middle(row, col), self.centre(row, col)
         start = centre[0] + (x - middle[0]) / CELL, centre[1] + (y - middle[1]) / CELL / ROW
         upwind = -math.cos(self.angle), -math.sin(self.angle)
-        here, rise = self.height(row, col), self.rise_of_prism(row, col, start)
+        here, rise = self.height(row, col), self.rise_of_prism(row, col, row, start)
         highest = max(map(max, self.heights())) + 2 * self.face_limit * SCALE
         r, c = row, col
         while True:
@@ -123,18 +123,18 @@ class HexField(Field):
             if distance * fall >= highest - here or self.inside(r, c) is None:
                 return False
             seen = self.height if self.sees(row, r - row) else self.height_before
-            height = seen(*self.inside(r, c)) + self.rise_of_prism(r, c, start)
+            height = seen(*self.inside(r, c)) + self.rise_of_prism(r, c, row, start)
             if height - here - rise > distance * fall:
                 return True
 
-    def rise_of_prism(self, row, col, start):
+    def rise_of_prism(self, row, col, start_row, start):
         """How much higher a prism is under the line through a point than in its middle."""
         if self.rules.stack_tops == "level" or self.angle == 0.0:
             return 0.0
         left = -math.sin(self.angle), math.cos(self.angle)
         x, y = self.centre(row, col)
         aside = (start[0] - x) * left[0] + (start[1] - y) * left[1]
-        return self.slope_to(left, *self.inside(row, col), map(unit, WAYS), 3) * aside
+        return self.slope_to(left, (row, col), start_row, map(unit, WAYS), 3) * aside
 
     def ways_out(self, start, upwind, row, col):
         """Distances along the line to the bisectors with the neighbours that it nears, and those cells."""

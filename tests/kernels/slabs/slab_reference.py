@@ -156,16 +156,21 @@ class Field:
         left = -math.sin(self.angle), math.cos(self.angle)
         in_col, in_row = x % CELL / CELL - 0.5, y % CELL / CELL - 0.5
         aside = (in_col + col - c) * left[0] + (in_row + row - r) * left[1]
-        return (
-            self.slope_to(left, r % self.rows, c % self.cols, [(0, 1), (1, 0), (0, -1), (-1, 0)], 2) * aside
-        )
+        return self.slope_to(left, (r, c), row, FACES, 2) * aside
 
-    def slope_to(self, left, row, col, steps, weight):
-        """Slope of the surface to the wind's left, by a cell's neighbours, within the repose limit."""
+    def slope_to(self, left, cell, start_row, steps, weight):
+        """Slope of the surface to the wind's left, by a cell's neighbours, within the repose limit.
+
+        The cell may lie beyond a joined edge. Which rows are seen as they are now is counted from the row in
+        which the line starts.
+        """
         slope = 0.0
+        row, col = cell[0] % self.rows, cell[1] % self.cols
         for step in steps:
-            beside = self.neighbour(row, col, step) or (row, col)
-            seen = self.height if self.near is None or beside[0] in self.near else self.height_before
+            beside = self.neighbour(row, col, step)
+            rows = 0 if beside is None else round(step[0])
+            seen = self.height if self.sees(start_row, cell[0] - start_row + rows) else self.height_before
+            beside = beside or (row, col)
             slope += seen(*beside) * (step[1] * left[0] + step[0] * left[1]) / weight
         limit = self.face_limit * SCALE
         return max(-limit, min(limit, slope))

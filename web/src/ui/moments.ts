@@ -40,8 +40,9 @@ export class Moments {
     const { status } = this.app.current ?? {};
     if (!status) return;
     const name = `moment ${this.bookmarks.list.length + 1}`;
+    const known = new Set(this.bookmarks.list.map(({ id }) => id));
     await this.bookmarks.add(name, this.app.view.look.field, this.stage.standpoint() as unknown as JsonObject);
-    const set = this.bookmarks.list.find((one) => one.name === name);
+    const set = this.bookmarks.list.find(({ id }) => !known.has(id));
     if (set) this.app.notices.confirm(`Marked as “${name}” at step ${short(set.step, 9)}; see Moments in the panel.`);
   }
 

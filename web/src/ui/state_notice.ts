@@ -117,8 +117,9 @@ export class StateNotice {
 
   /** Whether the run stands where it has stopped by itself. */
   private atItsEnd(): boolean {
-    const { current, running } = this.app;
-    return !running && !current?.status?.looking && current?.status?.step === current?.status?.end;
+    const { current, running, runs } = this.app;
+    const end = Math.max(...runs.map(({ status }) => status?.end ?? 0)); // two runs stop together, where the later one does
+    return !running && !current?.status?.looking && current?.status?.step === end;
   }
 }
 

@@ -35,8 +35,14 @@ export class SectionEnds {
 
   private put(line: SectionLine | null): void {
     this.line = line;
-    const [west, south] = this.corner;
-    line?.forEach((place, at) => this.inputs[at]!.show(Number((place + (at % 2 ? south : west)).toFixed(2))));
+    line?.forEach((_, at) => this.inputs[at]!.show(this.shown(at)!));
+  }
+
+  /** A number of the line as its field shows it: to a tenth of a cell, and to a centimetre at least. */
+  private shown(at: number): number | null {
+    if (!this.line) return null;
+    const cell = this.app.current?.description?.lattice.cell_size ?? 1;
+    return Number((this.line[at]! + this.corner[at % 2]!).toFixed(Math.max(2, Math.ceil(1 - Math.log10(cell)))));
   }
 
   private typed(): void {
@@ -46,7 +52,11 @@ export class SectionEnds {
     const { columns, rows, cell_size } = run.description.lattice;
     const [west, south] = this.corner;
     const within = (place: number, count: number) => Math.min(Math.max(place, 0), count * cell_size);
-    const line = numbers.map((place, at) => (at % 2 ? within(place - south, rows) : within(place - west, columns))) as SectionLine;
+    const { line: before } = this;
+    const line = numbers.map((place, at) => {
+      if (before && place === this.shown(at)) return before[at]!; // of a number that is not typed anew every digit counts
+      return at % 2 ? within(place - south, rows) : within(place - west, columns);
+    }) as SectionLine;
     if (line[0] === line[2] && line[1] === line[3]) return;
     this.put(line);
     this.take(line);

@@ -106,8 +106,8 @@ def next_on_slope(stacks, orders, order, row, col, state, sign, grid, repose):
 
     Goes to the steepest neighbour up or down the slope, or to one drawn in proportion to the steps, unless
     every step stands. A random order is drawn when a slope does not stand, and the neighbours are compared
-    again. Returns row, column, the order to
-    compare neighbours in, the random state, and whether the search goes on.
+    again. Returns row, column, the order to compare neighbours in, the random state, and whether the search
+    goes on.
     """
     plain = UPSLOPE if sign > 0 else DOWNSLOPE
     here = np.int64(stacks.surface[np.uint64(row * grid.cols + col)]) - sign * repose.slab

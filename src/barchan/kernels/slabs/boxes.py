@@ -32,13 +32,6 @@ def _place_among_near(view, row, grid):
 
 
 @internal(forceinline=True)
-def _rows_near(view, row, grid, upwind):
-    """How many rows upwind of a near row are near as well."""
-    beside, near = _place_among_near(view, row, grid)
-    return beside if upwind < 0 else near - 1 - beside
-
-
-@internal(forceinline=True)
 def _from_middle(place):
     """How far a place (fixed-point cells) lies from the middle of its cell, along or across."""
     return np.float64(place & (CELL - 1)) * _PLACE - 0.5
@@ -52,24 +45,34 @@ def _around(place, size, joined):
     return (place + size) % size if joined else -1
 
 
+@internal(forceinline=True)
+def _surface(view, place):
+    """The surface in a row, by its place among the near rows and how many these are."""
+    beside, near = place
+    return view.now if 0 <= beside < near else view.before
+
+
 @internal
-def _neighbour(view, row, col, middle, grid, width):
-    """Height of a neighbour of a cell of height ``middle``; beyond an open edge it goes on level."""
+def _neighbour(view, place, row, col, middle, grid, width):
+    """Height of a neighbour of a cell of height ``middle``; beyond an open edge it goes on level.
+
+    Which rows are near is counted from where the line starts, as for the cell itself: another thread may be
+    at work on a row beyond the field's other edge.
+    """
     row, col = _around(row, grid.rows, grid.wrap_across), _around(col, grid.cols, grid.wrap_along)
     if row < 0 or col < 0:
         return middle
-    beside, near = _place_among_near(view, row, grid)
-    surface = view.now if beside < near else view.before
-    return load_at(surface + (row * grid.cols + col) * width, middle)
+    return load_at(_surface(view, place) + (row * grid.cols + col) * width, middle)
 
 
 @internal(error_model="numpy")
-def _rise_of_square(tops, view, row, col, middle, aside, grid, width):
+def _rise_of_square(tops, view, place, row, col, middle, aside, grid, width):
     """How much higher the top of a box is ``aside`` of its middle, to the wind's left, than there."""
-    along = _neighbour(view, row, col + 1, middle, grid, width)
-    along -= _neighbour(view, row, col - 1, middle, grid, width)
-    across = _neighbour(view, row + 1, col, middle, grid, width)
-    across -= _neighbour(view, row - 1, col, middle, grid, width)
+    beside, near = place
+    along = _neighbour(view, place, row, col + 1, middle, grid, width)
+    along -= _neighbour(view, place, row, col - 1, middle, grid, width)
+    across = _neighbour(view, (beside + 1, near), row + 1, col, middle, grid, width)
+    across -= _neighbour(view, (beside - 1, near), row - 1, col, middle, grid, width)
     slope = 0.5 * (np.float64(along) * tops.along + np.float64(across) * tops.across)
     return min(max(slope, -tops.steepest), tops.steepest) * aside
 
@@ -77,19 +80,18 @@ def _rise_of_square(tops, view, row, col, middle, aside, grid, width):
 @internal(error_model="numpy")
 def _among_squares(faces, tops, view, along, across, here, peak, grid, width):
     rise = np.float64(peak - here)
-    surface = view.now
     row, col = across >> 32, along >> 32
+    beside, near = _place_among_near(view, row, grid)
     aside, start = 0.0, 0.0
     if tops is not None:
         aside = _from_middle(along) * tops.along + _from_middle(across) * tops.height
-        start = _rise_of_square(tops, view, row, col, here, aside, grid, width)
+        start = _rise_of_square(tops, view, (beside, near), row, col, here, aside, grid, width)
         rise += tops.reach - start
     across &= CELL - 1
     if faces.upwind > 0:
         across = CELL - across
     next_column = np.float64(along & (CELL - 1)) * _PLACE * faces.column_fall
     next_row = np.float64(across) * _PLACE * faces.row_fall
-    rows_near = _rows_near(view, row, grid, faces.upwind)
     while True:
         if next_column <= next_row:
             fall = next_column
@@ -105,23 +107,21 @@ def _among_squares(faces, tops, view, along, across, here, peak, grid, width):
             fall = next_row
             next_row += faces.row_fall
             row += faces.upwind
+            beside += faces.upwind
             if tops is not None:
                 aside -= faces.upwind * tops.across
             if row < 0 or row >= grid.rows:
                 if not grid.wrap_across:
                     return False
                 row -= faces.upwind * grid.rows
-            if rows_near == 0:
-                surface = view.before
-            rows_near -= 1
         if fall >= rise:
             return False
-        height = load_at(surface + (row * grid.cols + col) * width, here)
+        height = load_at(_surface(view, (beside, near)) + (row * grid.cols + col) * width, here)
         above = np.float64(height - here)
         if tops is not None:
             above -= start
             if above + tops.reach > fall:
-                above += _rise_of_square(tops, view, row, col, height, aside, grid, width)
+                above += _rise_of_square(tops, view, (beside, near), row, col, height, aside, grid, width)
         if above > fall:
             return True
 
@@ -133,15 +133,17 @@ def _fall_to(face, along, across):
 
 
 @internal(error_model="numpy")
-def _rise_of_hexagon(tops, view, row, col, middle, aside, grid, width):
+def _rise_of_hexagon(tops, view, place, row, col, middle, aside, grid, width):
     """How much higher the top of a prism is ``aside`` of its middle, to the wind's left, than there."""
+    beside, near = place
+    above, below = (beside + 1, near), (beside - 1, near)
     east, west = col + (row & 1), col - 1 + (row & 1)
-    along = _neighbour(view, row, col + 1, middle, grid, width)
-    along -= _neighbour(view, row, col - 1, middle, grid, width)
-    eastwards = _neighbour(view, row + 1, east, middle, grid, width)
-    eastwards -= _neighbour(view, row - 1, west, middle, grid, width)
-    westwards = _neighbour(view, row + 1, west, middle, grid, width)
-    westwards -= _neighbour(view, row - 1, east, middle, grid, width)
+    along = _neighbour(view, place, row, col + 1, middle, grid, width)
+    along -= _neighbour(view, place, row, col - 1, middle, grid, width)
+    eastwards = _neighbour(view, above, row + 1, east, middle, grid, width)
+    eastwards -= _neighbour(view, below, row - 1, west, middle, grid, width)
+    westwards = _neighbour(view, above, row + 1, west, middle, grid, width)
+    westwards -= _neighbour(view, below, row - 1, east, middle, grid, width)
     slope = np.float64(along) * tops.along
     slope += np.float64(eastwards) * (tops.across + 0.5 * tops.along)
     slope += np.float64(westwards) * (tops.across - 0.5 * tops.along)
@@ -159,17 +161,17 @@ def _aside_behind(tops, face):
 def _among_hexagons(faces, tops, view, along, across, here, peak, grid, width):
     rise = np.float64(peak - here)
     row, col = across >> 32, along >> 32
+    beside, near = _place_among_near(view, row, grid)
     along_middle, across_middle = _from_middle(along), _from_middle(across)
     aside, start = 0.0, 0.0
     if tops is not None:
         aside = along_middle * tops.along + across_middle * tops.height
-        start = _rise_of_hexagon(tops, view, row, col, here, aside, grid, width)
+        start = _rise_of_hexagon(tops, view, (beside, near), row, col, here, aside, grid, width)
         rise += tops.reach - start
     ahead, clockwise, anticlockwise = faces
     next_ahead = _fall_to(ahead, along_middle, across_middle)
     next_clockwise = _fall_to(clockwise, along_middle, across_middle)
     next_anticlockwise = _fall_to(anticlockwise, along_middle, across_middle)
-    beside, near = _place_among_near(view, row, grid)
     while True:
         # through a face sixty degrees from another the line comes half a cell nearer to that one's kind, or
         # farther from it
@@ -204,13 +206,12 @@ def _among_hexagons(faces, tops, view, along, across, here, peak, grid, width):
             if not grid.wrap_across:
                 return False
             row += grid.rows if row < 0 else -grid.rows
-        surface = view.now if 0 <= beside < near else view.before
-        height = load_at(surface + (row * grid.cols + col) * width, here)
+        height = load_at(_surface(view, (beside, near)) + (row * grid.cols + col) * width, here)
         above = np.float64(height - here)
         if tops is not None:
             above -= start
             if above + tops.reach > fall:
-                above += _rise_of_hexagon(tops, view, row, col, height, aside, grid, width)
+                above += _rise_of_hexagon(tops, view, (beside, near), row, col, height, aside, grid, width)
         if above > fall:
             return True
 

@@ -65,6 +65,8 @@ class AutosaveAside:
         """Put it into place, beside the loop that serves, unless another one was set aside meanwhile."""
         member = answers[FIRST].get("member")
         if changes != self._changes or member is None:
+            if changes == self._changes:
+                self.folder.empty()  # nobody would miss it, and the one before has ended
             self._ended(partial, changes)
             return
         files = {FIRST: answers[FIRST]["files"]}

@@ -17,7 +17,7 @@ USUAL_ICE = 1.0
 """Height of a lump of ice at first, in cells."""
 
 
-UNDER_SAND = "Rock rises under the {}: where that lies on it, rock is not seen before the wind lays it bare."
+UNDER_SAND = "Rock rises under the {}, and is seen only where the wind has laid it bare."
 """What is said of the brush of rock."""
 
 

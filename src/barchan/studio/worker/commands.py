@@ -41,6 +41,8 @@ class RunCommands:
         """The number of the start that the run goes back to."""
         self.order: Any = None
         """The number of the order to run that was given last, which the message that it is done repeats."""
+        self._told_end = 0
+        """The step at which the run stops by itself, as the page knows it."""
         self._send = send
         self.send_bytes = send_bytes
         self.desk = desk
@@ -173,7 +175,7 @@ class RunCommands:
         if request.get("steps") is not None:
             targets.append(self.current.live.steps_done + max(1, int(request["steps"])))
             if self.order is None and not self.current.past_its_end:
-                targets.append(self.current.live.scenario.run.steps)
+                targets.append(self.current.end)
         if targets:
             self.current.run(min(targets), bool(request.get("brief")))
         else:
@@ -228,9 +230,8 @@ class RunCommands:
                 run.painting.stroke(run.live, _stroke({**request["stroke"], **place}))
         if request.get("end"):
             run.painting.end(run.live)
-            before = run.end
             run.carry_on()
-            if run.end != before:
+            if run.end != self._told_end:
                 self.describe()
 
     @WORKER.handles("undo")
@@ -277,6 +278,7 @@ class RunCommands:
     def describe(self, *, changed: bool = False) -> None:
         """Send what the run consists of; ``changed`` where the last of its changes was made just now."""
         run = self.current
+        self._told_end = run.end
         branches = run.branches.listing(run.live.steps_done)
         content = description(run.live, self.origin or run.live.scenario)
         overlay = self.frames.overlay
@@ -286,7 +288,7 @@ class RunCommands:
             "scenario",
             **content,
             step=run.live.steps_done,
-            end=run.end,
+            end=self._told_end,
             changed=changed,
             loaded=self.frames.loaded,
             branches=branches,

@@ -28,6 +28,15 @@ CHUNK_SECONDS = 0.016
 millisecond beside its steps, so shorter chunks would cost speed."""
 
 
+def last_step(simulation: Simulation) -> int:
+    """The step at which a run stops by itself; each change before it lets a scenario's steps follow."""
+    steps = end = simulation.scenario.run.steps
+    for record in simulation.events:
+        if record.step < end:
+            end = max(end, record.step + steps)
+    return end
+
+
 class StudioRun:
     """A simulation with its speed, its history and its measures."""
 
@@ -55,8 +64,8 @@ class StudioRun:
         self.can_branch = True
         self.running = self.brief = False
         self.target: int | None = None
-        self.end = simulation.scenario.run.steps
-        """The step at which it stops by itself."""
+        self._to_end = False
+        """Whether the target is the step at which it stops by itself."""
         self._surfaces: list[tuple[int, NDArray[np.float64]]] = []
         self.remember()
 
@@ -69,6 +78,11 @@ class StudioRun:
     def busy(self) -> bool:
         """Whether there are steps to do."""
         return self.running and self.continues and self.live.finished is None
+
+    @property
+    def end(self) -> int:
+        """The step at which it stops by itself."""
+        return last_step(self.live)
 
     @property
     def past_its_end(self) -> bool:
@@ -88,21 +102,20 @@ class StudioRun:
         self.looking = None
         self.brief = brief
         self.target = target
+        self._to_end = False
         self.running = target is None or target > self.live.steps_done
         if not goes_on:
             self.speed.restart()
 
     def run_to_its_end(self) -> None:
         """Run up to its end, or on and on where that is behind."""
-        self.run(self.end if self.end > self.live.steps_done else None)
+        ahead = not self.past_its_end
+        self.run(self.end if ahead else None)
+        self._to_end = ahead
 
     def carry_on(self) -> None:
-        """Let as many steps follow as the scenario has, where something was changed before the end."""
-        before = self.end
-        if self.live.steps_done >= before:
-            return
-        self.end = max(before, self.live.steps_done + self.live.scenario.run.steps)
-        if self.target == before:
+        """Go as far as a change lets it, where it is on its way to its end."""
+        if self._to_end:
             self.target = self.end
 
     def pause(self) -> None:

@@ -104,8 +104,12 @@ class StoredStates:
 
 
 def _chosen(history: History, step: int, most_bytes: int) -> list[State]:
-    """States before a step: of many every second one, and of few that are still too large the newest."""
-    states = tuple(state for state in history.states if state.step < step)
+    """States before a step: of many every second one, and of few that are still too large the newest.
+
+    A moment that was marked at the step itself is one of them: what was painted since is not in it.
+    """
+    last = step if step in history.marks.values() else step - 1
+    states = tuple(state for state in history.states if state.step <= last)
     if not states:
         return []
     largest = max(sum(array.nbytes for array in state.arrays.values()) for state in states)
