@@ -176,3 +176,31 @@ def test_tops_are_no_steeper_than_sand_that_lies_at_rest(kind, angle):
     assert min(behind.sum(), beside.sum()) > 50
     assert sheltered(lattice, sand, angle, points[behind]).all()
     assert not sheltered(lattice, sand, angle, points[beside]).any()
+
+
+@pytest.mark.parametrize("kind", ["square", "hex"])
+def test_tops_near_an_open_edge_are_those_of_rows_that_no_other_thread_changes(kind):
+    """A line from the first rows sees the last row as it was, though by its number it is near the first.
+
+    Whoever works on the last rows may change them meanwhile: across an open edge nobody waits for them.
+    """
+    lattice = Lattice(kind=kind, rows=96, columns=128, boundary_y="open")
+    sand = np.zeros(lattice.shape, np.int32)
+    sand[94] = 105 if kind == "square" else 91  # lines from the first rows have fallen by about that
+    frame = WindFrame(0, math.radians(-45.0))
+    rules = build(SlabParameters(), Rules(), lattice, frame, 5.0, True, PLACE).rules
+    surface = stacks_of(Bed(lattice, np.zeros(lattice.shape), sand), frame, None).surface
+    raised = surface.copy()
+    raised[95 * 128 :][:128] = 1000
+    random = np.random.default_rng(5)
+    places = [(int(x * 128 * CELL), int((1 + y) * CELL)) for x, y in random.random((400, 2)) * (1, 2)]
+
+    def shaded(now, before):
+        view = View(now.ctypes.data, before.ctypes.data, Rows(95, 8))
+        shadows = rules.grid, rules.axis, rules.ray, rules.box
+        heights = (now[(across >> 32) * 128 + (along >> 32)] for along, across in places)
+        return [in_shadow(view, *at, here, 1000, *shadows) for at, here in zip(places, heights, strict=True)]
+
+    was = shaded(surface, surface)
+    assert shaded(raised, surface) == was
+    assert shaded(surface, raised) != was
