@@ -3,8 +3,8 @@
 Momiji's model works on a round heap (a Gaussian 7 m high with a standard deviation of 24 m) on bare
 ground, 256 × 256 m, open edges all around, for 200 steps from upwind of its middle; winds at 0 to 45°
 to the lattice, 8 seeds; shadow from the centre, and from each slab's place over level and over
-sloping tops of stacks, with four and with eight neighbours (limits of 2 and 3 slabs), to the steepest of
-which slabs slide or to one drawn by the steps. A horn's length is how far the outer quarter of the
+sloping tops of stacks; slides to the steepest of four neighbours or to one drawn by the steps, also of eight
+neighbours (limits of 2 and 3 slabs). A horn's length is how far the outer quarter of the
 downwind edge on its side lies beyond the middle half ([measures](measures.md#dunes-one-by-one)).
 *Unequal* is the left length less the right one over their mean: of the means over all seeds, where chance
 is smallest, with its standard error, and its size in a single run.
@@ -37,9 +37,7 @@ DOWNSLOPE = {"neighbour_order": "downslope"}
 RULES = {
     "shadow from the centre": {"shadow_from": "centre"},
     "shadow from the place": LEVEL,
-    "shadow from the place, eight neighbours": {**LEVEL, **EIGHT},
     "sloping tops": SLOPING,
-    "sloping tops, eight neighbours": {**SLOPING, **EIGHT},
     "shadow from the place, slides downslope": {**LEVEL, **DOWNSLOPE},
     "sloping tops, slides downslope": {**SLOPING, **DOWNSLOPE},
     "sloping tops, eight neighbours, slides downslope": {**SLOPING, **EIGHT, **DOWNSLOPE},
