@@ -232,9 +232,9 @@ def test_a_name_that_is_neither_preset_nor_file_is_reported_with_the_nearest_pre
     ("version", "said"),
     [
         (None, 'is missing: the format\'s version, "barchan": 5'),
-        (5, "is 5, written by a newer Barchan; this one reads formats up to 4"),
-        (0, "is 0; allowed: a format version from 1 to 4"),
-        ("1", "is '1'; allowed: a format version from 1 to 4"),
+        (6, "is 6, written by a newer Barchan; this one reads formats up to 5"),
+        (0, "is 0; allowed: a format version from 1 to 5"),
+        ("1", "is '1'; allowed: a format version from 1 to 5"),
     ],
 )
 def test_the_formats_version_is_asked_for_beside_other_mistakes(version, said):
