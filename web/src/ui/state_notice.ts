@@ -118,7 +118,7 @@ export class StateNotice {
   /** Whether the run stands where it has stopped by itself. */
   private atItsEnd(): boolean {
     const { current, running, runs } = this.app;
-    const end = Math.max(...runs.map(({ status }) => status?.end ?? 0)); // two runs stop together, where the later one does
+    const end = Math.min(...runs.map(({ status }) => status?.end ?? Infinity)); // two runs stop together, where the first one does
     return !running && !current?.status?.looking && current?.status?.step === end;
   }
 }

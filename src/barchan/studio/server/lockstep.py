@@ -42,13 +42,13 @@ class Lockstep:
         self._began = 0.0
 
     def run(self, steps: int | None = None, until: int | None = None) -> None:
-        """Run a number of steps, or up to a step; else to the later end of the two, and from there on and on.
+        """Run a number of steps, or up to a step; else to the earlier end of the two, and from there on and on.
 
         A number of steps stops at the scenario's end, too, where that is ahead.
 
         Of two that stand at different steps the one that is behind comes to the step of the other one first.
         """
-        at, end = self._step, max(self.ends.values(), default=0)
+        at, end = self._step, min(self.ends.values(), default=0)
         if until is None and at < end:
             until = end
         self._left = None if steps is None else max(1, int(steps))
@@ -70,10 +70,10 @@ class Lockstep:
 
     def stands(self, name: str, step: int, end: int) -> None:
         """A run is at a step, and stops by itself at another one; both on their way go so far."""
-        before = max(self.ends.values(), default=None)
+        before = min(self.ends.values(), default=None)
         self._at[name], self.ends[name] = step, end
         if self._until is not None and self._until == before:
-            self._until = max(self.ends.values())
+            self._until = min(self.ends.values())
 
     def pause(self) -> None:
         """Stop where both meet next; there both are measured, and not before are they said to pause."""
