@@ -42,7 +42,7 @@ class Lockstep:
         self._began = 0.0
 
     def run(self, steps: int | None = None, until: int | None = None) -> None:
-        """Run a number of steps, or up to a step; else to the earlier end of the two, and from there on and on.
+        """Run a number of steps, or up to a step; else to the earlier end, and from there on and on.
 
         A number of steps stops at the scenario's end, too, where that is ahead.
 

@@ -52,9 +52,14 @@ class StateFiles:
                 self._missing[name] = state()
         return name
 
-    def add_earlier(self, history: History, step: int, most_bytes: int = BYTES) -> list[str]:
-        """Need files of states before a step, as many as there is room for; returns their names."""
-        return [self._add_state(state) for state in _chosen(history, step, most_bytes)]
+    def add_earlier(
+        self, history: History, step: int, most_bytes: int = BYTES, *, events: int = 0
+    ) -> list[str]:
+        """Need files of states before a step, as many as there is room for; returns their names.
+
+        ``events`` are the changes until now: a state of the same step that knows fewer is earlier, too.
+        """
+        return [self._add_state(state) for state in _chosen(history, (step, events), most_bytes)]
 
     def _add_state(self, state: State) -> str:
         return self.add(state, lambda: state)
@@ -103,13 +108,9 @@ class StoredStates:
         return history
 
 
-def _chosen(history: History, step: int, most_bytes: int) -> list[State]:
-    """States before a step: of many every second one, and of few that are still too large the newest.
-
-    A moment that was marked at the step itself is one of them: what was painted since is not in it.
-    """
-    last = step if step in history.marks.values() else step - 1
-    states = tuple(state for state in history.states if state.step <= last)
+def _chosen(history: History, now: tuple[int, int], most_bytes: int) -> list[State]:
+    """Earlier states: of many every second one, and of few that are still too large the newest."""
+    states = tuple(state for state in history.states if (state.step, len(state.data["events"])) < now)
     if not states:
         return []
     largest = max(sum(array.nbytes for array in state.arrays.values()) for state in states)

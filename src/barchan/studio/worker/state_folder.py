@@ -45,12 +45,17 @@ def beside_newest(run: StudioRun, files: StateFiles) -> dict[str, Any]:
     """
     branches = run.branches
     newest = [files.add(other, other.simulation.state) for other in branches.others]
-    states = files.add_earlier(run.history, run.live.steps_done)
+    states = files.add_earlier(run.history, run.live.steps_done, events=len(run.live.events))
     others = [
         {
             **_facts(other.number, other.began, other.history, other.measures),
             "newest": name,
-            "states": files.add_earlier(other.history, other.simulation.steps_done, BYTES // MOST),
+            "states": files.add_earlier(
+                other.history,
+                other.simulation.steps_done,
+                BYTES // MOST,
+                events=len(other.simulation.events),
+            ),
         }
         for other, name in zip(branches.others, newest, strict=True)
     ]
