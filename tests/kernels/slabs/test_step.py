@@ -108,7 +108,13 @@ def rough_bed(lattice, seed, top=9):
     return sand.astype(np.int32)
 
 
-@pytest.mark.parametrize("number", range(len(EVERY_COMBINATION)))
+@pytest.mark.parametrize(
+    "number",
+    [
+        pytest.param(number, marks=pytest.mark.extended if number % 7 in (3, 5) else ())
+        for number in range(len(EVERY_COMBINATION))
+    ],
+)
 def test_kernel_equals_reference_for_every_combination_of_variants(number):
     variants = EVERY_COMBINATION[number]
     uneven = number % 5 == 0
