@@ -16,7 +16,7 @@ from barchan.measures.dunes import find_dunes
 from barchan.measures.horns import horns
 from validation.direction_quality import ANGLES, SEEDS, VARIANTS
 from validation.mixed_axes import LEAST
-from validation.study import LEVEL_TOPS, Row, over_seeds
+from validation.study import RULES_OF_FORMAT_4, Row, over_seeds
 
 TITLE = "The lattice and the horns of a barchan"
 
@@ -31,7 +31,12 @@ def shape(name, angle, seed):
         run__steps=300,
         run__save_every=300,
         wind__direction=direction,
-        **{"model__neighbourhood": "von_neumann", "model__corner_limit": "face", **LEVEL_TOPS, **changes},
+        **{
+            "model__neighbourhood": "von_neumann",
+            "model__corner_limit": "face",
+            **RULES_OF_FORMAT_4,
+            **changes,
+        },
     )
     last = barchan.simulate(scenario).isel(step=-1)
     dunes = find_dunes(last["elevation"].values, LEAST, scenario.lattice.periodic)
