@@ -16,6 +16,7 @@ import numpy as np
 
 from barchan.directions import bearing, downwind
 from barchan.figures.style import new_figure
+from validation.isotropy import DOWNSLOPE, SLOPING
 from validation.isotropy_bench import Case, Variant, measured
 from validation.orientation import difference
 from validation.study import Row
@@ -26,14 +27,14 @@ FIGURE = Path(__file__).parents[1] / "docs" / "_static" / "directions-pairs.png"
 DIVERGENCES = (60, 75, 90, 105, 120, 135, 150)
 RATIOS = (1, 2, 4)
 BISECTORS = (250.0, 270.0)
-SEEDS = (1,)
+SEEDS = (1, 2, 3, 4, 5)
 TURN = 5
 LEAST_APART = 20.0
 LEAST_COHERENCE = 0.3
 TIE = 0.01
 """Candidates whose transport differs by less than this share are equally good."""
 
-VARIANTS = {model: Variant(model, model) for model in ("werner", "momiji")}
+VARIANTS = {model: Variant(model, model, {**SLOPING, **DOWNSLOPE}) for model in ("werner", "momiji")}
 
 
 def winds(divergence, ratio, bisector):

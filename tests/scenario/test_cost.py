@@ -24,6 +24,14 @@ def test_winds_that_blow_for_half_of_the_time_ask_for_half_of_the_polls() -> Non
     assert expected_work(both) == pytest.approx(500 * both.lattice.cells, rel=0.1)
 
 
+def test_slabs_that_come_in_across_an_edge_are_work() -> None:
+    """100 cells of the west edge with 8 slabs each, a poll each beside those of the field."""
+    influx = {"kind": "slabs", "slabs_per_step": 8.0}
+    open_field = {"lattice__rows": 100, "lattice__columns": 200, "lattice__boundary_x": "open"}
+    scenario = load("transverse", **open_field, influx=influx, run__steps=30)
+    assert expected_work(scenario) == 30 * (100 * 200 + 100 * 8)
+
+
 def test_ripples_of_the_benchmark_take_its_number_of_updates() -> None:
     """docs/benchmarks.md: 256 × 256 cells, 73 s at 77 million updates a second."""
     scenario = load("ripples", lattice__rows=256)

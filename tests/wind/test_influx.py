@@ -46,3 +46,25 @@ def test_a_counted_influx_asks_for_no_saturated_flux_which_slabs_that_never_sett
     )
     simulation.advance(2)
     assert simulation.ledger.entered == 2 * 2 * simulation.lattice.rows
+
+
+@pytest.mark.parametrize(
+    ("influx", "words"),
+    [
+        (
+            {"kind": "slabs", "slabs_per_step": 2.0, "profile": [1.0, -3.0]},
+            "profile has a factor of -3; allowed: 0 and more",
+        ),
+        (
+            {"kind": "slabs", "slabs_per_step": 500.0, "profile": [1.0, 2.5]},
+            "slabs_per_step 500 times the greatest factor of profile, 2.5, is 1250; allowed: up to 1000",
+        ),
+        (
+            {"kind": "saturation", "share": 8.0, "profile": [1.5]},
+            "share 8 times the greatest factor of profile, 1.5, is 12; allowed: up to 10",
+        ),
+    ],
+)
+def test_a_profile_takes_nothing_out_and_keeps_within_the_bounds_of_what_it_multiplies(influx, words):
+    with pytest.raises(ScenarioError, match=words):
+        tiny(influx=influx, lattice__boundary_x="open")

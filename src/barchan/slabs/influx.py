@@ -39,3 +39,13 @@ def edge_influx(
     along = frame.enter(first)[:, 0] if first_open else _NONE
     across = frame.enter(second)[row, :] if second_open and frame.angle != 0.0 else _NONE
     return EdgeInflux(np.ascontiguousarray(along), np.ascontiguousarray(across))
+
+
+def slabs_that_enter(
+    segment: Segment, saturated: Callable[[], float], lattice: Lattice, frame: WindFrame
+) -> float:
+    """Mean number of slabs that enter in a step across all edges."""
+    if segment.influx is None:
+        return 0.0
+    influx = edge_influx(segment, saturated, lattice, frame)
+    return float(influx.along.sum() + influx.across.sum())

@@ -18,7 +18,7 @@ from barchan.lattice import HEX_ROWS, Lattice
 from barchan.model import Derived, Model, Tally
 from barchan.slabs.arguments import SlabArguments, build, levels_over
 from barchan.slabs.expected_flux import expected_flux
-from barchan.slabs.influx import INFLUX, edge_influx
+from barchan.slabs.influx import INFLUX, edge_influx, slabs_that_enter
 from barchan.slabs.obstacles import ClearDistances
 from barchan.slabs.parameters import ActingRules, ShadowRule, SlabParameters
 from barchan.slabs.rules import Rules
@@ -154,7 +154,12 @@ class SlabModel(Model):
         """How many hops the slabs of a segment may take: a measure of how long it takes."""
         settles = min(self.parameters.p_s, self.parameters.p_ns)
         hops = self.parameters.max_hops if settles == 0.0 else 1.0 / settles
-        return segment.steps * segment.polls * min(hops, self.parameters.max_hops)
+        return self.expected_work(segment) * min(hops, self.parameters.max_hops)
+
+    def expected_work(self, segment: Segment) -> float:
+        """Its polls, and a poll for each slab that comes in across open edges."""
+        saturated, frame = partial(self.saturated_influx, segment), self._frame(segment.direction)
+        return segment.steps * (segment.polls + slabs_that_enter(segment, saturated, self.lattice, frame))
 
     def hop_length(self, segment: Segment) -> float:
         """Hop length (cells) under this wind."""

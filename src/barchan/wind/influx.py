@@ -1,11 +1,11 @@
 """Influx: what the wind brings in across open edges, where it blows into the field."""
 
 from collections.abc import Callable
-from typing import Annotated, ClassVar, Literal
+from typing import Annotated, ClassVar, Literal, Self
 
 import numpy as np
 from numpy.typing import NDArray
-from pydantic import Field
+from pydantic import Field, model_validator
 
 from barchan.parameters import Parameters, parameter
 
@@ -26,6 +26,17 @@ class Influx(Parameters):
         source="ours",
     )
 
+    @property
+    def strongest(self) -> float:
+        """The greatest factor of the profile."""
+        return 1.0 if self.profile is None else max(self.profile)
+
+    @model_validator(mode="after")
+    def _takes_nothing(self) -> Self:
+        if self.profile is not None and min(self.profile) < 0.0:
+            raise ValueError(f"profile has a factor of {min(self.profile):g}; allowed: 0 and more")
+        return self
+
     def slabs_per_row(self, saturated: Callable[[], float], share: float) -> float:
         """Slabs that enter across each cell of an edge square to a wind that blows for a share of a step.
 
@@ -41,8 +52,17 @@ class Influx(Parameters):
         return np.interp((np.arange(cells) + 0.5) / cells, places, factors)
 
 
+def _too_much(key: str, value: float, factor: float, greatest: float) -> str:
+    return (
+        f"{key} {value:g} times the greatest factor of profile, {factor:g}, is {value * factor:g}; "
+        f"allowed: up to {greatest:g}"
+    )
+
+
 class SaturatedInflux(Influx):
     """A share of the flux that a wide flat bed of sand upwind would send."""
+
+    GREATEST: ClassVar[float] = 10.0
 
     kind: Literal["saturation"] = parameter(
         "saturation", unit="-", meaning="A share of the flux over a wide flat bed of sand.", source="ours"
@@ -51,11 +71,16 @@ class SaturatedInflux(Influx):
         1.0,
         unit="-",
         ge=0,
-        le=10,
-        live=True,
+        le=GREATEST,
         meaning="Influx over the saturated flux of the wind that blows.",
         source="ours: AeoLiS states the flux at its upwind edge in the same way",
     )
+
+    @model_validator(mode="after")
+    def _bounded(self) -> Self:
+        if self.share * self.strongest > self.GREATEST:
+            raise ValueError(_too_much("share", self.share, self.strongest, self.GREATEST))
+        return self
 
     def slabs_per_row(self, saturated: Callable[[], float], share: float) -> float:  # noqa: ARG002
         """The stated share of the saturated flux."""
@@ -65,15 +90,23 @@ class SaturatedInflux(Influx):
 class CountedInflux(Influx):
     """A stated number of slabs."""
 
+    GREATEST: ClassVar[float] = 1000.0
+
     kind: Literal["slabs"] = parameter("slabs", unit="-", meaning="A stated number of slabs.", source="ours")
     slabs_per_step: float = parameter(
         unit="slabs",
         ge=0,
-        le=1000,
+        le=GREATEST,
         scale="log",
         meaning="Slabs that enter in a step across each cell of an edge that lies square to the wind.",
         source="ours",
     )
+
+    @model_validator(mode="after")
+    def _bounded(self) -> Self:
+        if self.slabs_per_step * self.strongest > self.GREATEST:
+            raise ValueError(_too_much("slabs_per_step", self.slabs_per_step, self.strongest, self.GREATEST))
+        return self
 
     def slabs_per_row(self, saturated: Callable[[], float], share: float) -> float:  # noqa: ARG002
         """The stated number, in proportion to the share of the step."""

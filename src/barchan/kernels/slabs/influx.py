@@ -121,11 +121,11 @@ def let_enter(stacks, rules, work, influx, key, tally):
     for edge in range(2):
         means = influx.along if edge == _ALONG else influx.across
         for cell in range(means.size):
-            if rules.interruption[0] != 0:
-                return
             start = derive(derive(key, edge), cell)
             count = np.int64(means[cell] + draw(start, 1))
             for number in range(count):
+                if rules.interruption[0] != 0:
+                    return
                 state = derive(start, number + 1)
                 along, across = first_landing(edge, cell, state, rules)
                 peak = _bring_in(stacks, rules, work, along, across, state, peak, tally)
