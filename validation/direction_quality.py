@@ -3,8 +3,8 @@
 Transverse dunes: 8 slabs a cell on 192 × 192 cells, 1000 steps, 3 seeds, a steady wind that comes from 270°
 or 11.25, 22.5, 33.75 or 45° clockwise of it; Werner's model without erosion in the lee. The error of the
 crests is from the line across the wind to theirs, positive clockwise; towards the lattice's diagonal is
-negative here. Of neighbours that lie symmetrically about the wind the one on its left comes first, unless
-their order is random.
+negative here. In the wind's order the neighbour on its left comes first of two that lie symmetrically
+about it; *downslope* is the default off the axes.
 """
 
 import numpy as np
@@ -21,18 +21,20 @@ SEEDS = (1, 2, 3)
 ANGLES = (0.0, 11.25, 22.5, 33.75, 45.0)
 MOORE = {"neighbourhood": "moore"}
 VARIANTS = {
-    "von Neumann": {},
+    "von Neumann, downslope": {"neighbour_order": "downslope"},
+    "von Neumann, wind's order": {"neighbour_order": "wind"},
     "von Neumann, random order": {"neighbour_order": "random"},
-    "Moore, limits 2 and 2": MOORE,
-    "Moore, limits 2 and 3": {**MOORE, "corner_limit": 3},
+    "Moore, limits 2 and 2, wind's order": {**MOORE, "neighbour_order": "wind"},
+    "Moore, limits 2 and 3, wind's order": {**MOORE, "corner_limit": 3, "neighbour_order": "wind"},
     "Moore, limits 2 and 3, random order": {**MOORE, "corner_limit": 3, "neighbour_order": "random"},
+    "Moore, limits 2 and 3, downslope": {**MOORE, "corner_limit": 3, "neighbour_order": "downslope"},
 }
 
 
 def transverse(name, angle, seed):
     direction = 270.0 + angle
     scenario = barchan.load(
-        {"barchan": 4, "sand": {"kind": "random", "mean": 8}, "model": {"name": "werner", **VARIANTS[name]}},
+        {"barchan": 5, "sand": {"kind": "random", "mean": 8}, "model": {"name": "werner", **VARIANTS[name]}},
         lattice__rows=192,
         lattice__columns=192,
         wind__direction=direction,

@@ -3,11 +3,11 @@
 Momiji's model works on a round heap (a Gaussian 7 m high with a standard deviation of 24 m) on bare
 ground, 256 × 256 m, open edges all around, for 200 steps from upwind of its middle; winds at 0 to 45°
 to the lattice, 8 seeds; shadow from the centre, and from each slab's place over level and over
-sloping tops of stacks; slides to the steepest of four neighbours or to one drawn by the steps, also of eight
-neighbours (limits of 2 and 3 slabs). A horn's length is how far the outer quarter of the
-downwind edge on its side lies beyond the middle half ([measures](measures.md#dunes-one-by-one)).
-*Unequal* is the left length less the right one over their mean: of the means over all seeds, where chance
-is smallest, with its standard error, and its size in a single run.
+sloping tops of stacks; slides to the steepest of four neighbours or to one drawn by the steps, also of
+eight neighbours (limits of 2 and 3 slabs), and on hexagons (winds at 0 to 30° to their rows).
+A horn's length is how far the outer quarter of the downwind edge on its side lies beyond the middle half
+([measures](measures.md#dunes-one-by-one)). *Unequal* is the left length less the right one over their mean:
+of the means over all seeds, where chance is smallest, with its standard error, and its size in a single run.
 """
 
 import numpy as np
@@ -16,12 +16,14 @@ import barchan
 from barchan.directions import downwind
 from barchan.measures.dunes import find_dunes
 from barchan.measures.horns import horns
+from barchan.squares import Squares
 from validation.isotropy_bench import kept
 from validation.study import Row
 
 TITLE = "The horns of a heap off the axes"
 
 ANGLES = (0.0, 7.5, 15.0, 22.5, 30.0, 45.0)
+ON_HEXAGONS = (0.0, 7.5, 15.0, 22.5, 30.0)
 SEEDS = tuple(range(1, 9))
 STEPS = 200
 UPWIND = 0.33
@@ -42,6 +44,12 @@ RULES = {
     "sloping tops, slides downslope": {**SLOPING, **DOWNSLOPE},
     "sloping tops, eight neighbours, slides downslope": {**SLOPING, **EIGHT, **DOWNSLOPE},
 }
+HEXAGONS = {
+    "hexagons, shadow from the place": LEVEL,
+    "hexagons, sloping tops, slides downslope": {**SLOPING, **DOWNSLOPE},
+}
+HEXAGONAL = {"kind": "hex", "rows": 296}
+"""A field of hexagons as wide as that of squares."""
 
 
 def shape(rule, angle, seed):
@@ -50,21 +58,23 @@ def shape(rule, angle, seed):
 
 
 def _grown(rule, angle, seed):
-    edges = {"boundary_x": "open", "boundary_y": "open"}
+    lattice = {"rows": 256, "columns": 256, "boundary_x": "open", "boundary_y": "open"}
+    if rule in HEXAGONS:
+        lattice |= HEXAGONAL
     east, north = (0.5 - UPWIND * part for part in downwind(270.0 + angle))
     scenario = barchan.load(
         {
             "barchan": 4,
-            "lattice": {"rows": 256, "columns": 256, **edges},
+            "lattice": lattice,
             "sand": {"kind": "mound", "height": 7, "width": 24, "x": east, "y": north},
             "wind": {"kind": "steady", "direction": 270.0 + angle},
-            "model": {"name": "momiji", **RULES[rule]},
+            "model": {"name": "momiji", **(RULES | HEXAGONS)[rule]},
             "run": {"seed": seed, "steps": STEPS, "save_every": STEPS, "threads": 1},
         }
     )
     simulation = barchan.Simulation(scenario)
     simulation.advance(STEPS)
-    dunes = find_dunes(simulation.elevation, LEAST, (False, False))
+    dunes = find_dunes(Squares(scenario.lattice).between(simulation.elevation), LEAST, (False, False))
     if not dunes:
         return dict.fromkeys(("left", "right", "width", "height"), np.nan)
     dune = max(dunes, key=lambda dune: dune.cells)
@@ -73,8 +83,8 @@ def _grown(rule, angle, seed):
 
 
 def rows():
-    for rule in RULES:
-        for angle in ANGLES:
+    for rule in RULES | HEXAGONS:
+        for angle in ON_HEXAGONS if rule in HEXAGONS else ANGLES:
             yield _row(f"{rule}, {angle:g}°", [shape(rule, angle, seed) for seed in SEEDS])
 
 

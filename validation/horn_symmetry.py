@@ -16,7 +16,7 @@ from barchan.measures.dunes import find_dunes
 from barchan.measures.horns import horns
 from validation.direction_quality import ANGLES, SEEDS, VARIANTS
 from validation.mixed_axes import LEAST
-from validation.study import RULES_OF_FORMAT_4, Row, over_seeds
+from validation.study import Row, over_seeds
 
 TITLE = "The lattice and the horns of a barchan"
 
@@ -34,7 +34,6 @@ def shape(name, angle, seed):
         **{
             "model__neighbourhood": "von_neumann",
             "model__corner_limit": "face",
-            **RULES_OF_FORMAT_4,
             **changes,
         },
     )

@@ -1,21 +1,26 @@
 """Crests on hexagons, under winds at angles to their rows, with shadow from each slab's place.
 
-Crests grow out of noise (192 × 222 hexagons, 10 slabs a cell, 500 steps, 3 seeds) under winds between two
-axes of the lattice, 60° apart; half way between them, at 30°, lies an axis of symmetry. Error, relief,
-spacing and migration are those of the study of squares, on squares as wide as the hexagons.
+Crests grow out of noise (192 × 222 hexagons, 10 slabs a cell, 500 steps, 5 seeds) over level tops of stacks
+and with the default rules off the axes, sloping tops and slides downslope. Winds blow between two axes of the
+lattice, 60° apart; half way between them, at 30°, lies an axis of symmetry. Error, relief, spacing and
+migration are those of the study of squares, on squares as wide as the hexagons.
 """
 
-from validation.isotropy import grown_rows
+from validation.isotropy import DOWNSLOPE, PLACE, SLOPING, grown_rows
 from validation.isotropy_bench import Variant, measured, steady
 
 TITLE = "Crests on hexagons"
 
 ANGLES = (0.0, 7.5, 15.0, 22.5, 30.0)
-SEEDS = (1, 2, 3)
+SEEDS = (1, 2, 3, 4, 5)
 HEXAGONS = {"kind": "hex", "rows": 222, "columns": 192}
 
 GROWN = [
-    Variant(f"{model} on hexagons, shadow from the place", model, {"shadow_from": "place"}, HEXAGONS)
+    Variant(f"{model} on hexagons, {name}", model, rules, HEXAGONS)
+    for name, rules in {
+        "level tops": PLACE,
+        "sloping tops, slides downslope": {**SLOPING, **DOWNSLOPE},
+    }.items()
     for model in ("momiji", "werner")
 ]
 

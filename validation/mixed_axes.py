@@ -14,7 +14,7 @@ import numpy as np
 import barchan
 from barchan.measures.dunes import find_dunes
 from barchan.measures.horns import horns
-from validation.study import RULES_OF_FORMAT_4, Row, over_seeds, spread
+from validation.study import Row, over_seeds, spread
 
 TITLE = "Mixed axes and oblique hops"
 LEAST = 1.0
@@ -24,7 +24,7 @@ OBLIQUE = 206.565
 
 def shapes(preset, direction, seed):
     """Means over the dunes of a run, seen along a wind."""
-    scenario = barchan.load(preset, run__steps=300, run__save_every=300, run__seed=seed, **RULES_OF_FORMAT_4)
+    scenario = barchan.load(preset, run__steps=300, run__save_every=300, run__seed=seed)
     last = barchan.simulate(scenario).isel(step=-1)
     dunes = find_dunes(last["elevation"].values, LEAST)
     seen = [horns(dune, direction, scenario.lattice.cell_size) for dune in dunes]

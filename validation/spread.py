@@ -13,7 +13,7 @@ import numpy as np
 import barchan
 from barchan.measures.dunes import find_dunes
 from barchan.measures.horns import horns
-from validation.study import RULES_OF_FORMAT_4, Row, measures_after, over_seeds, spread
+from validation.study import Row, measures_after, over_seeds, spread
 
 TITLE = "Winds that spread"
 SEEDS = (1, 2, 3, 4)
@@ -27,7 +27,7 @@ def crescents(preset, size, degrees, seed):
     changes = {"run__steps": 300, "run__save_every": 300, "wind__spread": degrees, "run__seed": seed}
     if size:
         changes |= {"lattice__rows": size, "lattice__columns": size}
-    scenario = barchan.load(preset, **changes, **RULES_OF_FORMAT_4)
+    scenario = barchan.load(preset, **changes)
     last = barchan.simulate(scenario).isel(step=-1)
     dunes = find_dunes(last["elevation"].values, LEAST, scenario.lattice.periodic)
     if not dunes:
@@ -39,7 +39,7 @@ def crescents(preset, size, degrees, seed):
 def ridges(degrees, seed):
     """Measures of transverse dunes."""
     changes = {"lattice__rows": 128, "lattice__columns": 128, "run__steps": 600, "run__save_every": 600}
-    return measures_after("transverse", {**changes, **RULES_OF_FORMAT_4, "wind__spread": degrees}, seed)
+    return measures_after("transverse", {**changes, "wind__spread": degrees}, seed)
 
 
 def rows():

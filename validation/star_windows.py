@@ -15,7 +15,7 @@ import numpy as np
 import barchan
 from barchan.measures.orientation import crest_orientation
 from barchan.measures.stars import summits
-from validation.study import RULES_OF_FORMAT_4, Row, over_seeds, spread
+from validation.study import Row, over_seeds, spread
 
 TITLE = "Star dunes under uneven winds"
 SEEDS = (1, 2, 3)
@@ -26,9 +26,7 @@ PRESETS = ("star", "star-unequal", "star-speeds", "star-dominant", "star-five")
 def forms(preset, seed):
     """Arms, slopes and straightness after each number of steps."""
     size = {"lattice__rows": 192, "lattice__columns": 192}
-    scenario = barchan.load(
-        preset, **size, **RULES_OF_FORMAT_4, run__steps=STEPS[-1], run__save_every=640, run__seed=seed
-    )
+    scenario = barchan.load(preset, **size, run__steps=STEPS[-1], run__save_every=640, run__seed=seed)
     run = barchan.simulate(scenario)
     found = {}
     for step in STEPS:

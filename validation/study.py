@@ -15,9 +15,6 @@ from barchan.analysis.time_series import last_measures
 
 SEEDS = tuple(range(1, 6))
 
-RULES_OF_FORMAT_4 = {"model__stack_tops": "level", "model__neighbour_order": "wind"}
-"""Under winds off the axes: the rules of slabs with which studies were made that were not run again since."""
-
 
 @dataclass(frozen=True)
 class Row:

@@ -9,6 +9,7 @@ import base64
 import io
 import json
 import math
+import os
 import re
 import shutil
 import signal
@@ -58,24 +59,30 @@ def studio_page(folder: Path) -> Iterator["Page"]:
     """The page of a studio of its own, which opens the runs in a folder."""
     from playwright.sync_api import sync_playwright
 
+    with tempfile.TemporaryDirectory() as data, _server(folder, data) as address, sync_playwright() as engine:
+        path = shutil.which("chromium") or shutil.which("google-chrome")
+        browser = engine.chromium.launch(executable_path=path, args=FLAGS)
+        page = browser.new_page(viewport={"width": 320, "height": 240})
+        page.goto(address)
+        wait_for(page, f"window.barchan && {RUN}?.ready", 60.0)
+        page.evaluate("window.barchan.app.view.set({ turning: false, theme: 'light' })")
+        yield page
+        browser.close()
+
+
+@contextmanager
+def _server(folder: Path, data: str) -> Iterator[str]:
+    """A server of the studio that keeps what it keeps by itself in a folder of its own; its address."""
     start = [sys.executable, "-c", "from barchan.cli import main; main()", "studio", showpiece()]
     server = subprocess.Popen(  # noqa: S603
         [*start, "--no-browser", "--port", "0", "--folder", str(folder)],
         stdout=subprocess.PIPE,
         text=True,
+        env={**os.environ, "XDG_DATA_HOME": data},
     )
     assert server.stdout is not None
-    address = next(found[0] for line in server.stdout if (found := re.search(r"http://\S+", line)))
     try:
-        with sync_playwright() as engine:
-            path = shutil.which("chromium") or shutil.which("google-chrome")
-            browser = engine.chromium.launch(executable_path=path, args=FLAGS)
-            page = browser.new_page(viewport={"width": 320, "height": 240})
-            page.goto(address)
-            wait_for(page, f"window.barchan && {RUN}?.ready", 60.0)
-            page.evaluate("window.barchan.app.view.set({ turning: false, theme: 'light' })")
-            yield page
-            browser.close()
+        yield next(found[0] for line in server.stdout if (found := re.search(r"http://\S+", line)))
     finally:
         server.send_signal(signal.SIGINT)
         server.wait(20)

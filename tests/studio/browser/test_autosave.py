@@ -110,3 +110,61 @@ def test_a_run_that_is_discarded_is_not_offered_again(tmp_path, visit):
             page.evaluate("window.barchan.app.connection.fetch('unfinished').then((one) => one.unfinished)")
             == []
         )
+
+
+def test_of_several_runs_the_last_is_offered_and_a_row_tells_of_the_others(tmp_path, visit):
+    left = [
+        {
+            "name": f"left-{n}",
+            "saved": f"2026-03-0{n}T12:00:00",
+            "aside": n == 2,
+            "runs": [{"title": f"Dunes {n}", "model": "werner", "step": n, "steps": 9}],
+        }
+        for n in (4, 3, 2)
+    ]
+    with studio(tmp_path, "barchans") as (_, address):
+        page = visit(address)
+        page.route(
+            re.compile("/unfinished"), lambda route: route.fulfill(json={"unfinished": left, "broken": []})
+        )
+        page.reload()
+        rows = page.locator(".messages .unfinished li")
+        rows.nth(1).wait_for()
+        assert rows.count() == 2
+        assert "“Dunes 4” stopped at step 4 of 9" in rows.nth(0).inner_text()
+        assert "2 earlier runs are kept as well." in rows.nth(1).inner_text()
+        rows.nth(1).get_by_role("button", name="show them").click()
+        rows.nth(2).wait_for()
+        assert "“Dunes 2” was set aside at step 2 of 9 on" in rows.nth(2).inner_text()
+        page.reload()
+        rows.nth(1).wait_for()
+        rows.nth(1).get_by_role("button", name="later").click()
+        rows.nth(1).wait_for(state="detached")
+        assert "“Dunes 4”" in rows.nth(0).inner_text()
+        rows.nth(0).get_by_role("button", name="later").click()
+        rows.nth(0).wait_for(state="detached")
+
+
+def test_a_run_whose_place_aside_another_one_takes_is_offered_by_the_presets(tmp_path, visit):
+    with studio(tmp_path, "barchans") as (_, address):
+        page = visit(address)
+        for number, title in enumerate(("First", "Second", "Third")):
+            until(page, f"{RUN}?.status?.step > 20")
+            if number == 2:
+                break
+            scenario = f"{{ ...{RUN}.description.scenario, title: 'Dunes {title}' }}"
+            page.evaluate(f"void window.barchan.app.create({scenario}, false)")
+            until(page, f"{RUN}.description.scenario.title === 'Dunes {title}' && {RUN}.status.step === 0")
+            page.evaluate("window.barchan.app.send({ command: 'run' })")
+        log = "window.barchan.app.notices.log.map((entry) => entry.text).join()"
+        until(
+            page, f"{log}.includes('rows 48”, which was set aside before, is kept too: Presets offers it.')"
+        )
+        assert page.locator(".messages .unfinished li").count() == 0
+        page.keyboard.press("g")
+        offer = page.locator("dialog .unfinished li")
+        offer.wait_for()
+        assert "was set aside at step" in offer.inner_text()
+        offer.get_by_role("button", name="open it").click()
+        until(page, f"!{RUN}.description.scenario.title.startsWith('Dunes')")
+        until(page, f"{log}.includes('“Dunes First”, which was set aside before, is kept too')")

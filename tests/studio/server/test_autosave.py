@@ -292,6 +292,37 @@ def test_a_run_that_is_set_aside_is_offered_as_a_run_of_its_own(eager, tmp_path)
 
 
 @pytest.mark.extended
+def test_a_run_whose_place_aside_another_one_takes_is_offered_until_the_studio_ends(eager, tmp_path):
+    home = tmp_path / "home"
+
+    def offered() -> list[tuple[str, bool]]:
+        listed = Unfinished(home).look().data()["unfinished"]
+        return [(one["runs"][0]["title"], one["aside"]) for one in listed]
+
+    with serving(tmp_path, small(title="First"), home=home) as served, served.browser() as browser:
+        for number, title in enumerate(("Second", "Third", "Fourth"), 1):
+            browser.send("run", until=10 * number)
+            browser.until_frame(lambda status, end=10 * number: status["step"] >= min(end, 10))
+            before = len(list(home.glob("*-aside*/[0-9]*[0-9]/a")))
+            browser.send("create", scenario=small(title=title).data(), aside=True, running=False, id=number)
+            assert (
+                browser.until_message("done", id=number)["ended"] == (None, None, "First", "Second")[number]
+            )
+            until(lambda before=before: len(list(home.glob("*-aside*/[0-9]*[0-9]/a"))) == before + 1)
+        assert offered() == [("Second", True), ("First", True)]
+        (first,) = (
+            one["name"]
+            for one in Unfinished(home).look().data()["unfinished"]
+            if one["runs"][0]["title"] == "First"
+        )
+        browser.send("open_unfinished", name=first, id=9)
+        assert browser.until_message("done", id=9)["step"] == 10
+        until(lambda: offered() == [("Second", True)])
+        served.session.autosave.forsake()
+    assert not any(home.iterdir())
+
+
+@pytest.mark.extended
 @pytest.mark.skipif(sys.platform != "linux", reason="the user's data are elsewhere")
 @pytest.mark.parametrize("then", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
 def test_ctrl_c_leaves_nothing_to_offer_whatever_signal_follows_it(tmp_path, then):

@@ -9,8 +9,10 @@ import type { Command, Message } from "./protocol";
 export class WayBack {
   /** Asks whether what a text says may happen; the page sets it. */
   allowed: (text: string) => Promise<boolean> = async () => true;
+  /** Whether the run of a title, whose place another one has taken, is still on disk; the page sets it. */
+  kept: (title: string) => Promise<boolean> = async () => false;
   private entry: Entry | null = null;
-  /** The title of the run that is set aside; null where none is. */
+  /** The title of the run that is set aside, as the server has it; null where none is. */
   private title: string | null = null;
 
   constructor(private readonly app: App) {}
@@ -25,14 +27,14 @@ export class WayBack {
     return answer;
   }
 
-  /** Whether two runs may be compared although the run that is set aside now would be lost. */
-  async mayEndAside(): Promise<boolean> {
-    if (this.title === null || this.app.runs.length > 1) return true;
-    return this.allowed(`The run “${this.title}”, which is set aside, ends where two runs are compared: the one that is shown now is set aside in its place.`);
+  /** Two runs are compared: the run that is set aside now is the one before the comparison. */
+  async compared(): Promise<void> {
+    const { title } = this;
+    this.forget();
+    if (title !== null) this.app.note("info", await this.fate(title));
   }
 
-  /** Two runs are compared: the run that is set aside now is the one before the comparison. */
-  forget(): void {
+  private forget(): void {
     if (this.entry) this.app.notices.dismiss(this.entry);
     this.entry = this.title = null;
   }
@@ -48,9 +50,15 @@ export class WayBack {
   private offer({ aside, ended }: Message): void {
     this.forget();
     if (typeof aside !== "string") return;
-    this.title = this.spoken(aside);
-    const lost = typeof ended === "string" ? ` “${this.spoken(ended)}”, which was set aside before, has ended.` : "";
-    this.say(`Your run “${this.title}” is set aside with its moments.${lost}`);
+    this.title = aside;
+    this.say(`Your run “${this.spoken(aside)}” is set aside with its moments.`);
+    if (typeof ended === "string") void this.fate(ended).then((text) => this.app.note("info", text));
+  }
+
+  /** What became of the run that was set aside before another one. */
+  private async fate(title: string): Promise<string> {
+    const name = `“${this.spoken(title)}”, which was set aside before,`;
+    return (await this.kept(title)) ? `${name} is kept too: Presets offers it.` : `${name} has ended.`;
   }
 
   private say(text: string): void {
@@ -64,7 +72,7 @@ export class WayBack {
   }
 
   private async lead(): Promise<void> {
-    const { title } = this;
+    const title = this.spoken(this.title ?? "");
     if (!(await this.mayEndRight())) return this.say(`Your run “${title}” is set aside with its moments.`);
     const answer = await this.app.ask({ command: "alone", back: true });
     if (!answer) return;

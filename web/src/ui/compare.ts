@@ -7,9 +7,8 @@ import { h, short } from "./dom";
 /** Start two runs that are compared, both at step 0; returns whether they run. The run that is alone now is set aside. */
 export async function compare(app: App, other: { model: string } | { key: string; value: Json }): Promise<boolean> {
   const alone = app.runs.length === 1 ? app.current?.status?.live : undefined;
-  if (!(await app.wayBack.mayEndAside())) return false;
   if (!(await app.ask({ command: "compare", ...other }))) return false;
-  if (alone !== undefined) app.wayBack.forget();
+  if (alone !== undefined) void app.wayBack.compared();
   const aside = alone ? ` The run up to step ${short(alone, 9)} is set aside with its moments; ‘alone again’ leads back to it.` : "";
   app.note("info", `Two runs are compared, both from step 0.${aside}`);
   return true;

@@ -27,7 +27,7 @@ class Aside:
             if aside["new"]:
                 self.state = self._session.kept.newest(name)
             if aside["changed"]:
-                self._session.autosave.aside_changed()
+                self._session.autosave.aside_changed(displaced=aside["displaced"])
         elif not request.get("changed"):
             self.state = None
             self._session.autosave.aside_changed()

@@ -3,11 +3,13 @@
 import asyncio
 import shutil
 import time
+from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from barchan.errors import BarchanError
 from barchan.studio.server.autosave_aside import AutosaveAside
-from barchan.studio.server.autosave_folder import ASIDE, AutosaveFolder
+from barchan.studio.server.autosave_folder import AutosaveFolder
 
 if TYPE_CHECKING:
     from barchan.studio.server.joint_answers import Answers
@@ -41,7 +43,7 @@ class Autosave:
         """Keep states in a new folder of ``home``."""
         self._session = session
         self.folder = None if home is None else AutosaveFolder(home)
-        self.aside = None if home is None else AutosaveAside(session, AutosaveFolder(home, ASIDE))
+        self.aside = None if home is None else AutosaveAside(session, home)
         self._adopted: list[Adopted] = []
         self._forsaken = False
         self._known: dict[str, str | None] = {}
@@ -63,10 +65,10 @@ class Autosave:
         if self._timer is not None and not self._writing:
             self.begin(SOON)
 
-    def aside_changed(self) -> None:
-        """Another run was set aside, or none is any more, and another one runs."""
+    def aside_changed(self, *, displaced: bool = False) -> None:
+        """Another run was set aside, for which one before it may have lost its place, or none is any more."""
         if self.aside is not None:
-            self.aside.follow()
+            self.aside.follow(displaced=displaced)
         self.soon()
 
     def adopt(self, adopted: "Adopted") -> None:
@@ -92,6 +94,10 @@ class Autosave:
                 folder.discard()
             else:
                 folder.close()
+        if self._forsaken and self.aside is not None:
+            for name in self.aside.left:
+                with suppress(BarchanError):  # it was opened, or is open in another studio
+                    self._session.unfinished.discard(name)
 
     @property
     def _folders(self) -> list[AutosaveFolder]:

@@ -5,7 +5,7 @@ import shutil
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from barchan.studio.server.autosave_folder import AutosaveFolder
+from barchan.studio.server.autosave_folder import ASIDE, AutosaveFolder
 from barchan.studio.server.session_commands import FIRST
 
 if TYPE_CHECKING:
@@ -25,21 +25,42 @@ PARTS = (
 
 
 class AutosaveAside:
-    """Writes it once, for it stands still; a folder of its own holds it for as long as it is set aside."""
+    """Writes it once, for it stands still, into a folder of its own.
 
-    def __init__(self, session: "Session", folder: AutosaveFolder) -> None:
-        """Keep it in this folder."""
-        self.folder = folder
+    The folder is deleted when the run is shown again. Where another one is set aside in its place it stays on
+    disk, held by nobody, until somebody opens it or the user ends the studio.
+    """
+
+    def __init__(self, session: "Session", home: Path) -> None:
+        """Keep it in a folder of ``home``."""
+        self.folder = AutosaveFolder(home, ASIDE)
+        self.left: list[str] = []
+        """Names of the folders of runs whose place another one has taken."""
         self._session = session
+        self._displaced = False
+        """Whether another one has taken the place of the run in the folder."""
         self._changes = 0
         """How often another run, or none, was set aside."""
         self._writing = False
 
-    def follow(self) -> None:
-        """Another run was set aside, or none is any more."""
+    def follow(self, *, displaced: bool) -> None:
+        """Another run was set aside, which has ``displaced`` one before it, or none is any more."""
         self._changes += 1
+        self._displaced |= displaced
         if not self._writing:
+            self._leave_displaced()
             self._keep()
+
+    def _leave_displaced(self) -> None:
+        if not self._displaced:
+            return
+        self._displaced = False
+        if self.folder.holds_state:
+            path = self.folder.path
+            self.folder.close()
+            self.left.append(path.name)
+            studio, *_ = path.name.partition(ASIDE)
+            self.folder = AutosaveFolder(path.parent, f"{ASIDE}-{len(self.left)}", studio)
 
     def _keep(self) -> None:
         worker = self._session.workers.get(FIRST)
@@ -64,8 +85,9 @@ class AutosaveAside:
     def _written(self, partial: Path, changes: int, answers: "Answers") -> None:
         """Put it into place, beside the loop that serves, unless another one was set aside meanwhile."""
         member = answers[FIRST].get("member")
-        if changes != self._changes or member is None:
-            if changes == self._changes:
+        stale = changes != self._changes and not self._displaced
+        if stale or member is None:
+            if not stale:
                 self.folder.empty()  # nobody would miss it, and the one before has ended
             self._ended(partial, changes)
             return
@@ -86,6 +108,7 @@ class AutosaveAside:
     def _ended(self, partial: Path, changes: int, why: str = "", what: str = WHOLE) -> None:
         self._writing = False
         shutil.rmtree(partial, ignore_errors=True)
+        self._leave_displaced()
         if changes != self._changes:
             self._keep()
         elif why and all(worker.process.is_alive() for worker in self._session.workers.values()):

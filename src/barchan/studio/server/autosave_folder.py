@@ -21,16 +21,19 @@ LOCK = "writer.lock"
 """The file that a studio holds for as long as its folder is its own."""
 
 ASIDE = "-aside"
-"""How the name of the folder ends that holds the run that is set aside."""
+"""How the name of the folder ends of the run that is set aside; of later ones there is a number behind."""
 
 
 class AutosaveFolder:
     """A folder that one process holds: each state takes the place of the one before by one renaming."""
 
-    def __init__(self, home: Path, ending: str = "") -> None:
-        """A new folder of ``home``, made when the first state is to be written; ``ending`` ends its name."""
+    def __init__(self, home: Path, ending: str = "", studio: str = "") -> None:
+        """A new folder of ``home``, made when the first state is to be written.
+
+        Its name is that of the studio, by default of the moment and the process, and ``ending``.
+        """
         began = datetime.now(UTC).strftime("%Y%m%d-%H%M%S")
-        self.path = home / f"{began}-{os.getpid()}{ending}"
+        self.path = home / f"{studio or f'{began}-{os.getpid()}'}{ending}"
         self._lock: FileIO | None = None
         self._count = 0
         self._newest: Path | None = None
@@ -40,6 +43,11 @@ class AutosaveFolder:
         self._forsaken = False
         self._placing = threading.Lock()
         """Held while states take their places, which is done in another thread than the rest."""
+
+    @property
+    def holds_state(self) -> bool:
+        """Whether a state has taken its place."""
+        return self._newest is not None
 
     @property
     def states(self) -> Path:

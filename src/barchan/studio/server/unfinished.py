@@ -1,4 +1,4 @@
-"""Runs that studios have left on disk because they ended unexpectedly."""
+"""Runs on disk that no studio holds: it ended unexpectedly, or another run took their place."""
 
 import shutil
 from dataclasses import asdict, dataclass, field
@@ -50,7 +50,12 @@ class Found:
     def data(self) -> dict[str, Any]:
         """As the page takes it."""
         listed = [
-            {"name": name, "saved": one.saved, "runs": [asdict(member) for member in one.members]}
+            {
+                "name": name,
+                "saved": one.saved,
+                "aside": ASIDE in name,
+                "runs": [asdict(member) for member in one.members],
+            }
             for name, one in self.runs.items()
         ]
         return {"unfinished": listed, "broken": self.broken}
@@ -126,9 +131,10 @@ class Unfinished:
             return  # another studio has just taken it
 
 
-def _age(folder: Path) -> tuple[str, bool]:
-    """What later studios have more of; of one studio the run that was set aside comes after the other."""
-    return folder.name.removesuffix(ASIDE), not folder.name.endswith(ASIDE)
+def _age(folder: Path) -> tuple[str, bool, int]:
+    """What later studios have more of; of one studio runs set aside come behind, the last one first."""
+    studio, aside, number = folder.name.partition(ASIDE)
+    return studio, not aside, int(number.removeprefix("-") or 0)
 
 
 def _newest_in(folder: Path) -> Together | None:

@@ -68,6 +68,7 @@ class RunCommands:
         number, begun = int(request.get("number", 0)), False
         before, self.number = self.number, number
         run, held = self.run, held_aside(self.aside)
+        answer = None
         try:
             answer = WORKER[name](self, request)
             begun = True
@@ -77,7 +78,13 @@ class RunCommands:
             changed = held_aside(self.aside) != held
             told = None
             if aside is not None:
-                told = {"new": aside.run is run, "changed": changed, "of_it": aside.of_it}
+                displaced = isinstance(answer, dict) and answer.get("ended") is not None
+                told = {
+                    "new": aside.run is run,
+                    "changed": changed,
+                    "of_it": aside.of_it,
+                    "displaced": displaced,
+                }
             origin = None if self.origin is None else self.origin.data()
             self._send("begun", number=number, ok=begun, aside=told, origin=origin)
         return answer
