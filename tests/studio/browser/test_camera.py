@@ -2,8 +2,10 @@
 
 import json
 
+import numpy as np
 import pytest
 
+from barchan.studio.pictures import rendered
 from tests.studio.browser.conftest import SMALL
 
 CORNERS = """(() => {
@@ -145,3 +147,29 @@ def test_the_view_turns_slowly_while_it_is_left_alone_unless_it_shall_not(studio
     studio.ask("window.barchan.app.view.set({ turning: true })")
     studio.page.emulate_media(reduced_motion="reduce")
     assert not studio.ask("window.barchan.stage.view.mayTurn()")
+
+
+@pytest.mark.parametrize("angle", [10, 60])
+def test_the_field_fills_the_view_through_any_lens(studio, angle):
+    begin(studio, rows=48, columns=64)
+    studio.ask(f"window.barchan.app.view.set({{ fieldOfView: {angle} }})")
+    assert_filled(studio)
+    studio.ask("window.barchan.stage.turn(0.5, 0.1, 1.3)")
+    metres = studio.ask("window.barchan.stage.metresPerPixel()")
+    studio.ask("window.barchan.app.view.set({ fieldOfView: 21 })")
+    assert studio.ask("window.barchan.stage.metresPerPixel()") == pytest.approx(metres, rel=1e-6)
+
+
+def test_sands_differ_as_their_names_say(studio):
+    begin(studio, rows=48, columns=64)
+    studio.ask("window.barchan.stage.look('top')")
+    seen = {}
+    for sand in ("golden", "white", "red", "dark"):
+        studio.ask(f"window.barchan.app.view.set({{ sand: '{sand}' }})")
+        picture = np.asarray(rendered(studio.page, 60, 40)).astype(float)
+        seen[sand] = picture[15:25, 25:35].mean(axis=(0, 1))
+    studio.ask("window.barchan.app.view.set({ sand: 'golden' })")
+    red, _, blue = seen["red"]
+    golden, white = seen["golden"], seen["white"]
+    assert white.mean() > golden.mean() > seen["dark"].mean()
+    assert red / blue > 1.2 * golden[0] / golden[2] > 1.2 * white[0] / white[2]

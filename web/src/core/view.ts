@@ -11,6 +11,8 @@ export interface Look {
   map: "perceptual" | "grey" | "red-green";
   /** Fixed ends of the colour scale; null: those of the field as it is. */
   limits: [number, number] | null;
+  /** Which sand: its colour where it is shown as it looks. */
+  sand: "golden" | "white" | "red" | "dark";
   contours: "off" | "interval" | "count";
   interval: number;
   count: number;
@@ -27,6 +29,8 @@ export interface Look {
   light: "theme" | "day" | "dusk";
   /** Whether colours of data are shaded by the relief. */
   shaded: boolean;
+  /** Angle that the oblique view takes in from bottom to top (degrees): of a long lens it is small. */
+  fieldOfView: number;
   /** Whether the view turns slowly while nobody moves it. */
   turning: boolean;
   /** Fine detail, or a plain scene; by itself where the graphics are slow. */
@@ -44,6 +48,7 @@ export const LOOK: Look = {
   field: "natural",
   map: "perceptual",
   limits: null,
+  sand: "golden",
   contours: "off",
   interval: 1,
   count: 8,
@@ -56,6 +61,7 @@ export const LOOK: Look = {
   sunHeight: null,
   light: "theme",
   shaded: true,
+  fieldOfView: 21,
   turning: true,
   quality: "automatic",
   overlays: ["effectiveness"],
@@ -66,6 +72,7 @@ export const LOOK: Look = {
 
 export const CHOICES = {
   map: ["perceptual", "grey", "red-green"],
+  sand: ["golden", "white", "red", "dark"],
   contours: ["off", "interval", "count"],
   side: ["surface", "difference"],
   light: ["theme", "day", "dusk"],

@@ -2,16 +2,17 @@
 
 import * as THREE from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
+import { LOOK } from "../core/view";
 import { narrowness } from "./narrow";
 
 export type Viewpoint = "oblique" | "top" | "side";
 
-/** A long lens: dunes far behind are not much smaller than those in front. */
-const FIELD_OF_VIEW = 21;
 /** Share of the view that the field may fill; the rest is for compass, scale bar and air. */
 const FILLED = { across: 0.94, up: 0.86 };
 /** Where there is room above and below, the field lies this share of it lower than the middle: there is more sky. */
 const LOWER = 0.4;
+/** Angles (degrees) that the oblique view may take in from bottom to top. */
+export const ANGLES = { least: 8, most: 70 };
 const TILT = { oblique: 25, top: 90, side: 0 };
 /** Degrees by which the oblique view is steeper in a view of no width, and in part in a narrow one, whose height it fills so. */
 const STEEPER = 35;
@@ -35,7 +36,7 @@ export interface Standpoint {
 }
 
 export class Camera {
-  readonly perspective = new THREE.PerspectiveCamera(FIELD_OF_VIEW, 1, 0.05, FAR);
+  readonly perspective = new THREE.PerspectiveCamera(LOOK.fieldOfView, 1, 0.05, FAR);
   readonly parallel = new THREE.OrthographicCamera(-1, 1, 1, -1, -FAR, FAR);
   readonly controls: OrbitControls;
   /** Called when the camera has moved. */
@@ -74,6 +75,20 @@ export class Camera {
 
   get isParallel(): boolean {
     return this.viewpoint !== "oblique";
+  }
+
+  /** Take in an angle (degrees) from bottom to top; the field stays as large in the view. */
+  open(asked: number): void {
+    const angle = Math.min(Math.max(asked, ANGLES.least), ANGLES.most);
+    if (angle === this.perspective.fov) return;
+    const nearer = Math.tan((this.perspective.fov * Math.PI) / 360) / Math.tan((angle * Math.PI) / 360);
+    this.perspective.fov = angle;
+    if (!this.touched) return this.fit();
+    const offset = this.perspective.position.clone().sub(this.controls.target).multiplyScalar(nearer);
+    this.perspective.position.copy(this.controls.target).add(offset);
+    this.setAspect();
+    this.controls.update();
+    this.onMoved();
   }
 
   /** Look from one of the usual places, so that the whole field is in view. */
@@ -187,7 +202,7 @@ export class Camera {
     const [right, up, back] = basis;
     const points = corners.map((corner) => [corner.dot(right), corner.dot(up), -corner.dot(back)] as const);
     if (this.isParallel) this.fitParallel(points.map(([x, y]) => [x, y]));
-    const place = this.isParallel ? { across: 0, up: 0, distance: 60 } : fitted(points, this.aspect);
+    const place = this.isParallel ? { across: 0, up: 0, distance: 60 } : fitted(points, this.aspect, this.perspective.fov);
     const target = middle.addScaledVector(right, place.across).addScaledVector(up, place.up);
     this.controls.object = this.active;
     this.controls.target.copy(target);
@@ -234,11 +249,11 @@ export class Camera {
  * How far aside, up and away a camera must be so that all points (right, up, ahead) are just in view.
  *
  * A point at x and z ahead is in view from a distance d and a place s aside if |x - s| <= t (d + z), t being the
- * tangent of half the view's angle. The least d over all s is (A + B) / 2t, at s = (A - B) / 2, with A and B the
+ * tangent of half the view's angle (degrees). The least d over all s is (A + B) / 2t, at s = (A - B) / 2, with A and B the
  * greatest x - t z and -x - t z.
  */
-export function fitted(points: (readonly [number, number, number])[], aspect: number): { across: number; up: number; distance: number } {
-  const tangent = Math.tan((FIELD_OF_VIEW * Math.PI) / 360);
+export function fitted(points: (readonly [number, number, number])[], aspect: number, angle: number): { across: number; up: number; distance: number } {
+  const tangent = Math.tan((angle * Math.PI) / 360);
   const along = (at: 0 | 1, t: number) => {
     const most = Math.max(...points.map((point) => point[at] - t * point[2]));
     const least = Math.max(...points.map((point) => -point[at] - t * point[2]));

@@ -1,5 +1,7 @@
 /** How materials, ground and plants look, in linear colours. */
 
+import type { Look } from "../core/view";
+
 type Colour = [number, number, number];
 
 export interface MaterialLook {
@@ -11,11 +13,17 @@ export interface MaterialLook {
   ripples: boolean;
 }
 
-const SAND: MaterialLook = { light: [0.71, 0.475, 0.255], dark: [0.55, 0.325, 0.155], plain: [0.43, 0.325, 0.225], ripples: true };
+/** Sands: of quartz, of gypsum (White Sands), of quartz under iron oxide (Simpson Desert), of basalt (Iceland, Mars). */
+const SANDS: Record<Look["sand"], MaterialLook> = {
+  golden: { light: [0.71, 0.475, 0.255], dark: [0.55, 0.325, 0.155], plain: [0.43, 0.325, 0.225], ripples: true },
+  white: { light: [0.83, 0.79, 0.71], dark: [0.67, 0.63, 0.56], plain: [0.55, 0.50, 0.43], ripples: true },
+  red: { light: [0.60, 0.235, 0.09], dark: [0.42, 0.135, 0.05], plain: [0.37, 0.19, 0.115], ripples: true },
+  dark: { light: [0.165, 0.155, 0.15], dark: [0.085, 0.08, 0.082], plain: [0.20, 0.18, 0.165], ripples: true },
+};
 const SNOW: MaterialLook = { light: [0.86, 0.885, 0.92], dark: [0.76, 0.80, 0.86], plain: [0.60, 0.63, 0.68], ripples: false };
 
-/** The look of a material; any that is not sand is nearly white. */
-export const lookOf = (material: string): MaterialLook => (material === "sand" ? SAND : SNOW);
+/** The look of a material, of one of the sands; any that is not sand is nearly white. */
+export const lookOf = (material: string, sand: Look["sand"]): MaterialLook => (material === "sand" ? SANDS[sand] : SNOW);
 
 /** Plants of up to four species. */
 export const TINTS: Colour[] = [

@@ -39,7 +39,7 @@ export class Shown {
   private readonly scene = new THREE.Scene();
 
   constructor(
-    app: App,
+    private readonly app: App,
     readonly run: Run,
     linear: boolean,
     host: Element,
@@ -60,7 +60,7 @@ export class Shown {
       this.marks[name].update(manner.lines[name], terrain, run.rows, run.columns);
     }
     this.around.group.visible = manner.around;
-    const plain = new THREE.Color(...lookOf(run.material).plain).multiplyScalar(manner.dark ? DUSKY : 1);
+    const plain = new THREE.Color(...lookOf(run.material, this.app.view.look.sand).plain).multiplyScalar(manner.dark ? DUSKY : 1);
     this.around.update(manner.camera, terrain.block(run.columns), plain, manner.fine);
     renderer.setViewport(...viewport);
     renderer.setScissor(...viewport);

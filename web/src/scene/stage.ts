@@ -61,10 +61,11 @@ export class Stage {
     app.opened.watch(() => this.begin());
     app.framed.watch((run) => this.refresh(run));
     app.changed.watch(() => this.all());
-    app.view.changed.watch(() => this.all());
+    app.view.changed.watch(() => this.follow());
     app.overlay.changed.watch(() => this.all());
     this.canvas.addEventListener("webglcontextlost", () => this.lose(true), { signal: this.given.signal });
     this.canvas.addEventListener("webglcontextrestored", () => this.lose(false), { signal: this.given.signal });
+    this.view.open(app.view.look.fieldOfView);
     this.look("oblique");
     this.renderer.setAnimationLoop(() => this.tick());
   }
@@ -261,6 +262,12 @@ export class Stage {
     this.app.confirm();
     this.drawn++;
     this.painted.send();
+  }
+
+  /** Take over the settings of the view. */
+  private follow(): void {
+    this.view.open(this.app.view.look.fieldOfView);
+    this.all();
   }
 
   /** Bring the surfaces of runs up to date: of all, or of those named. */

@@ -157,7 +157,7 @@ export class Terrain {
   private set(run: Run, plain: boolean): void {
     const { lattice, scenario } = run.description!;
     const look = this.app.view.look;
-    const material = lookOf(run.material);
+    const material = lookOf(run.material, look.sand);
     const { uniforms } = this;
     const steady = (scenario.wind as { kind?: string } | null)?.kind === "steady";
     const wind = ((steady ? run.status!.wind : this.firstWind!) * Math.PI) / 180;

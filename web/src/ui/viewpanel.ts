@@ -2,12 +2,15 @@
 
 import type { App } from "../core/app";
 import { LOOK, type Look } from "../core/view";
+import { ANGLES } from "../scene/camera";
 import { plainFields } from "../scene/colouring";
 import type { Stage } from "../scene/stage";
 import { h, id, isActive } from "./dom";
 import { labelOf } from "../core/labels";
 import { NumberField } from "./number_field";
 import { OverlayPanel } from "./overlay";
+
+const SANDS: [string, string][] = [["golden", "golden (quartz)"], ["white", "white (gypsum)"], ["red", "red (iron oxide)"], ["dark", "dark (basalt)"]];
 
 /** Rows, and how they show what is chosen now. */
 interface Rows {
@@ -66,6 +69,7 @@ export class ViewPanel {
       h("h2", {}, "Colour"),
       this.choice("colour by", "field", named),
       this.choice("colours", "map", [["perceptual", "perceptual"], ["grey", "grey"], ["red-green", "red (high) to green"]]),
+      ...(this.app.current?.material === "sand" ? [this.choice("sand", "sand", SANDS)] : []),
       this.limits(),
       this.check("shade the colours by the relief", "shaded"),
       this.check("ground in grey where it is bare", "bare"),
@@ -94,6 +98,7 @@ export class ViewPanel {
           h("button", { type: "button", onclick: () => this.stage.look(from) }, from),
         ),
       ),
+      this.number("field of view", "fieldOfView", ANGLES.least, ANGLES.most, "°"),
       this.check("turn slowly while nobody touches it", "turning"),
       h("h2", {}, "Page"),
       this.choice("theme", "theme", [["system", "as the system"], ["light", "light"], ["dark", "dark"]]),
@@ -135,7 +140,7 @@ export class ViewPanel {
     return this.row(label, box);
   }
 
-  private number(label: string, key: "interval" | "count" | "paths", least: number, most: number, unit: string, whole = false): HTMLElement {
+  private number(label: string, key: "interval" | "count" | "paths" | "fieldOfView", least: number, most: number, unit: string, whole = false): HTMLElement {
     const take = (value: number | null) => this.set({ [key]: value! });
     const input = new NumberField({ value: this.app.view.look[key], least, most, whole, take, props: { "data-look": key } });
     this.numbers.set(key, input);
