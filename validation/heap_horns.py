@@ -119,4 +119,7 @@ by a fifth to two fifths. That is what slides do: to the steepest of four neighb
 goes to one side. With the neighbour drawn by the steps horns are alike within 10 % at every angle, and 15 to
 20 m long where they are 22 m along an axis. Eight neighbours with two limits of whole slabs, whose slip
 faces are of the same steepness all round but for 8 %, are not better: horns are unequal by up to 38 %.
+
+On hexagons level tops shorten horns less than on squares, and with sloping tops and slides downslope they are
+14 to 20 m long and alike within 11 ± 6 %.
 """

@@ -36,7 +36,9 @@ def rows():
 
 READING = """
 Shadow from each slab's place steers crests on hexagons at no angle by more than chance does: seeds of
-Momiji's model scatter by 6°, those of Werner's by 4°. Relief, spacing and speed are the same at all angles
-within some per cent. With shadow from the centre Momiji's crests are off by −24° at 15° and by +22° at 22.5°
+Momiji's model scatter by 4 to 8°, those of Werner's by 1 to 6°. With sloping tops and slides downslope the
+means of the angles are off by 1.4 and 1.3° in the mean and by 2.6 and 2.1° at most; on squares the same
+rules leave Momiji's crests 9° off at 15°. Relief, spacing and speed are the same at all angles within 4 %.
+With shadow from the centre Momiji's crests are off by −24° at 15° and by +22° at 22.5°
 ([Directions](directions.md#hexagons)).
 """

@@ -35,6 +35,8 @@ class Tour:
     def begin(self) -> None:
         self.page.evaluate(f"void {APP}.create({FIELD}, true, false)")
         wait_for(self.page, f"{RUN}.status?.step >= 300 && !{APP}.running", PATIENCE)
+        self.press("Backspace")
+        self.page.evaluate(f"{APP}.view.set({{ turning: false }})")
 
     def press(self, key: str) -> None:
         self.page.keyboard.press(key)
@@ -73,7 +75,7 @@ class Tour:
             "scene": (lambda: None, lambda: None),
             "keys": (lambda: self.press("?"), self.close),
             "menu": (lambda: page.evaluate("document.querySelector('.menu').open = true"), self.close),
-            "ruler": (lambda: self.press("m"), lambda: self.press("m")),
+            "ruler": (lambda: self.press("m"), lambda: page.locator(".ruler input").first.press("Escape")),
             "refusal": (
                 lambda: page.evaluate(
                     f"{APP}.notices.note('error', 'model › p_s: is 5; allowed: 0 to 1', 'model.p_s')"

@@ -53,14 +53,14 @@ const app = new App(new SocketConnection(access), new View(), access.watching);
 function themed(): void {
   const { theme } = app.view.look;
   const dark = theme === "dark" || (theme === "system" && matchMedia("(prefers-color-scheme: dark)").matches);
-  document.documentElement.dataset.theme = dark ? "dark" : "light";
+  const name = dark ? "dark" : "light";
+  if (document.documentElement.dataset.theme === name) return;
+  document.documentElement.dataset.theme = name;
+  app.changed.send(); // views that draw in colours of the theme draw again
 }
 themed();
 app.view.changed.watch(themed);
-matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
-  themed();
-  app.changed.send();
-});
+matchMedia("(prefers-color-scheme: dark)").addEventListener("change", themed);
 
 const scene = h("div", { className: "scene" });
 const stage = sceneIn(scene, app);

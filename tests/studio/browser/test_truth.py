@@ -303,3 +303,22 @@ def test_a_run_that_is_being_prepared_is_named_as_such_and_the_one_that_is_shown
     studio.until(f"{RUN}.description.scenario.title === {json.dumps(other['title'])}")
     assert (studio.ask(f"{RUN}.rows"), studio.ask(f"{RUN}.columns")) == (32, 48)
     page.locator(".notice", has_text="is being prepared").wait_for(state="hidden")
+
+
+@pytest.mark.parametrize("view", ["Section", "Measures", "Space–time"])
+def test_views_that_rest_are_drawn_in_the_colours_of_a_theme_that_is_chosen(studio, view):
+    plots = "JSON.stringify([...document.querySelectorAll('.dock canvas')].map((one) => one.toDataURL()))"
+    studio.ask("window.barchan.app.view.set({ theme: 'light' })")
+    studio.step_beyond(60)
+    studio.pause()
+    studio.page.get_by_role("tab", name=view).click()
+    studio.page.wait_for_timeout(400)
+    light = studio.ask(plots)
+    studio.ask("window.barchan.app.view.set({ theme: 'dark' })")
+    studio.page.wait_for_timeout(200)
+    dark = studio.ask(plots)
+    studio.ask("window.barchan.app.changed.send()")
+    studio.page.wait_for_timeout(200)
+    assert light != dark == studio.ask(plots)
+    studio.ask("window.barchan.app.view.set({ theme: 'system' })")
+    studio.page.get_by_role("tab", name=view).click()
