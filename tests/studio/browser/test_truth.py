@@ -305,7 +305,10 @@ def test_a_run_that_is_being_prepared_is_named_as_such_and_the_one_that_is_shown
     page.locator(".notice", has_text="is being prepared").wait_for(state="hidden")
 
 
-@pytest.mark.parametrize("view", ["Section", "Measures", "Space–time"])
+@pytest.mark.parametrize(
+    "view",
+    ["Section", *(pytest.param(one, marks=pytest.mark.extended) for one in ("Measures", "Space–time"))],
+)
 def test_views_that_rest_are_drawn_in_the_colours_of_a_theme_that_is_chosen(studio, view):
     plots = "JSON.stringify([...document.querySelectorAll('.dock canvas')].map((one) => one.toDataURL()))"
     studio.ask("window.barchan.app.view.set({ theme: 'light' })")

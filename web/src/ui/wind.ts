@@ -86,12 +86,12 @@ export class WindPanel {
     const open = new Set([...this.element.querySelectorAll("details[open]")].map((one) => one.id));
     const another: HTMLElement[] = this.kind === "record" ? [h("button", { type: "button", className: "quiet", onclick: this.fromFile }, "use another record …")] : [];
     if (another.length && !this.wind.path) another.unshift(h("p", { className: "hint" }, `The winds are of ${SHIPPED_NAME}.`));
+    const turned = "regimes" in this.wind || "direction" in this.wind;
+    const hint = h("p", { className: "hint" }, `Changes blow at once.${turned ? " Drag the dial’s head to where the wind comes from; with Shift it turns by less than 5°." : ""}`);
     const rows = [
       h("div", { className: "row" }, h("span", {}, "kind"), h("div", { className: "control" }, kinds)),
       ...another,
-      this.rose,
-      ...body,
-      h("p", { className: "hint" }, `Changes blow at once.${"regimes" in this.wind || "direction" in this.wind ? " Drag the dial’s head to where the wind comes from; with Shift it turns by less than 5°." : ""}`),
+      ...(turned ? [...body, hint, this.rose] : [this.rose, ...body, hint]),
     ];
     this.refused.through(() => this.element.replaceChildren(...rows));
     for (const details of this.element.querySelectorAll("details")) details.open = open.has(details.id);

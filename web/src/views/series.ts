@@ -14,7 +14,7 @@ const FIRST = ["highest_stack", "spacing", "crest_azimuth", "speed", "flux"];
 const CREST = "crest_azimuth";
 const PAUSE = 200;
 /** Height (pixels) of a chart with its axis, at least: where not all have it, they are scrolled. */
-const LEAST = 124;
+const LEAST = 136;
 
 export class SeriesView {
   readonly title = "Measures";
