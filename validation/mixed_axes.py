@@ -63,6 +63,6 @@ Dunes under mixed axes are about twice as many as under the same wind with obliq
 their crescent is negative: few have horns. Stretched more than others they are not: they are as wide for
 their length as dunes under a wind along an axis, and those under the oblique wind are wider. Nor are they
 unequal more than others: the two sides of dunes differ as much under the oblique wind and even under one
-along an axis, by chance (the mean with its sign is near zero under all three). What makes the horns of Nield & Baas unequal this does not reproduce; their slabs
-are a tenth of a cell high and their hops one cell.
+along an axis, by chance (the mean with its sign is near zero under all three). What makes the horns of
+Nield & Baas unequal this does not reproduce; their slabs are a tenth of a cell high and their hops one cell.
 """
