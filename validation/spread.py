@@ -64,10 +64,12 @@ def rows():
 
 
 READING = """
-Barchans lose their form as the Prague thesis has it: the horns of the single barchan are as long at 5° as
-without a spread, then shorten, and are gone at about 20°; at 45° the heap is round. In the field the
-scatter between runs hides the trend up to 15°. A spread here is a standard deviation, so that a third of
-the steps deviate more; the thesis does not say what its 15° measure.
+Barchans stand more than claimed: the single barchan keeps horns, shorter by a third to a half than without a
+spread but with a scatter between runs as large as that, up to 30°; at 45° the heap is round. In the field the
+scatter hides any trend up to 15°; from 20° on dunes are round on the average, and more of them. (Over level
+tops of stacks, with slides to the steepest neighbour, the single barchan had lost its horns at 20°.) A spread
+here is a standard deviation, so that a third of the steps deviate more; the thesis does not say what its 15°
+measure.
 Transverse dunes stand much more than claimed: at 30° their crests are as straight and lie as well across
 the mean wind as without a spread, only at 45° they are lower and less straight. Directions are independent
 from step to step, and a ridge hardly moves in one; winds that keep a direction for long would act more

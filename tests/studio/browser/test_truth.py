@@ -323,5 +323,9 @@ def test_views_that_rest_are_drawn_in_the_colours_of_a_theme_that_is_chosen(stud
     studio.ask("window.barchan.app.changed.send()")
     studio.page.wait_for_timeout(200)
     assert light != dark == studio.ask(plots)
+    studio.page.get_by_role("tab", name=view).click()  # shut, and drawn anew
+    studio.page.get_by_role("tab", name=view).click()
+    studio.page.wait_for_timeout(200)
+    assert dark == studio.ask(plots)
     studio.ask("window.barchan.app.view.set({ theme: 'system' })")
     studio.page.get_by_role("tab", name=view).click()

@@ -43,7 +43,10 @@ export class SpaceTimeView {
       this.canvas,
     );
     app.framed.watch(() => this.collect());
-    app.changed.watch(() => this.collect());
+    app.changed.watch(() => {
+      this.collect();
+      this.draw();
+    });
     new ResizeObserver(() => this.draw()).observe(this.canvas);
   }
 
