@@ -1,13 +1,13 @@
-"""Crests under pairs of winds, with the default shadow rule: shadow from each slab's place.
+"""Crests under pairs of winds, with the rules that are the default off the axes.
 
 Two winds 60 to 150° apart blow in turn, one of them once, twice or four times as long as the other (a
 turn of the weaker one is 5 steps); their bisector comes from 270°, along an axis, or from 250°. 256 ×
-256 cells with 10 slabs each, 800 steps, one seed; Werner's and Momiji's model with their default rules,
-so that any wind off the axes gives shadow from the place. Theory is gross bedform-normal transport
-(Rubin & Hunter 1987). Of two winds it has two candidates, one across the sum of both, one across their
-difference, of which the one with more transport across it should win. Errors are from the winner,
-positive clockwise. Cases whose candidates lie less than 20° apart are left out; at 90° both have the
-same transport, and the nearer one counts.
+256 cells with 10 slabs each, 800 steps, 5 seeds; Werner's and Momiji's model with shadow from the place over
+sloping tops and slides downslope, and Momiji's without speedup in some cases (3 seeds). Theory is gross
+bedform-normal transport (Rubin & Hunter 1987). Of two winds it has two candidates, one across the sum of
+both, one across their difference, of which the one with more transport across it should win. Errors are from
+the winner, positive clockwise. Cases whose candidates lie less than 20° apart are left out; at 90° both have
+the same transport, and the nearer one counts. A case is a pair of winds with both bisectors.
 """
 
 from pathlib import Path
@@ -34,8 +34,6 @@ LEAST_COHERENCE = 0.3
 TIE = 0.01
 """Candidates whose transport differs by less than this share are equally good."""
 
-VARIANTS = {model: Variant(model, model, {**SLOPING, **DOWNSLOPE}) for model in ("werner", "momiji")}
-
 
 def winds(divergence, ratio, bisector):
     """The stronger wind and the weaker one, with their steps."""
@@ -59,6 +57,12 @@ def told(divergence, ratio):
     azimuths, _ = candidates(divergence, ratio, 270.0)
     return abs(difference(*azimuths)) >= LEAST_APART
 
+
+RULES = {**SLOPING, **DOWNSLOPE}
+VARIANTS = {model: Variant(model, model, RULES) for model in ("werner", "momiji")}
+EVEN = Variant("momiji without speedup", "momiji", {**RULES, "speedup_linear": 0.0, "speedup_quadratic": 0.0})
+EVEN_CASES = ((60, 4), (105, 4), (120, 4), (135, 2))
+EVEN_SEEDS = (1, 2, 3)
 
 CASES = [(d, n) for n in RATIOS for d in DIVERGENCES if told(d, n)]
 
@@ -91,6 +95,20 @@ def rows():
                 f"{model}, {ratio}:1", {k: v for k, v in found.items() if k[:3:2] == (model, ratio)}
             )
         yield _summary(f"**{model}**", {k: v for k, v in found.items() if k[0] == model})
+    yield from _even_rows(found)
+
+
+def _even_rows(found):
+    """Crests without speedup, beside those with it."""
+    for case in EVEN_CASES:
+        even = [measured(Case(EVEN, winds(*case, 270.0), seed)) for seed in EVEN_SEEDS]
+        speedup = [error(result["azimuth"], *case, 270.0) for result in found["momiji", *case, 270.0]]
+        yield Row(
+            f"{EVEN.name}, {case[1]}:1, {case[0]}° apart",
+            _theory(*case),
+            f"along an axis: {_errors(even, *case, 270.0)}",
+            f"with it {np.mean(speedup):+.0f}° in the mean",
+        )
 
 
 def _theory(divergence, ratio):
@@ -128,11 +146,17 @@ def _summary(name, found):
     }
     every = np.array([value for values in known.values() for value in values])
     runs = sum(map(len, found.values()))
+    cases = {key[1:3] for key in known if key[1] != 90}
+    means = [
+        np.mean([value for key, values in known.items() if key[1:3] == case for value in values])
+        for case in cases
+    ]
     return Row(
         name,
         "0°",
         f"mean size of errors {np.abs(every).mean():.1f}°, median {np.median(every):+.1f}°, "
-        f"the worst {max(every, key=abs):+.0f}°",
+        f"the worst {max(every, key=abs):+.0f}°; of the cases' means but at 90° {np.abs(means).mean():.1f}°, "
+        f"the worst {max(means, key=abs):+.1f}°",
         f"{np.sum(np.abs(every) <= 10)} of {len(every)} within 10°, {runs - len(every)} without direction",
     )
 

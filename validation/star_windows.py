@@ -65,7 +65,8 @@ are left. After 2560 steps none of the three kinds of unevenness that the Prague
 stars than equal winds, nor crests less straight, beyond the scatter of three runs; under hops that grow no
 star is left. What the four winds share, directions along the axes of the lattice and right angles between
 them, shapes ridges along its diagonals. Five even directions change more than any unevenness: most summits
-are left, and the largest share of them, a quarter in each of three runs, has three arms at the end. Slopes
+are left, and the largest share of them, two fifths in the mean of three runs, has three arms at the end.
+(Over level tops of stacks, with slides to the steepest neighbour, it was a quarter.) Slopes
 at the top grow to 15 to 19° with size, and so into the range of real crests (15 to 30°); feet stay at 13 to
 20°, too steep, for slabs leave no gentle apron.
 """

@@ -118,6 +118,7 @@ def test_of_several_runs_the_last_is_offered_and_a_row_tells_of_the_others(tmp_p
             "name": f"left-{n}",
             "saved": f"2026-03-0{n}T12:00:00",
             "aside": n == 2,
+            "here": False,
             "runs": [{"title": f"Dunes {n}", "model": "werner", "step": n, "steps": 9}],
         }
         for n in (4, 3, 2)
@@ -160,6 +161,10 @@ def test_a_run_whose_place_aside_another_one_takes_is_offered_by_the_presets(tmp
         until(
             page, f"{log}.includes('rows 48”, which was set aside before, is kept too: Presets offers it.')"
         )
+        assert page.locator(".messages .unfinished li").count() == 0
+        page.reload()
+        until(page, f"{RUN}?.status?.step >= 0")
+        page.wait_for_timeout(300)
         assert page.locator(".messages .unfinished li").count() == 0
         page.keyboard.press("g")
         offer = page.locator("dialog .unfinished li")

@@ -18,6 +18,8 @@ interface Left {
   saved: string;
   /** Whether it was set aside for another run. */
   aside: boolean;
+  /** Whether that was in this studio, which has told of it then. */
+  here: boolean;
   /** One run, or two side by side. */
   runs: Member[];
 }
@@ -51,7 +53,7 @@ export class Unfinished {
 
   /** The offers over the scene, each of which can be put off. */
   overScene(): HTMLElement {
-    return this.list(this.put, () => undefined);
+    return this.list(this.put, () => undefined, ({ here }) => !here);
   }
 
   /** Whether a run whose place aside another one has just taken is on disk; it is offered in sheets. */
@@ -61,8 +63,6 @@ export class Unfinished {
       await new Promise((done) => setTimeout(done, tries * WAIT));
       await this.look();
       const come = this.left.filter(({ name, aside }) => aside && !known.has(name));
-      for (const { name } of come) this.put.add(name);
-      if (come.length) this.changed.send();
       if (come.some(({ runs }) => runs[0]!.title === title)) return true;
     }
     return false;
@@ -73,15 +73,15 @@ export class Unfinished {
     return this.list(new Set(), onOpen);
   }
 
-  /** A list of offers but those that were put off, which is hidden where there are none. */
-  private list(put: Set<string>, onOpen: () => void): HTMLElement {
+  /** A list of offers but those that were put off, of those that are to be told of; it is hidden where there are none. */
+  private list(put: Set<string>, onOpen: () => void, told: (one: Left) => boolean = () => true): HTMLElement {
     const element = h("ul", { className: "unfinished", "aria-label": "Runs that are kept" });
     let shown = false;
     let all = false;
     const draw = () => {
       if (shown && !element.isConnected) return this.changed.leave(draw); // its sheet was closed
       shown = element.isConnected;
-      const offers = this.left.filter(({ name }) => !put.has(name));
+      const offers = this.left.filter((one) => !put.has(one.name) && told(one));
       element.hidden = offers.length === 0;
       const rest = all ? [] : offers.slice(FIRST);
       const showAll = () => {

@@ -94,10 +94,15 @@ class Autosave:
                 folder.discard()
             else:
                 folder.close()
-        if self._forsaken and self.aside is not None:
-            for name in self.aside.left:
+        if self._forsaken:
+            for name in self.left:
                 with suppress(BarchanError):  # it was opened, or is open in another studio
                     self._session.unfinished.discard(name)
+
+    @property
+    def left(self) -> list[str]:
+        """Names of runs that were set aside here and whose place another one has taken."""
+        return [] if self.aside is None else self.aside.left
 
     @property
     def _folders(self) -> list[AutosaveFolder]:

@@ -1,6 +1,7 @@
 """Runs on disk that no studio holds: it ended unexpectedly, or another run took their place."""
 
 import shutil
+from collections.abc import Collection
 from dataclasses import asdict, dataclass, field
 from io import FileIO
 from pathlib import Path
@@ -47,13 +48,14 @@ class Found:
     broken: list[str] = field(default_factory=list)
     """What is wrong with those that are damaged, each with its file."""
 
-    def data(self) -> dict[str, Any]:
-        """As the page takes it."""
+    def data(self, here: Collection[str] = ()) -> dict[str, Any]:
+        """As the page takes it; ``here`` are names of runs that the studio itself has left aside."""
         listed = [
             {
                 "name": name,
                 "saved": one.saved,
                 "aside": ASIDE in name,
+                "here": name in here,
                 "runs": [asdict(member) for member in one.members],
             }
             for name, one in self.runs.items()
