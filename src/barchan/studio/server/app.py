@@ -73,9 +73,6 @@ def application(session: Session, guard: Guard) -> Starlette:
     async def upload(request: Request) -> Response:
         return await _upload(request, session)
 
-    def kept() -> dict[str, Any]:
-        return session.unfinished.look().data(session.autosave.left)
-
     async def connect(websocket: WebSocket) -> None:
         await _connect(websocket, session, guard)
 
@@ -84,7 +81,7 @@ def application(session: Session, guard: Guard) -> Starlette:
         Route("/api/schema", guarded(json_of(gallery.schema), guard.may_look)),
         Route("/api/colours", guarded(json_of(colours), guard.may_look)),
         Route("/api/files", guarded(json_of(gallery.files_taken), guard.may_look)),
-        Route("/api/unfinished", guarded(json_of(kept))),
+        Route("/api/unfinished", guarded(json_of(session.left_on_disk))),
         Route("/api/formats", guarded(json_of(gallery.formats))),
         Route("/api/watching", guarded(json_of(guard.for_watchers))),
         Route("/api/exports/{number}/{name}", guarded(exported)),

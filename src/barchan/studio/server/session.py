@@ -211,3 +211,7 @@ class Session:
         self.kept.forget(SECOND)
         self.audience.forget(SECOND)
         self.report_runs()
+
+    def left_on_disk(self) -> dict[str, Any]:
+        """Runs that no studio holds, as the page takes them."""
+        return self.unfinished.look().data(self.autosave.left)
