@@ -91,7 +91,7 @@ THEMES = (
         "Effects of the lattice: its axes, its neighbourhoods, and the order in which cells are polled.",
         (
             *("isotropy", "isotropy_hexagons", "isotropy_pairs", "direction_quality"),
-            *("horn_symmetry", "heap_horns", "bands"),
+            *("horn_symmetry", "heap_horns", "heap_horns_hexagons", "bands"),
         ),
     ),
 )
