@@ -61,6 +61,15 @@ def test_an_oblique_wind_brings_slabs_across_both_edges_in_proportion_to_the_cos
     assert simulation.ledger.entered == pytest.approx(expected, abs=80)
 
 
+def test_hops_that_are_ended_carry_no_farther_than_they_come():
+    """Ten hops at most, each the last with a chance of 0.001: 1 + 0.999 + ... + 0.999⁹ hops of 5 cells."""
+    model = Simulation(tiny(model__p_s=0.001, model__max_hops=10, model__hop_length=5.0)).model
+    hops = sum(0.999**k for k in range(10))
+    assert model.step_volume() == pytest.approx(
+        5.0 * hops * model.lattice.cell_size * model.lattice.thickness
+    )
+
+
 def test_a_profile_brings_sand_where_it_says():
     stay = {"model__p_s": 1.0, "model__p_ns": 1.0}
     influx = {"kind": "slabs", "slabs_per_step": 4.0, "profile": [1.0, 0.0]}

@@ -188,14 +188,15 @@ class SlabModel(Model):
         """Distance (cells) that a poll carries a slab on a flat bed of sand, on the average.
 
         Each poll finds sand and gives it with the chance of erosion; a slab hops 1 / ``p_s`` times on the
-        average. Raises ValueError where that is no number.
+        average, fewer where ``max_hops`` ends that. Raises ValueError where that is no number.
         """
         erosion = self.rules().erosion
         given = min(max(erosion.factor + erosion.offset, 0.0), 1.0)
         if self.parameters.p_s == 0.0 or given == 0.0:
             reason = "p_s 0 keeps every slab in the air" if given else "no cell gives sand"
             raise ValueError(f"is given, but {reason}: a step of no known volume has no duration")
-        return given * hop_length / self.parameters.p_s
+        ended = 1.0 - (1.0 - self.parameters.p_s) ** self.parameters.max_hops
+        return given * hop_length * ended / self.parameters.p_s
 
     def slope_limits(self) -> dict[str, tuple[int, ...]]:
         """The repose limits (slabs) towards faces and corners, of bare cells and of stabilised ones."""
