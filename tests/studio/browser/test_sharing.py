@@ -256,9 +256,9 @@ def test_a_film_of_the_last_states_is_written_with_a_bar_and_downloaded(studio):
     studio.pause()
     page.locator(".menu summary").click()
     page.get_by_role("menuitem", name="Film of what was just seen").click()
-    sheet = page.locator("dialog", has_text="of film")
+    sheet = page.locator("dialog", has_text="Film of what was just seen")
     sheet.get_by_label("States of the film, the last ones").fill("3")
-    assert sheet.get_by_role("status").first.inner_text().startswith("3 states, from step")
+    assert sheet.get_by_role("status").first.inner_text().startswith("From step ")
     with page.expect_download(timeout=60_000) as download:
         sheet.get_by_role("button", name="write the film").click()
     path = download.value.path()
