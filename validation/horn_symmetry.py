@@ -31,11 +31,7 @@ def shape(name, angle, seed):
         run__steps=300,
         run__save_every=300,
         wind__direction=direction,
-        **{
-            "model__neighbourhood": "von_neumann",
-            "model__corner_limit": "face",
-            **changes,
-        },
+        **{"model__neighbourhood": "von_neumann", "model__corner_limit": "face", **changes},
     )
     last = barchan.simulate(scenario).isel(step=-1)
     dunes = find_dunes(last["elevation"].values, LEAST, scenario.lattice.periodic)

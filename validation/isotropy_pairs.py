@@ -3,7 +3,7 @@
 Two winds 60 to 150° apart blow in turn, one of them once, twice or four times as long as the other (a
 turn of the weaker one is 5 steps); their bisector comes from 270°, along an axis, or from 250°. 256 ×
 256 cells with 10 slabs each, 800 steps, 5 seeds; Werner's and Momiji's model with shadow from the place over
-sloping tops and slides downslope, and Momiji's without speedup in some cases (3 seeds). Theory is gross
+sloping tops and slides downslope, and Momiji's with some changes (3 seeds). Theory is gross
 bedform-normal transport (Rubin & Hunter 1987). Of two winds it has two candidates, one across the sum of
 both, one across their difference, of which the one with more transport across it should win. Errors are from
 the winner, positive clockwise. Cases whose candidates lie less than 20° apart are left out; at 90° both have
@@ -35,10 +35,10 @@ TIE = 0.01
 """Candidates whose transport differs by less than this share are equally good."""
 
 
-def winds(divergence, ratio, bisector):
+def winds(divergence, ratio, bisector, turn=TURN):
     """The stronger wind and the weaker one, with their steps."""
     half = divergence / 2
-    return ((bisector - half) % 360, ratio * TURN), ((bisector + half) % 360, TURN)
+    return ((bisector - half) % 360, ratio * turn), ((bisector + half) % 360, turn)
 
 
 def candidates(divergence, ratio, bisector):
@@ -60,9 +60,16 @@ def told(divergence, ratio):
 
 RULES = {**SLOPING, **DOWNSLOPE}
 VARIANTS = {model: Variant(model, model, RULES) for model in ("werner", "momiji")}
-EVEN = Variant("momiji without speedup", "momiji", {**RULES, "speedup_linear": 0.0, "speedup_quadratic": 0.0})
-EVEN_CASES = ((60, 4), (105, 4), (120, 4), (135, 2))
-EVEN_SEEDS = (1, 2, 3)
+LEVEL_HOPS = {"speedup_linear": 0.0, "speedup_quadratic": 0.0}
+PROBES = {
+    "without speedup": (LEVEL_HOPS, TURN, ((60, 4), (105, 4), (120, 4), (135, 2))),
+    "with the linear part of the speedup alone": ({"speedup_quadratic": 0.0}, TURN, ((120, 4),)),
+    "with hops by the height at the start": ({"hop_from": "start"}, TURN, ((120, 4),)),
+    "with turns of 1 step": ({}, 1, ((60, 4), (120, 4))),
+    "with turns of 20 steps": ({}, 20, ((60, 4), (120, 4))),
+}
+"""Changes of Momiji's model, or of the turns, in some cases with the bisector along an axis."""
+PROBED = (1, 2, 3)
 
 CASES = [(d, n) for n in RATIOS for d in DIVERGENCES if told(d, n)]
 
@@ -95,20 +102,30 @@ def rows():
                 f"{model}, {ratio}:1", {k: v for k, v in found.items() if k[:3:2] == (model, ratio)}
             )
         yield _summary(f"**{model}**", {k: v for k, v in found.items() if k[0] == model})
-    yield from _even_rows(found)
+    for name, (changes, turn, cases) in PROBES.items():
+        variant = Variant(name, "momiji", {**RULES, **changes})
+        for case in cases:
+            blown = winds(*case, 270.0, turn)
+            yield _probe(
+                name,
+                case,
+                [measured(Case(variant, blown, seed)) for seed in PROBED],
+                found["momiji", *case, 270.0],
+            )
 
 
-def _even_rows(found):
-    """Crests without speedup, beside those with it."""
-    for case in EVEN_CASES:
-        even = [measured(Case(EVEN, winds(*case, 270.0), seed)) for seed in EVEN_SEEDS]
-        speedup = [error(result["azimuth"], *case, 270.0) for result in found["momiji", *case, 270.0]]
-        yield Row(
-            f"{EVEN.name}, {case[1]}:1, {case[0]}° apart",
-            _theory(*case),
-            f"along an axis: {_errors(even, *case, 270.0)}",
-            f"with it {np.mean(speedup):+.0f}° in the mean",
-        )
+def _probe(name, case, results, before):
+    """Errors after a change, and the mean without it over the same seeds."""
+    mean, was = (
+        np.mean([error(result["azimuth"], *case, 270.0) for result in some])
+        for some in (results, before[: len(results)])
+    )
+    return Row(
+        f"momiji {name}, {case[1]}:1, {case[0]}° apart",
+        _theory(*case),
+        f"along an axis: {_errors(results, *case, 270.0)}; mean {mean:+.1f}°",
+        f"as it is {was:+.1f}°",
+    )
 
 
 def _theory(divergence, ratio):

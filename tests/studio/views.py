@@ -26,7 +26,7 @@ SETTLE = 400
 """Milliseconds in which a page takes its new size or theme."""
 
 
-class Tour:
+class Walk:
     """A page, and how each view is reached from the scene of a paused run with nothing open."""
 
     def __init__(self, page) -> None:
@@ -133,9 +133,9 @@ def main() -> None:
     Path(folder).mkdir(exist_ok=True)
     with tempfile.TemporaryDirectory() as runs, studio_page(Path(runs)) as page:
         page.set_viewport_size({"width": SIZES[0][0], "height": SIZES[0][1]})
-        tour = Tour(page)
-        tour.begin()
-        for name, (reach, leave) in tour.views().items():
+        walk = Walk(page)
+        walk.begin()
+        for name, (reach, leave) in walk.views().items():
             pair = name.startswith("pair")
             if wanted and name not in wanted and not (pair and any(one.startswith("pair") for one in wanted)):
                 continue

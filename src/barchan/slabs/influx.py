@@ -19,13 +19,16 @@ _NONE: NDArray[np.float64] = np.zeros(0)
 
 def edge_influx(
     segment: Segment, saturated: Callable[[], float], lattice: Lattice, frame: WindFrame
-) -> EdgeInflux:
+) -> EdgeInflux | None:
     """Mean number of slabs that enter in a step at each cell of the open upwind edges, in the wind's frame.
+
+    None where the wind brings nothing in.
 
     ``saturated`` gives the number that crosses a cell's width square to the wind on a flat bed of sand. An
     edge that lies obliquely to the wind is crossed by less of it, in proportion to the cosine.
     """
-    assert segment.influx is not None, "asked only where there is influx"
+    if segment.influx is None:
+        return None
     number = segment.influx.slabs_per_row(saturated, segment.share)
     row_width = lattice.row_spacing / lattice.cell_size
     x, y = downwind(segment.direction)
@@ -41,11 +44,6 @@ def edge_influx(
     return EdgeInflux(np.ascontiguousarray(along), np.ascontiguousarray(across))
 
 
-def slabs_that_enter(
-    segment: Segment, saturated: Callable[[], float], lattice: Lattice, frame: WindFrame
-) -> float:
+def slabs_in(influx: EdgeInflux | None) -> float:
     """Mean number of slabs that enter in a step across all edges."""
-    if segment.influx is None:
-        return 0.0
-    influx = edge_influx(segment, saturated, lattice, frame)
-    return float(influx.along.sum() + influx.across.sum())
+    return 0.0 if influx is None else float(influx.along.sum() + influx.across.sum())

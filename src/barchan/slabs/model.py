@@ -13,12 +13,12 @@ from barchan.directions import downwind
 from barchan.heights import check_heights
 from barchan.kernels.bed.state import Stacks, relaxation_orders
 from barchan.kernels.core.interruption import interruptible, new_interruption
-from barchan.kernels.slabs.state import Schedule
+from barchan.kernels.slabs.state import EdgeInflux, Schedule
 from barchan.lattice import HEX_ROWS, Lattice
 from barchan.model import Derived, Model, Tally
 from barchan.slabs.arguments import SlabArguments, build, levels_over
 from barchan.slabs.expected_flux import expected_flux
-from barchan.slabs.influx import INFLUX, edge_influx, slabs_that_enter
+from barchan.slabs.influx import INFLUX, edge_influx, slabs_in
 from barchan.slabs.obstacles import ClearDistances
 from barchan.slabs.parameters import ActingRules, ShadowRule, SlabParameters
 from barchan.slabs.rules import Rules
@@ -129,9 +129,7 @@ class SlabModel(Model):
         )
         threads = thread_count()
         transport = Transport(stacks=stacks, rules=rules, schedule=schedule, key=stream.key)
-        influx = None
-        if segment.influx is not None:
-            influx = edge_influx(segment, partial(self.saturated_influx, segment), self.lattice, frame)
+        influx = self._influx(segment, frame)
 
         def run() -> None:
             if influx is None:
@@ -143,23 +141,26 @@ class SlabModel(Model):
                 let_enter(stacks, rules, transport.work(), influx, key, transport.counts)
                 transport.run(part, threads)
 
-        if self._hops_of(segment) > SHORT:
+        if self._hops_of(segment.steps * (segment.polls + slabs_in(influx))) > SHORT:
             interruptible(run, interruption)
         else:
             run()
         write_back(bed, frame, stacks)
         return tally_of(transport.counts, segment, frame, 1.0 / HEX_ROWS if self.lattice.hexagonal else 1.0)
 
-    def _hops_of(self, segment: Segment) -> float:
-        """How many hops the slabs of a segment may take: a measure of how long it takes."""
+    def _influx(self, segment: Segment, frame: WindFrame) -> EdgeInflux | None:
+        return edge_influx(segment, partial(self.saturated_influx, segment), self.lattice, frame)
+
+    def _hops_of(self, slabs: float) -> float:
+        """How many hops so many slabs may take: a measure of how long that takes."""
         settles = min(self.parameters.p_s, self.parameters.p_ns)
         hops = self.parameters.max_hops if settles == 0.0 else 1.0 / settles
-        return self.expected_work(segment) * min(hops, self.parameters.max_hops)
+        return slabs * min(hops, self.parameters.max_hops)
 
     def expected_work(self, segment: Segment) -> float:
         """Its polls, and a poll for each slab that comes in across open edges."""
-        saturated, frame = partial(self.saturated_influx, segment), self._frame(segment.direction)
-        return segment.steps * (segment.polls + slabs_that_enter(segment, saturated, self.lattice, frame))
+        influx = self._influx(segment, self._frame(segment.direction))
+        return segment.steps * (segment.polls + slabs_in(influx))
 
     def hop_length(self, segment: Segment) -> float:
         """Hop length (cells) under this wind."""

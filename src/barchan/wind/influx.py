@@ -14,6 +14,10 @@ class Influx(Parameters):
     """Sand that enters across open edges from upwind, even along them or by a profile."""
 
     kind_key: ClassVar[str] = "kind"
+    amount: ClassVar[str]
+    """The parameter that factors of the profile multiply."""
+    greatest: ClassVar[int]
+    """What it may be at most, with the factor."""
 
     kind: str
     profile: list[float] | None = parameter(
@@ -21,20 +25,28 @@ class Influx(Parameters):
         unit="-",
         min_length=1,
         max_length=65536,
-        meaning="Factors on the influx at equal distances along each edge, from its south or west end, with "
-        "straight lines between; 1 everywhere where not given.",
+        meaning="Factors, 0 or more, on the influx at equal distances along each edge, from its south or "
+        "west end, with straight lines between; 1 everywhere where not given.",
         source="ours",
     )
 
     @property
-    def strongest(self) -> float:
-        """The greatest factor of the profile."""
-        return 1.0 if self.profile is None else max(self.profile)
+    def factors(self) -> list[float]:
+        """The profile, 1 everywhere where none is given."""
+        return [1.0] if self.profile is None else self.profile
 
     @model_validator(mode="after")
-    def _takes_nothing(self) -> Self:
-        if self.profile is not None and min(self.profile) < 0.0:
-            raise ValueError(f"profile has a factor of {min(self.profile):g}; allowed: 0 and more")
+    def _bounded(self) -> Self:
+        """The profile takes nothing out, and does not lift the amount over its bound."""
+        least, most = min(self.factors), max(self.factors)
+        if least < 0.0:
+            raise ValueError(f"profile has a factor of {least:g}; allowed: 0 and more")
+        amount = getattr(self, self.amount)
+        if amount * most > self.greatest:
+            raise ValueError(
+                f"{self.amount} {amount:g} times the greatest factor of profile, {most:g}, is "
+                f"{amount * most:g}; allowed: up to {self.greatest}"
+            )
         return self
 
     def slabs_per_row(self, saturated: Callable[[], float], share: float) -> float:
@@ -47,22 +59,16 @@ class Influx(Parameters):
 
     def along_edge(self, cells: int) -> NDArray[np.float64]:
         """The factor on the influx at each cell of an edge, from its south or west end."""
-        factors = [1.0] if self.profile is None else self.profile
-        places = np.linspace(0.0, 1.0, len(factors)) if len(factors) > 1 else np.zeros(1)
-        return np.interp((np.arange(cells) + 0.5) / cells, places, factors)
-
-
-def _too_much(key: str, value: float, factor: float, greatest: float) -> str:
-    return (
-        f"{key} {value:g} times the greatest factor of profile, {factor:g}, is {value * factor:g}; "
-        f"allowed: up to {greatest:g}"
-    )
+        count = len(self.factors)
+        places = np.linspace(0.0, 1.0, count) if count > 1 else np.zeros(1)
+        return np.interp((np.arange(cells) + 0.5) / cells, places, self.factors)
 
 
 class SaturatedInflux(Influx):
     """A share of the flux that a wide flat bed of sand upwind would send."""
 
-    GREATEST: ClassVar[float] = 10.0
+    amount = "share"
+    greatest = 10
 
     kind: Literal["saturation"] = parameter(
         "saturation", unit="-", meaning="A share of the flux over a wide flat bed of sand.", source="ours"
@@ -71,16 +77,10 @@ class SaturatedInflux(Influx):
         1.0,
         unit="-",
         ge=0,
-        le=GREATEST,
+        le=greatest,
         meaning="Influx over the saturated flux of the wind that blows.",
         source="ours: AeoLiS states the flux at its upwind edge in the same way",
     )
-
-    @model_validator(mode="after")
-    def _bounded(self) -> Self:
-        if self.share * self.strongest > self.GREATEST:
-            raise ValueError(_too_much("share", self.share, self.strongest, self.GREATEST))
-        return self
 
     def slabs_per_row(self, saturated: Callable[[], float], share: float) -> float:  # noqa: ARG002
         """The stated share of the saturated flux."""
@@ -90,23 +90,18 @@ class SaturatedInflux(Influx):
 class CountedInflux(Influx):
     """A stated number of slabs."""
 
-    GREATEST: ClassVar[float] = 1000.0
+    amount = "slabs_per_step"
+    greatest = 1000
 
     kind: Literal["slabs"] = parameter("slabs", unit="-", meaning="A stated number of slabs.", source="ours")
     slabs_per_step: float = parameter(
         unit="slabs",
         ge=0,
-        le=GREATEST,
+        le=greatest,
         scale="log",
         meaning="Slabs that enter in a step across each cell of an edge that lies square to the wind.",
         source="ours",
     )
-
-    @model_validator(mode="after")
-    def _bounded(self) -> Self:
-        if self.slabs_per_step * self.strongest > self.GREATEST:
-            raise ValueError(_too_much("slabs_per_step", self.slabs_per_step, self.strongest, self.GREATEST))
-        return self
 
     def slabs_per_row(self, saturated: Callable[[], float], share: float) -> float:  # noqa: ARG002
         """The stated number, in proportion to the share of the step."""
