@@ -5,10 +5,11 @@ import signal
 
 import pytest
 
-from barchan.studio.server import kept_states
+from barchan.studio.server import autosave, kept_states
 from barchan.studio.server.kept_states import KeptStates
 from barchan.studio.server.starts import Starts
-from tests.studio.conftest import small
+from tests.studio.conftest import serving, small
+from tests.studio.server.test_autosave import go_two_ways, step_on_disk, until
 
 KILLED = -signal.SIGKILL
 
@@ -37,6 +38,27 @@ def test_a_lost_run_goes_on_from_the_state_that_the_server_kept(eager, served):
         assert not status["running"]
         browser.send("run", until=kept + 5)
         browser.until_frame(lambda status: status["step"] == kept + 5)
+
+
+def test_branches_and_earlier_states_on_disk_come_through_the_loss(eager, tmp_path, monkeypatch):
+    monkeypatch.setattr(autosave, "SOON", 0.05)
+    home = tmp_path / "home"
+    with serving(tmp_path, small(), home=home) as served, served.browser() as browser:
+        go_two_ways(browser)
+        until(lambda: step_on_disk(home) == 30 and kept_step(served) == 30)
+        lose(served, browser)
+        browser.messages.clear()
+        browser.send("revive", kept=30)
+        described = browser.until_message("scenario", branch=2)
+        assert described["branches"] == [
+            {"number": 1, "began": 0, "step": 40},
+            {"number": 2, "began": 20, "step": 30},
+        ]
+        browser.send("look", step=10)
+        browser.until_frame(lambda status: status["step"] == 10 and status["can_branch"])
+        browser.send("switch", branch=1)
+        browser.until_frame(lambda status: status["step"] == 40)
+        assert not any(message["type"] == "refused" for message in browser.messages)
 
 
 @pytest.mark.extended

@@ -14,6 +14,7 @@ from barchan.studio.worker.history import History
 from barchan.studio.worker.rescue import from_bytes, to_bytes
 from barchan.studio.worker.run import started, states_of
 from barchan.studio.worker.saved_runs import open_saved_run, save_run
+from barchan.studio.worker.state_files import FileNames, StateNames
 from tests.studio.conftest import small
 from tests.studio.worker.test_run import run_to
 
@@ -107,11 +108,11 @@ def test_a_damaged_file_of_bookmarks_leaves_the_run_good(scenario, tmp_path, tex
     assert list(open_saved_run(tmp_path / "mine").bookmarks) == []
 
 
-def test_bookmarks_come_through_the_loss_of_a_process(scenario):
+def test_bookmarks_come_through_the_loss_of_a_process(scenario, tmp_path):
     run = started(scenario)
     run_to(run, 10)
     marked(run, "kept")
-    again = from_bytes(to_bytes(run, 1))
+    again, _ = from_bytes(to_bytes(run, 1, StateNames(tmp_path, FileNames())))
     assert [one.name for one in again.bookmarks] == ["kept"]
 
 

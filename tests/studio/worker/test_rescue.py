@@ -10,6 +10,7 @@ from barchan.studio.protocol import is_frame, is_state, numbered, read_request, 
 from barchan.studio.worker.loop import Worker
 from barchan.studio.worker.rescue import from_bytes, to_bytes
 from barchan.studio.worker.run import started
+from barchan.studio.worker.state_files import FileNames, StateNames
 from tests.studio.conftest import small
 from tests.studio.worker.test_run import run_to
 
@@ -122,15 +123,15 @@ def test_a_run_whose_steps_fail_is_paused_at_its_last_whole_state(bench, monkeyp
     assert not run.busy
 
 
-def test_a_run_continues_with_the_same_bits_from_the_state_that_was_kept(scenario):
+def test_a_run_continues_with_the_same_bits_from_the_state_that_was_kept(scenario, tmp_path):
     run = started(scenario)
     run_to(run, 37)
-    data = to_bytes(run, 4)
+    data = to_bytes(run, 4, StateNames(tmp_path, FileNames()))
     assert is_state(data)
     assert state_head(data) == (4, 37)
     again = numbered(data, 9)
     assert state_head(again) == (9, 37)
-    revived = from_bytes(again)
+    revived, _ = from_bytes(again)
     assert revived.measures.rows == run.measures.rows
     run_to(run, 60)
     run_to(revived, 60)

@@ -11,8 +11,9 @@ from barchan.archive import checkpoint
 from barchan.simulation import SetParameter
 from barchan.studio.worker import state_files
 from barchan.studio.worker.bookmarks import Bookmark
+from barchan.studio.worker.rescue import from_bytes, to_bytes
 from barchan.studio.worker.run import started
-from barchan.studio.worker.state_files import FileNames, StateFiles
+from barchan.studio.worker.state_files import FileNames, StateFiles, StateNames
 from barchan.studio.worker.state_folder import beside_newest, open_newest, write_newest
 from tests.studio.conftest import PATIENCE, small
 from tests.studio.worker.test_rescue import Bench
@@ -254,3 +255,28 @@ def test_the_file_of_a_thing_is_its_own_for_as_long_as_it_exists():
     run.history.states.clear()
     assert names.of(second) not in {before}
     assert len(names._known) == 1
+
+
+def test_a_lost_process_leaves_the_branches_and_earlier_states_that_are_on_disk(disk):
+    run = branched()
+    disk.keep(run)
+    run_to(run, 38)
+    data = to_bytes(run, 1, StateNames(disk.states, disk.names))
+    again, lost = from_bytes(data)
+    assert lost == []
+    assert again.branches.listing(38) == run.branches.listing(38)
+    assert again.history.steps == [0, 10, 17, 20, 30, 38]  # step 35 was the newest, not an earlier one
+    assert [one.name for one in again.bookmarks] == ["early", "late", "elsewhere"]
+    for one in (run, again):
+        one.switch(1)
+        run_to(one, 44)
+    assert np.array_equal(again.live.bed.sand, run.live.bed.sand)
+    assert again.measures.rows == run.measures.rows
+
+
+def test_a_branch_that_was_not_on_disk_yet_is_named_when_a_process_is_lost(disk):
+    data = to_bytes(branched(), 1, StateNames(disk.states, disk.names))
+    again, lost = from_bytes(data)
+    assert len(lost) == 1
+    assert lost[0].startswith("Branch 1 of this run cannot be opened any more: ")
+    assert again.branches.listing(35) == [{"number": 2, "began": 20, "step": 35}]

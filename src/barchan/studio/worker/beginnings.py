@@ -98,4 +98,7 @@ def open_folder(commands: "RunCommands", request: Request) -> Answer:
 @WORKER.handles("resume")
 def resume(commands: "RunCommands", request: Request) -> None:
     """Continue from a state that the server has kept, paused."""
-    commands.take(from_bytes(request["state"], commands.desk), running=False)
+    run, lost = from_bytes(request["state"], commands.desk)
+    commands.take(run, running=False)
+    for text in lost:
+        commands.warn(text)

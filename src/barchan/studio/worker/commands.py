@@ -1,6 +1,7 @@
 """The commands that a worker carries out, one method each."""
 
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 from barchan.errors import BarchanError
@@ -49,6 +50,8 @@ class RunCommands:
         self.kept: tuple[int, int, int] | None = None
         self.files = FileNames()
         """Those of states that the studio keeps on disk."""
+        self.files_folder: Path | None = None
+        """Where they are, once the studio has kept some."""
         self.break_off: Callable[[object], None] = lambda _: None
         """Breaks the work on the answer to a request off, by its id."""
 

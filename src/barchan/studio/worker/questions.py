@@ -19,7 +19,7 @@ from barchan.studio.worker.rose import rose_of
 from barchan.studio.worker.run import StudioRun, states_of
 from barchan.studio.worker.spacetime import space_time as section_over_time
 from barchan.studio.worker.spacetime_files import Beside, write_space_time
-from barchan.studio.worker.state_files import StateFiles
+from barchan.studio.worker.state_files import StateFiles, StateNames
 from barchan.studio.worker.state_folder import beside_newest, fingerprint, write_newest
 from barchan.studio.worker.strata import layers_along
 
@@ -33,7 +33,8 @@ REPORT_MADE_BY = "barchan studio   (File, Comparison report of both runs)"
 def keep(commands: "RunCommands", _: Request) -> None:
     """Let the server keep the newest state, unless it has it already."""
     now = id(commands.current.live), commands.current.live.steps_done, len(commands.current.live.events)
-    if now != commands.kept and (data := to_bytes(commands.current, commands.number)):
+    files = StateNames(commands.files_folder or Path(), commands.files)
+    if now != commands.kept and (data := to_bytes(commands.current, commands.number, files)):
         commands.kept = now
         commands.send_bytes(data)
 
@@ -44,6 +45,7 @@ def keep_in(commands: "RunCommands", request: Request) -> Answer:
     found = fingerprint(commands)
     if found is None or found == request.get("known"):
         return {"fingerprint": found, "written": False}
+    commands.files_folder = Path(request["states"])
     return _kept(commands, commands.current, commands.title, request, {"fingerprint": found})
 
 

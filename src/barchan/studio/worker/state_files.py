@@ -32,24 +32,21 @@ class FileNames:
         return self._known[key][1]
 
 
-class StateFiles:
-    """The files of a folder that one run needs, and the states of those that are not there yet."""
+class StateNames:
+    """The names of the files that one run needs in a folder, whether they are there or not."""
 
     def __init__(self, folder: Path, names: FileNames) -> None:
-        """None yet; the folder is made when the first file is written."""
+        """None yet."""
         self.folder = folder
         self.needed: list[str] = []
-        """Their names."""
+        """The names."""
         self._names = names
-        self._missing: dict[str, State] = {}
 
-    def add(self, thing: object, state: Callable[[], State]) -> str:
-        """Need the file of a thing; its state is asked for where there is no such file. Returns its name."""
+    def add(self, thing: object, state: Callable[[], State]) -> str:  # noqa: ARG002 - to be written by others
+        """Need the file of a thing that has a state; returns its name."""
         name = self._names.of(thing)
         if name not in self.needed:
             self.needed.append(name)
-            if not (self.folder / name).exists():
-                self._missing[name] = state()
         return name
 
     def add_earlier(
@@ -63,6 +60,23 @@ class StateFiles:
 
     def _add_state(self, state: State) -> str:
         return self.add(state, lambda: state)
+
+
+class StateFiles(StateNames):
+    """The same, and the states of those that are not there yet, to be written into the folder."""
+
+    def __init__(self, folder: Path, names: FileNames) -> None:
+        """None yet."""
+        super().__init__(folder, names)
+        self._missing: dict[str, State] = {}
+
+    def add(self, thing: object, state: Callable[[], State]) -> str:
+        """Need the file of a thing; its state is asked for where there is no such file. Returns its name."""
+        known = len(self.needed)
+        name = super().add(thing, state)
+        if len(self.needed) > known and not (self.folder / name).exists():
+            self._missing[name] = state()
+        return name
 
     def write(self) -> str:
         """Write those that are missing, in the order in which they were added.

@@ -15,7 +15,7 @@ from barchan.studio.worker.desk import Desk
 from barchan.studio.worker.history import History
 from barchan.studio.worker.live_measures import LiveMeasures
 from barchan.studio.worker.run import StudioRun, measures_with, resumed
-from barchan.studio.worker.state_files import BYTES, StateFiles, StoredStates
+from barchan.studio.worker.state_files import BYTES, StateNames, StoredStates
 
 if TYPE_CHECKING:
     from barchan.studio.worker.commands import RunCommands
@@ -38,7 +38,7 @@ def fingerprint(commands: "RunCommands") -> str | None:
     return json.dumps([*at, run.bookmarks.data()])
 
 
-def beside_newest(run: StudioRun, files: StateFiles) -> dict[str, Any]:
+def beside_newest(run: StudioRun, files: StateNames) -> dict[str, Any]:
     """What is written beside the newest state of a run; states that it takes beside are added to ``files``.
 
     First those from which other branches go on, then the earlier ones of this branch, then those of others.
@@ -102,11 +102,20 @@ def open_newest(folder: Path, desk: Desk | None = None) -> tuple[StudioRun, list
     from barchan.archive.checkpoint import read_checkpoint
     from barchan.archive.folder import CHECKPOINT
 
-    state = read_checkpoint(folder / CHECKPOINT)
     beside = _read_beside(folder / BESIDE)
-    stored, lost = StoredStates(folder / str(beside["folder"])), list[str]()
+    return with_past(read_checkpoint(folder / CHECKPOINT), beside, folder / str(beside["folder"]), desk)
+
+
+def with_past(
+    state: State, beside: dict[str, Any], folder: Path, desk: Desk | None = None
+) -> tuple[StudioRun, list[str]]:
+    """The run that goes on from a state, paused, with what stood ``beside`` it and the states of a folder.
+
+    With it comes a text for each of its branches that cannot be read any more.
+    """
+    stored, lost = StoredStates(folder), list[str]()
     run = resumed(state, stored.history(beside), desk, beside["rows"])
-    run.bookmarks = beside["bookmarks"]
+    run.bookmarks = Bookmarks(map(bookmark_from, beside["bookmarks"]))
     current = Branch(int(beside["number"]), int(beside["began"]), run.live, run.history, run.measures)
     others = []
     for data in beside["others"]:
@@ -122,11 +131,11 @@ def _read_beside(path: Path) -> dict[str, Any]:
     """What was written beside a state; a run without other branches may have been written with less."""
     try:
         data = json.loads(path.read_text("utf-8"))
-        bookmarks = Bookmarks(map(bookmark_from, data["bookmarks"]))
-        known = {"every": int(data["every"]), "rows": list(data["rows"]), "bookmarks": bookmarks}
+        marks = marks_of(Bookmarks(map(bookmark_from, data["bookmarks"])))
+        known = {"every": int(data["every"]), "rows": list(data["rows"])}
     except (OSError, ValueError, KeyError, TypeError, BarchanError) as error:
         raise ArchiveError(f"{path}: damaged ({error})") from None
-    alone = {"number": 1, "began": 0, "marks": marks_of(bookmarks), "states": []}
+    alone = {"number": 1, "began": 0, "marks": marks, "states": []}
     return {**alone, "folder": ".", "numbered": 1, "others": [], **data, **known}
 
 
