@@ -17,6 +17,7 @@ from barchan.measures.filters import gradient, sixfold_gradient
 from barchan.models import Derived, Model, models
 from barchan.scenario import Scenario, nearest
 from barchan.simulation import Record, in_force
+from barchan.udunits import cf_units
 from barchan.wind.segment import Segment
 
 if TYPE_CHECKING:
@@ -85,7 +86,7 @@ def _computed(frame: "xr.Dataset", scenario: Scenario, derived: Derived) -> "xr.
         derived.compute(model, bed, wind), frame["elevation"].coords, ("y", "x"), derived.name
     )
     return _described(
-        values.assign_attrs(unit=derived.unit, long_name=derived.meaning),
+        values.assign_attrs(cf_units(derived.unit), long_name=derived.meaning),
         centre=centre_of(model, derived, wind),
         least=derived.least,
         sheltered=int(derived.sheltered) or None,
