@@ -48,7 +48,8 @@ def scenario_at(frame: "xr.Dataset", scenario: Scenario) -> Scenario:
 
 def field_names(frame: "xr.Dataset", scenario: Scenario) -> list[str]:
     """Names of the fields that ``field_of`` knows."""
-    coded = {field.name for field in scenario.new_model().fields if field.coded}
+    heights = (layer.height for layer in scenario.layers if layer.height)
+    coded = {field.name for field in (*scenario.new_model().fields, *heights) if field.coded}
     kept = {str(name) for name, values in frame.data_vars.items() if values.dims == ("y", "x")}
     return sorted({*(kept - coded), *_derived(scenario)})
 

@@ -16,7 +16,7 @@ STEP = f"""(() => {{
     run.description.lattice.cell_size = 0.1;
     const heights = run.surface.map((_, i) => (i % 64 < 30 ? 0.0333 : 0.0783));
     for (const [name, values] of [["surface", heights], ["ground", heights.map(() => 0)]])
-        Object.defineProperty(run, name, {{ get: () => values.slice(), set: () => {{}}, configurable: true }});
+        Object.defineProperty(run, name, {{ get: () => values.slice(), set: () => {{}} }});
     run.description.strata = [{{ name: "age", title: "age", unit: "h", states: [] }}];
     const ask = app.ask.bind(app);
     app.ask = (one) => one.command !== "strata" ? ask(one) : Promise.resolve({{
