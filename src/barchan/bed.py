@@ -40,9 +40,8 @@ class Bed:
         self.add(GROUND, ground)
         for layer, values in zip(layers, counts, strict=True):
             self.add(layer, values)
-            if layer.height_field:
-                meaning = f"thickness of the {layer.name}"
-                self.add(FieldInfo(layer.height_field, "int32", "µm", meaning), np.zeros_like(values))
+            if layer.height:
+                self.add(layer.height, np.zeros_like(values))
 
     @classmethod
     def from_fields(

@@ -21,7 +21,8 @@ class FieldInfo:
     centre: float | None = None
     """The value that pictures show it evenly about, where there is one."""
     coded: bool = False
-    """Whether its numbers code what only its owner reads: frames carry it, nothing shows or exports it."""
+    """Whether its numbers code what only its owner reads, or what another field shows: frames carry it,
+    nothing shows or exports it."""
 
 
 @dataclass(frozen=True)
@@ -38,6 +39,13 @@ class LayerInfo(FieldInfo):
     class_value: float | None = None
     """The property that defines the class (a grain diameter, an age, a hardness), in ``class_unit``."""
     class_unit: str = ""
+
+    @property
+    def height(self) -> FieldInfo | None:
+        """The declaration of its ``height_field``, which the depth shows in metres; None without one."""
+        if not self.height_field:
+            return None
+        return FieldInfo(self.height_field, "int32", "µm", f"thickness of the {self.name}", coded=True)
 
 
 HEIGHT_UNIT = 1e-6

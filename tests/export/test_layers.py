@@ -132,7 +132,10 @@ def test_packed_layers_are_no_fields(tmp_path):
     run = of_snow(STEADY)
     _, scenario = opened(run)
     names = field_names(run.isel(step=-1), scenario)
-    assert not {"snow_top", "snow_epoch", "snow_layer_1", "snow_layer_2"} & set(names)
+    assert not {"snow_top", "snow_epoch", "snow_layer_1", "snow_layer_2", "snow_height"} & set(names)
+    model = scenario.new_model()
+    titles = [field.meaning for field in (*model.fields, *model.derived) if field.name in names]
+    assert len(set(titles)) == len(titles)
     assert {"snow", "density", "age", "snow_stress"} <= set(names)
     with pytest.raises(BarchanError, match="no field 'snow_top'"):
         export(run, tmp_path / "top.asc", fields="snow_top")
@@ -140,3 +143,11 @@ def test_packed_layers_are_no_fields(tmp_path):
     heading = (tmp_path / "section.csv").read_text("utf-8").splitlines()[0]
     assert "snow_stress (1)" in heading
     assert "epoch" not in heading
+    usual = {
+        "density (kg/m³)",
+        "age (h at -10 °C)",
+        "threshold_wind (m/s)",
+        "mean_density (kg/m³)",
+        "depth (m)",
+    }
+    assert usual <= set(heading.split(","))

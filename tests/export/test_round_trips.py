@@ -2,14 +2,18 @@
 
 from datetime import datetime
 
+import h5py
 import numpy as np
 import pytest
 import rasterio
+import xarray as xr
 from rasterio.transform import Affine
 
+from barchan import simulate
 from barchan.export import FORMATS, export
 from tests.export import readers
 from tests.export.scenes import CELL, COLUMNS, ROWS, SLAB, asymmetric, slabs
+from tests.tiny import tiny
 
 READERS = {
     "vtkhdf": [readers.vtkhdf],
@@ -140,8 +144,6 @@ def test_paraview_finds_every_frame_at_its_time(request, tmp_path, run, times):
 
 
 def test_xarray_reads_dates_from_the_epoch_that_was_given(timed, tmp_path):
-    import xarray as xr
-
     export(timed, tmp_path / "dunes.nc", epoch=datetime(2021, 3, 1, 6))
     with xr.open_dataset(tmp_path / "dunes.nc", engine="h5netcdf") as run:
         assert list(run.time.values) == list(
@@ -199,3 +201,27 @@ def test_exaggeration_and_scale_change_heights_and_lengths_of_meshes(local, tmp_
     plain = slabs(10) * SLAB
     np.testing.assert_allclose(x, 10.0 * X, rtol=1e-6)
     np.testing.assert_allclose(heights, 10.0 * (plain.min() + 3.0 * (plain - plain.min())), rtol=1e-6)
+
+
+SNOW = {
+    "density": "kg m-3",
+    "age": "h",
+    "threshold_wind": "m s-1",
+    "stress": "1",
+    "depth": "m",
+    "slope": "degree",
+}
+"""Fields of snow, and their units as UDUNITS spells them."""
+
+
+def test_netcdf_tells_true_units_and_its_words_in_utf_8(tmp_path):
+    title = "Schneedünen bei −10 °C, wind → east"
+    run = simulate(tiny(title=title, model__name="snow", run__steps=2))
+    export(run, tmp_path / "snow.nc", fields=list(SNOW))
+    with xr.open_dataset(tmp_path / "snow.nc", engine="h5netcdf", decode_timedelta=False) as file:
+        assert {name: file[name].attrs["units"] for name in SNOW} == SNOW
+        assert file["density"].attrs["unit"] == "kg/m³"
+        assert file.attrs["title"] == title
+    with h5py.File(tmp_path / "snow.nc") as file:
+        told = h5py.check_string_dtype(file["density"].attrs.get_id("unit").dtype)
+        assert (told.encoding, told.length) == ("utf-8", len("kg/m³".encode()))

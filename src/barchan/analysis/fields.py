@@ -17,6 +17,7 @@ from barchan.measures.filters import gradient, sixfold_gradient
 from barchan.models import Derived, Model, models
 from barchan.scenario import Scenario, nearest
 from barchan.simulation import Record, in_force
+from barchan.udunits import cf_units
 from barchan.wind.segment import Segment
 
 if TYPE_CHECKING:
@@ -47,7 +48,8 @@ def scenario_at(frame: "xr.Dataset", scenario: Scenario) -> Scenario:
 
 def field_names(frame: "xr.Dataset", scenario: Scenario) -> list[str]:
     """Names of the fields that ``field_of`` knows."""
-    coded = {field.name for field in scenario.new_model().fields if field.coded}
+    heights = (layer.height for layer in scenario.layers if layer.height)
+    coded = {field.name for field in (*scenario.new_model().fields, *heights) if field.coded}
     kept = {str(name) for name, values in frame.data_vars.items() if values.dims == ("y", "x")}
     return sorted({*(kept - coded), *_derived(scenario)})
 
@@ -85,7 +87,7 @@ def _computed(frame: "xr.Dataset", scenario: Scenario, derived: Derived) -> "xr.
         derived.compute(model, bed, wind), frame["elevation"].coords, ("y", "x"), derived.name
     )
     return _described(
-        values.assign_attrs(unit=derived.unit, long_name=derived.meaning),
+        values.assign_attrs(cf_units(derived.unit), long_name=derived.meaning),
         centre=centre_of(model, derived, wind),
         least=derived.least,
         sheltered=int(derived.sheltered) or None,

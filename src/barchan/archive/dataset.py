@@ -10,12 +10,13 @@ from barchan.archive.frames import COUNTERS, field_attributes, run_attributes
 from barchan.fields import GROUND, depth_of
 from barchan.scenario import Scenario
 from barchan.simulation import Frame, Simulation
+from barchan.udunits import cf_units
 
 if TYPE_CHECKING:
     import xarray as xr
 
-TIME = {"units": "s", "long_name": "time since the start", "unit": "s"}
-ELEVATION = {"units": "m", "long_name": "elevation of the surface", "unit": "m"}
+TIME = {**cf_units("s"), "long_name": "time since the start"}
+ELEVATION = {**cf_units("m"), "long_name": "elevation of the surface"}
 
 
 def dataset_of(simulation: Simulation, frames: Iterable[Frame]) -> "xr.Dataset":

@@ -25,6 +25,7 @@ from barchan.fields import FieldInfo
 from barchan.scenario import Scenario
 from barchan.scenario.migrations import current_field
 from barchan.simulation import Frame
+from barchan.udunits import cf_units
 
 
 @dataclass(frozen=True)
@@ -39,8 +40,7 @@ class Counter:
 
     def attributes(self, slabs: str) -> dict[str, Any]:
         """Unit and meaning, in CF's words and in ours; ``slabs`` are the whole units of the bed."""
-        units = "degree" if self.unit == "degrees" else "1"
-        return {"units": units, "long_name": self.meaning.format(slabs), "unit": self.unit.format(slabs)}
+        return {**cf_units(self.unit.format(slabs)), "long_name": self.meaning.format(slabs)}
 
 
 COUNTERS = (
@@ -79,8 +79,7 @@ _CHUNK = 1024
 
 def field_attributes(field: FieldInfo) -> dict[str, Any]:
     """Unit and meaning of a field, in CF's words and in ours."""
-    units = "m" if field.unit == "m" else "1"
-    return {"units": units, "long_name": field.meaning, "unit": field.unit}
+    return {**cf_units(field.unit), "long_name": field.meaning}
 
 
 def run_attributes(scenario: Scenario, text: str) -> dict[str, Any]:

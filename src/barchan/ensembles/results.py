@@ -15,6 +15,7 @@ from barchan.ensembles.plan import Member, Plan, load_plan
 from barchan.ensembles.reports import State, member_folder, read_report, state_of
 from barchan.ensembles.table import short_names
 from barchan.errors import ArchiveError
+from barchan.udunits import cf_units
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -71,7 +72,7 @@ def open_ensemble(folder: str | Path) -> "xr.Dataset":
             "f8",
             np.nan,
         )
-        about = {"unit": known.units[measure], "long_name": known.titles[measure]}
+        about = {**cf_units(known.units[measure]), "long_name": known.titles[measure]}
         dataset[measure] = (frame.names, values, about)
     return dataset
 

@@ -5,11 +5,13 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from barchan.archive.coordinates import GRID_MAPPING, attributes_of, mapped, mapping_attributes
 from barchan.errors import ExportError
 from barchan.export.numbers import plain
 from barchan.export.source import Sheet, Source
+from barchan.udunits import cf_units
 from barchan.version import __version__
 
 if TYPE_CHECKING:
@@ -46,9 +48,19 @@ def _first_axis(source: Source) -> str:
 
 
 def _put(target: Any, attributes: dict[str, Any]) -> None:
-    """Attributes as characters: VTK's reader does not see strings of variable length, and finds no time."""
+    """Attributes as characters in UTF-8: VTK's reader does not see strings of variable length.
+
+    Without these it finds no time. Plain bytes would be marked as ASCII, which readers do not decode.
+    """
     for name, value in attributes.items():
-        target.attrs[name] = np.bytes_(value.encode()) if isinstance(value, str) else value
+        target.attrs[name] = _characters(value) if isinstance(value, str) else value
+
+
+def _characters(text: str) -> NDArray:
+    import h5py
+
+    coded = text.encode()
+    return np.array(coded, h5py.string_dtype("utf-8", len(coded)))
 
 
 def _describe(file: "h5netcdf.File", source: Source) -> None:
@@ -112,8 +124,7 @@ def _declare(file: "h5netcdf.File", source: Source, first: str, sheet: Sheet, ki
         shuffle=True,
         **({"fillvalue": np.float32(np.nan)} if kind.kind == "f" else {}),
     )
-    units = {"m": "m", "degrees": "degree"}.get(sheet.unit, "1")
-    told = {"units": units, "long_name": sheet.meaning, "unit": sheet.unit}
+    told = {**cf_units(sheet.unit), "long_name": sheet.meaning}
     if sheet.name == "elevation":
         told["standard_name"] = "surface_altitude"
     _put(variable, {**told, **mapped(source.scenario.ground.georeference())})

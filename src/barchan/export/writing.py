@@ -47,9 +47,10 @@ def export(
 
     ``step`` is a saved step, several, ``"all"`` or ``"last"``; without it formats that hold a series have all
     frames, the others the last one. ``fields`` are names of fields, or ``"all"``; without it formats of one
-    field have the elevation, and those of several elevation, ground, depth, the layers and the fields that
-    the model keeps. Further options are those of :class:`barchan.export.Options`. ``progress`` is called with
-    the number of frames of a film that are drawn; what it raises ends the export.
+    field have the elevation, and those of several elevation, ground, depth, the layers, the fields that the
+    model keeps and those that show what lies in its layers. Further options are those of
+    :class:`barchan.export.Options`. ``progress`` is called with the number of frames of a film that are
+    drawn; what it raises ends the export.
 
     Raises ExportError for an unknown suffix, an option or a field that does not exist, a step that was not
     saved, a missing library and a file that cannot be written, after which nothing half-written stays; and
@@ -136,9 +137,10 @@ def chosen_fields(source: Source, chosen: Format, wanted: Sequence[str] | str | 
 
 
 def _usual_fields(source: Source, known: Sequence[str]) -> tuple[str, ...]:
-    """Elevation, ground, depth, and what frames keep, of the fields that the run has."""
+    """Elevation, ground, depth, what frames keep, and what a model that keeps layers shows of them."""
     kept = [str(name) for name in source.dataset.data_vars if name in known]
-    return tuple(dict.fromkeys([*FIRST_FIELDS, *kept]))
+    of_layers = [field.name for field in source.scenario.new_model().derived if field.of_layers]
+    return tuple(dict.fromkeys([*FIRST_FIELDS, *kept, *of_layers]))
 
 
 def _written(path: Path, chosen: Format, source: Source) -> list[Path]:

@@ -39,7 +39,13 @@ def fields_of(parameters: SnowParameters) -> tuple[FieldInfo, ...]:
         FieldInfo(
             EPOCH, "int32", "600 s at -10 °C", "present epoch of bonding, the same everywhere", coded=True
         ),
-        FieldInfo(STRESS, "float32", "1", "shear stress over that on flat snow", centre=1.0),
+        FieldInfo(
+            STRESS,
+            "float32",
+            "1",
+            "shear stress over that on flat snow, as the drift last felt it",
+            centre=1.0,
+        ),
         *(
             FieldInfo(
                 buried_name(k + 1),

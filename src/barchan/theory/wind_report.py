@@ -1,9 +1,10 @@
 """What there is to say of a wind: a record, or that of a scenario, over its sand."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from barchan.aeolian.saltation import Saltation
 from barchan.errors import BarchanError
+from barchan.models import models
 from barchan.scenario import Scenario
 from barchan.theory.assessment import Assessment, assess_record, assess_winds
 from barchan.theory.record_remarks import is_annual
@@ -11,6 +12,9 @@ from barchan.theory.wind_table import Rows, drift_rows, potential_rows, record_r
 from barchan.wind import SeriesWind
 from barchan.wind.records import WindRecord
 from barchan.wind.records.summary import height_remarks, weather_remarks
+
+OF_SAND = "drift potential, fingers of scarce sand and dunes to expect hold for dry sand, not for snow"
+"""Said of winds over snow."""
 
 
 @dataclass(frozen=True)
@@ -73,8 +77,15 @@ def of_record(record: WindRecord, sand: Saltation, supply: float | None, key: st
 def of_winds(scenario: Scenario, supply: float) -> Subject:
     """The wind of a scenario over its sand: its record, or its winds weighted by the sand they move.
 
-    ``supply`` is the equivalent sand thickness (m).
+    ``supply`` is the equivalent sand thickness (m). Over snow a remark says what is of sand only.
     """
+    found = _over_sand(scenario, supply)
+    if models()[scenario.model.name].material != "snow":
+        return found
+    return replace(found, remarks=(*found.remarks, OF_SAND))
+
+
+def _over_sand(scenario: Scenario, supply: float) -> Subject:
     sand = scenario.clock or Saltation()
     if isinstance(scenario.wind, SeriesWind):
         record = scenario.wind.series(scenario.seed).record

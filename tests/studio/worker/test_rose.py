@@ -8,7 +8,7 @@ from barchan.aeolian.saltation import Saltation
 from barchan.scenario import validate
 from barchan.simulation import Simulation
 from barchan.studio.worker.rose import rose_of
-from barchan.theory.wind_report import of_record
+from barchan.theory.wind_report import OF_SAND, of_record, of_winds
 from barchan.theory.wind_table import drift_rows
 from barchan.wind.records import read_record
 from barchan.wind.records.reading import SAMPLE
@@ -54,3 +54,9 @@ def test_a_wind_in_metres_per_second_has_its_class_of_speed_and_its_days():
     assert rose["shares"][WEST][column] == pytest.approx(1.0)
     assert rose["toward"] == pytest.approx(90.0)
     assert rose["crest"] == pytest.approx(0.0)  # across the wind
+
+
+@pytest.mark.parametrize(("name", "said"), [("snow", True), ("snow_werner", True), ("werner", False)])
+def test_of_winds_over_snow_it_is_said_what_holds_for_sand_only(name, said):
+    found = of_winds(validate({**TINY, "model": {"name": name}}), 1.0)
+    assert (OF_SAND in found.all_remarks) is said

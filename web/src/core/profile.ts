@@ -1,12 +1,13 @@
 /** The profile of a run along a section: surface, ground, shadow and slope along a line. */
 
 import type { Run } from "./run";
-import { type SectionLine, along, samples } from "./section";
-
-/** Cells over which the slope is averaged: single slabs are steps. */
-const SLOPE_CELLS = 2;
+import { type SectionLine, along, cellSamples, samples, within } from "./section";
 
 export interface Profile {
+  /** Metres from end to end of the line. */
+  length: number;
+  /** Whether each point stands for a whole cell, as the layers of a bed are drawn. */
+  cells: boolean;
   distance: Float32Array;
   /** Metres from the south-west corner. */
   x: Float32Array;
@@ -14,22 +15,27 @@ export interface Profile {
   surface: Float32Array;
   ground: Float32Array;
   shadow: Float32Array | null;
+  /** Degrees from each point to the next, rising positive. */
   slope: Float32Array;
 }
 
 export function profile(run: Run, line: SectionLine): Profile {
   const lattice = run.description!.lattice;
-  const places = samples(line, lattice);
-  const surface = along(run.surface, places, lattice);
+  const cells = run.description!.strata.length > 0;
+  const places = (cells ? cellSamples : samples)(line, lattice);
+  const at = (field: Float32Array) => (cells ? within : along)(field, places, lattice);
+  const surface = at(run.surface);
   const shadow = run.fields.get("shadow");
   return {
+    length: Math.hypot(line[2] - line[0], line[3] - line[1]),
+    cells,
     distance: places.distance,
     x: places.x,
     y: places.y,
     surface,
-    ground: along(run.ground, places, lattice),
-    shadow: shadow ? along(shadow, places, lattice) : null,
-    slope: slopeAlong(places.distance, surface, SLOPE_CELLS * lattice.cell_size),
+    ground: at(run.ground),
+    shadow: shadow ? at(shadow) : null,
+    slope: slopeAlong(places.distance, surface),
   };
 }
 
@@ -43,12 +49,16 @@ export function ends(values: Float32Array): [number, number] {
   return [low, high];
 }
 
-/** Slope along a profile (degrees, rising positive), over a length. */
-function slopeAlong(distance: Float32Array, surface: Float32Array, over: number): Float32Array {
+/** The point of a profile nearest to a distance along it. */
+export function nearest({ distance }: Profile, to: number): number {
   const step = distance[1]! - distance[0]! || 1;
-  const reach = Math.max(1, Math.round(over / 2 / step));
+  return Math.min(Math.max(Math.round((to - distance[0]!) / step), 0), distance.length - 1);
+}
+
+/** Slope (degrees, rising positive) from each point to the next; of the last one, that of the one before. */
+function slopeAlong(distance: Float32Array, surface: Float32Array): Float32Array {
   return surface.map((_, i) => {
-    const [a, b] = [Math.max(i - reach, 0), Math.min(i + reach, surface.length - 1)];
-    return (Math.atan2(surface[b]! - surface[a]!, distance[b]! - distance[a]!) * 180) / Math.PI;
+    const from = Math.min(i, surface.length - 2);
+    return (Math.atan2(surface[from + 1]! - surface[from]!, distance[from + 1]! - distance[from]! || 1) * 180) / Math.PI;
   });
 }

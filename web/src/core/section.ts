@@ -29,6 +29,24 @@ export function samples(line: SectionLine, lattice: Lattice): Samples {
   return { distance, x, y };
 }
 
+/** Places along a line, one to a cell and half a cell from either end, for what is shown cell by cell. */
+export function cellSamples([x0, y0, x1, y1]: SectionLine, lattice: Lattice): Samples {
+  const length = Math.hypot(x1 - x0, y1 - y0);
+  const count = Math.min(Math.max(Math.round(length / lattice.cell_size), 2), 8192);
+  const shares = Array.from({ length: count }, (_, i) => (i + 0.5) / count);
+  return {
+    distance: Float32Array.from(shares, (t) => t * length),
+    x: Float32Array.from(shares, (t) => x0 + t * (x1 - x0)),
+    y: Float32Array.from(shares, (t) => y0 + t * (y1 - y0)),
+  };
+}
+
+/** Values of a field in the cells that hold places. */
+export function within(field: Float32Array, at: Samples, { rows, columns, cell_size: cell }: Lattice): Float32Array {
+  const index = (place: number, count: number) => Math.min(Math.max(Math.floor(place / cell), 0), count - 1);
+  return at.distance.map((_, i) => field[index(at.y[i]!, rows) * columns + index(at.x[i]!, columns)]!);
+}
+
 /** Values of a field at places, between cells in proportion. */
 export function along(field: Float32Array, at: Samples, lattice: Lattice): Float32Array {
   const { rows, columns, cell_size: cell } = lattice;
@@ -48,15 +66,16 @@ export function along(field: Float32Array, at: Samples, lattice: Lattice): Float
   return values;
 }
 
-/** The line along the wind through the field's middle, from edge to edge. */
-export function alongWind(direction: number, lattice: Lattice): SectionLine {
-  const width = lattice.columns * lattice.cell_size;
-  const depth = lattice.rows * lattice.cell_size;
+/** The line along the wind through the centre of the field's middle cell, from edge to edge. */
+export function alongWind(direction: number, { rows, columns, cell_size: cell }: Lattice): SectionLine {
   const angle = (direction * Math.PI) / 180;
-  const [dx, dy] = [-Math.sin(angle), -Math.cos(angle)];
-  const reach = Math.min(
-    Math.abs(dx) > 1e-9 ? width / 2 / Math.abs(dx) : Number.POSITIVE_INFINITY,
-    Math.abs(dy) > 1e-9 ? depth / 2 / Math.abs(dy) : Number.POSITIVE_INFINITY,
-  );
-  return [width / 2 - dx * reach, depth / 2 - dy * reach, width / 2 + dx * reach, depth / 2 + dy * reach];
+  const steps = [-Math.sin(angle), -Math.cos(angle)].map((step) => (Math.abs(step) > 1e-9 ? step : 0));
+  const middle = [columns, rows].map((count) => (Math.floor(count / 2) + 0.5) * cell);
+  const sides = [columns * cell, rows * cell];
+  const end = (sign: number): [number, number] => {
+    const ways = steps.map((step, axis) => (step ? ((sign * step > 0 ? sides[axis]! : 0) - middle[axis]!) / (sign * step) : Number.POSITIVE_INFINITY));
+    const reach = Math.min(...ways);
+    return [middle[0]! + sign * steps[0]! * reach, middle[1]! + sign * steps[1]! * reach];
+  };
+  return [...end(-1), ...end(1)];
 }

@@ -39,6 +39,8 @@ export class Terrain {
   readonly uniforms: Record<string, THREE.IUniform>;
   /** The exaggeration that suits the forms. */
   usual = Number.POSITIVE_INFINITY;
+  /** The smoothing for which `usual` was chosen. */
+  private smoothing = -1;
   private lastStep = -1;
   private readonly paths: PathLines;
   private readonly plants: Plants;
@@ -71,7 +73,10 @@ export class Terrain {
   /** Take the surface of a run as it is to be drawn, and which exaggeration suits it; to be called before `update`. */
   settle(run: Run, plain: boolean): void {
     this.reshape(run, plain);
-    this.drawn = settled(run.surface, run.rows, run.columns, this.app.view.look.smoothing, run.description!.lattice.thickness, run.description!.lattice.periodic);
+    const { smoothing } = this.app.view.look;
+    if (smoothing !== this.smoothing) this.usual = Number.POSITIVE_INFINITY;
+    this.smoothing = smoothing;
+    this.drawn = settled(run.surface, run.rows, run.columns, smoothing, run.description!.lattice.thickness, run.description!.lattice.periodic);
     if (!run.painted || !Number.isFinite(this.usual)) this.usual = this.usualExaggeration(run);
   }
 

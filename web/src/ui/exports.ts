@@ -36,7 +36,7 @@ class ExportSheet {
   private readonly choice: HTMLSelectElement;
   private readonly states = h("select", { "aria-label": "States" });
   private readonly fields = h("div", { className: "checks" });
-  private readonly chosenFields = h("details", {}, h("summary", {}, "fields"), h("p", { className: "hint" }, "Each by its name. None chosen: those that the format usually has."), this.fields);
+  private readonly chosenFields = h("details", {}, h("summary", {}, "fields"), h("p", { className: "hint" }, "Files name each as in brackets. None chosen: those that the format usually has."), this.fields);
   private readonly options = h("div", {});
   private readonly further = h("details", {}, h("summary", {}, "options"), this.options);
   private readonly name = h("input", { type: "text", value: "dunes", required: true, pattern: "[A-Za-z0-9_\\-]+", "aria-label": "Name of the file" });
@@ -64,7 +64,7 @@ class ExportSheet {
     this.states.replaceChildren(...(series ? choices.reverse() : choices));
     this.chosenFields.hidden = fields === "none";
     const exported = this.app.current?.description?.exported ?? [];
-    this.fields.replaceChildren(...exported.map(({ name, meaning }) => h("label", { className: "check" }, h("input", { type: "checkbox", value: name }), meaning)));
+    this.fields.replaceChildren(...exported.map(({ name, meaning }) => h("label", { className: "check" }, h("input", { type: "checkbox", value: name }), `${meaning} (${name})`)));
     this.further.hidden = options.length === 0;
     const rows = options.map((option) => optionRow(option, exported));
     this.options.replaceChildren(...rows.map(({ element }) => element));

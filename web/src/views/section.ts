@@ -2,7 +2,7 @@
 
 import type { App } from "../core/app";
 import type { Run } from "../core/run";
-import { type Profile, ends, profile } from "../core/profile";
+import { type Profile, ends, nearest, profile } from "../core/profile";
 import { type SectionLine, alongWind } from "../core/section";
 import type { Stage } from "../scene/stage";
 import { nameBeside } from "../core/run";
@@ -113,7 +113,7 @@ export class SectionView {
     this.mark();
     const { context: c, width, height } = fitCanvas(this.canvas);
     const p = profile(run, this.current(run));
-    const length = p.distance.at(-1)!;
+    const { length } = p;
     const second = secondProfile(this.app, run, this.current(run));
     let [low, high] = ends(p.surface);
     if (second) [low, high] = [Math.min(low, second.ends[0]), Math.max(high, second.ends[1])];
@@ -128,7 +128,8 @@ export class SectionView {
     const area = (values: Float32Array, colour: string) => {
       c.beginPath();
       c.moveTo(x(0), y(low));
-      values.forEach((z, i) => c.lineTo(x(p.distance[i]!), y(Math.max(z, low))));
+      const half = p.cells ? p.distance[0]! : 0;
+      values.forEach((z, i) => [-half, half].forEach((aside) => c.lineTo(x(p.distance[i]! + aside), y(Math.max(z, low)))));
       c.lineTo(x(length), y(low));
       c.closePath();
       c.fillStyle = colour;
@@ -194,7 +195,7 @@ export class SectionView {
       return;
     }
     const share = (this.hover - MARGIN.left) / (width - MARGIN.left - MARGIN.right);
-    const i = Math.min(Math.max(Math.round(share * (p.distance.length - 1)), 0), p.distance.length - 1);
+    const i = nearest(p, share * length);
     drawPoint(c, x(p.distance[i]!), y(p.surface[i]!), "ink");
     const lee = p.shadow && p.shadow[i]! > 0.5 ? ", in shadow" : "";
     const own =

@@ -47,15 +47,12 @@ export function drawSurface(c: CanvasRenderingContext2D, p: Profile, x: Across, 
     c.strokeStyle = themeColour(colour);
     c.lineWidth = width;
     c.beginPath();
-    let drawing = false;
-    p.distance.forEach((d, i) => {
-      if (!wanted(i)) drawing = false;
-      else if (drawing) c.lineTo(x(d), y(p.surface[i]!));
-      else {
-        c.moveTo(x(d), y(p.surface[i]!));
-        drawing = true;
-      }
-    });
+    const to = (i: number): [number, number] => [x(p.distance[i]!), y(p.surface[i]!)];
+    for (let i = 0; i + 1 < p.distance.length; i++) {
+      if (!wanted(i)) continue;
+      if (i === 0 || !wanted(i - 1)) c.moveTo(...to(i));
+      c.lineTo(...to(i + 1));
+    }
     c.stroke();
   };
   c.save();

@@ -49,7 +49,7 @@ def fields_of(simulation: Simulation) -> list[dict[str, Any]]:
 
 def exported_fields(simulation: Simulation) -> list[dict[str, str]]:
     """Name and meaning of all fields that files for other programs may hold."""
-    layers = [(layer.name, f"depth of the layer {layer.name}") for layer in simulation.bed.layers]
+    layers = [(layer.name, layer.meaning) for layer in simulation.bed.layers]
     kept = [(field.name, field.meaning) for field in (*_kept(simulation), *_derived(simulation))]
     plain = [(field.name, field.meaning) for field in PLAIN]
     surface = [("elevation", "elevation of the surface"), (GROUND.name, GROUND.meaning)]
