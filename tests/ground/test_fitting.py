@@ -288,5 +288,5 @@ def test_a_photograph_gives_its_luminance_with_its_upper_edge_in_the_north(tmp_p
 def test_an_image_of_too_many_pixels_is_refused_before_it_is_unpacked(tmp_path, monkeypatch, name):
     monkeypatch.setattr(reading, "MOST_PIXELS", 32 * 16 - 1)
     Image.fromarray(np.zeros((16, 32), np.uint8)).save(tmp_path / name)
-    with pytest.raises(UnreadableError, match="has 32 × 16 cells; allowed"):
+    with pytest.raises(UnreadableError, match="has 32 × 16 pixels; allowed"):
         read(tmp_path / name)

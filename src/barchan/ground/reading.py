@@ -3,13 +3,16 @@
 import math
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from barchan.ground.geotiff import read_elevation_model
 from barchan.ground.netcdf_grid import read_netcdf
-from barchan.ground.raster import Hints, Raster, UnreadableError, refuse_many_cells
+from barchan.ground.raster import Hints, Raster, UnreadableError
 from barchan.ground.text_grids import read_ascii_grid, read_points
+from barchan.image_files import ImageError, image_in
 
 MOST_PIXELS = 1 << 26
 """Pixels of an image that is read (8192 × 8192)."""
@@ -60,14 +63,7 @@ def _refuse_false_heading(path: Path) -> None:
 
 
 def _image(path: Path, _hints: Hints) -> Raster:
-    from PIL import Image
-
-    try:
-        with Image.open(path) as image:
-            refuse_many_cells(image.height, image.width, MOST_PIXELS)
-            mode, values = image.mode, np.asarray(image)
-    except (OSError, ValueError, Image.DecompressionBombError) as error:
-        raise UnreadableError(f"cannot be read as an image: {error}") from None
+    mode, values = _pixels(path)
     if mode != "L" and not mode.startswith("I"):
         raise UnreadableError(f"is an image of mode {mode}; allowed: greyscale of 8 or 16 bits")
     return Raster(values[::-1], full_scale=255.0 if mode == "L" else 65535.0)
@@ -75,15 +71,19 @@ def _image(path: Path, _hints: Hints) -> Raster:
 
 def _photograph(path: Path, _hints: Hints) -> Raster:
     """The luminance (ITU-R BT.601) of an image that cameras and scanners store in colour."""
-    from PIL import Image
+    return Raster(_pixels(path, "L")[1][::-1], full_scale=255.0)
 
+
+def _pixels(path: Path, taken_as: str | None = None) -> tuple[str, NDArray[Any]]:
+    """Mode and values of an image, brought to another mode where one is given."""
     try:
-        with Image.open(path) as image:
-            refuse_many_cells(image.height, image.width, MOST_PIXELS)
-            values = np.asarray(image.convert("L"))
-    except (OSError, ValueError, Image.DecompressionBombError) as error:
+        with path.open("rb") as file:
+            image = image_in(file, ("PNG", "JPEG"), MOST_PIXELS)
+            return image.mode, np.asarray(image.convert(taken_as) if taken_as else image)
+    except ImageError as error:
+        raise UnreadableError(str(error)) from None
+    except (OSError, ValueError, SyntaxError) as error:
         raise UnreadableError(f"cannot be read as an image: {error}") from None
-    return Raster(values[::-1], full_scale=255.0)
 
 
 READERS: dict[str, Callable[[Path, Hints], Raster]] = {
