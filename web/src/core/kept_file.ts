@@ -9,7 +9,7 @@ const LOOK_AGAIN = 500;
 export interface KeptFile {
   path: string;
   /** The heights that it holds, if it does. */
-  heights: { rows: number; columns: number; cell_size: number | null; codes: number[] } | null;
+  heights: { rows: number; columns: number; cell_size: number | null; codes: number[]; coloured: boolean } | null;
 }
 
 /**

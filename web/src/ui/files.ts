@@ -183,6 +183,7 @@ export class Files {
     const said = [
       `${file.name} is the ground now`,
       image ? `white ${heights.highest} m above black` : "",
+      kept.heights?.coloured ? "its colours taken by their luminance" : "",
       codes.length ? `${codes.join(", ")} taken as cells without a height` : "",
     ];
     await this.app.begin({ ...scenario, ...this.lattice(scenario, kept), ground }, true, true);
