@@ -170,7 +170,9 @@ def test_a_broken_image_is_refused_without_having_been_called_the_ground(studio)
     studio.drop_file("broken.png", "image/png", b"\x89PNG and nothing more")
     sheet = studio.page.get_by_role("dialog")
     sheet.get_by_role("button", name="use it").click()
-    sheet.get_by_text("cannot be read as an image").wait_for()
+    sheet.get_by_text("'broken.png': cannot be read as an image").wait_for()
+    uploads = studio.folder / "studio-uploads"
+    assert not (uploads / "broken.png").exists()
     assert "is the ground" not in studio.log()
     studio.step_beyond(studio.status()["step"])  # the run goes on as it was
 

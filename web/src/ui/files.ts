@@ -3,7 +3,7 @@
 import type { App } from "../core/app";
 import type { Progress } from "../core/connection";
 import { isImage } from "../core/image_ground";
-import { keepFile } from "../core/kept_file";
+import { withKeptFile } from "../core/kept_file";
 import { problemText } from "../core/notices";
 import type { JsonObject, Problem } from "../core/protocol";
 import type { Stage } from "../scene/stage";
@@ -170,9 +170,10 @@ export class Files {
 
   /** Use a file as ground, or as a record of winds where it holds no heights; a refusal is thrown. */
   private async keep(file: File, progress: Progress, signal: AbortSignal, use: typeof blow, image: ImageChoice | null = null): Promise<void> {
-    const kept = await keepFile(this.app, file, progress, signal);
-    if (ends(file.name, this.app.files.records) && !kept.heights) await use(this.app, { kind: "record", path: kept.path }, file.name);
-    else await beginOn(this.app, file, kept, image);
+    await withKeptFile(this.app, file, progress, signal, async (kept) => {
+      if (ends(file.name, this.app.files.records) && !kept.heights) await use(this.app, { kind: "record", path: kept.path }, file.name);
+      else await beginOn(this.app, file, kept, image);
+    });
   }
 
   private saveRun(): void {

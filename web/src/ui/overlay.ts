@@ -3,7 +3,7 @@
 import type { App } from "../core/app";
 import type { Progress } from "../core/connection";
 import { isImage } from "../core/image_ground";
-import { keepFile } from "../core/kept_file";
+import { withKeptFile } from "../core/kept_file";
 import { ABOVE, OVERLAY } from "../core/overlay";
 import type { Json } from "../core/protocol";
 import { photograph, shadedMap } from "../scene/draped";
@@ -117,10 +117,11 @@ async function drape(app: App, file: File, signal: AbortSignal): Promise<void> {
 
 /** Let every run compare its surface with a terrain. */
 async function compareWith(app: App, file: File, options: { [key: string]: Json }, progress: Progress, signal: AbortSignal): Promise<void> {
-  const kept = await keepFile(app, file, progress, signal);
-  const codes = kept.heights?.codes ?? [];
-  const request = { command: "overlay" as const, path: kept.path, ...options, ...(codes.length ? { missing: codes } : {}) };
-  await Promise.all(app.runs.map((run) => app.connection.ask({ ...request, run: run.name }, undefined, signal)));
+  await withKeptFile(app, file, progress, signal, async ({ path, heights }) => {
+    const codes = heights?.codes ?? [];
+    const request = { command: "overlay" as const, path, ...options, ...(codes.length ? { missing: codes } : {}) };
+    await Promise.all(app.runs.map((run) => app.connection.ask({ ...request, run: run.name }, undefined, signal)));
+  });
   app.overlay.set({ name: file.name, terrain: true, image: null });
   for (const run of app.runs) run.fields.delete(OVERLAY);
   app.view.need(OVERLAY, true);
