@@ -8,6 +8,7 @@ from numpy.lib import format as layout
 
 from barchan.ground.raster import UnreadableError
 from barchan.ground.reading import read
+from tests.false_images import false_jpeg, false_png
 
 
 def test_an_array_whose_heading_promises_more_than_the_file_holds_is_refused(tmp_path):
@@ -32,8 +33,29 @@ def test_an_image_of_too_many_pixels_is_refused_by_its_heading(tmp_path):
     from PIL import Image
 
     Image.new("L", (8193, 8192)).save(tmp_path / "many.png", compress_level=1)
-    with pytest.raises(UnreadableError, match="8193 × 8192 cells; allowed: as many as 8192 × 8192"):
+    with pytest.raises(UnreadableError, match="8193 × 8192 pixels; allowed: as many as 8192 × 8192"):
         read(tmp_path / "many.png")
+
+
+@pytest.mark.parametrize(("name", "made"), [("huge.png", false_png), ("huge.jpg", false_jpeg)])
+@pytest.mark.parametrize("side", [12_000, 20_000])
+@pytest.mark.filterwarnings("error")
+def test_a_huge_image_is_refused_in_our_words(tmp_path, name, made, side):
+    """12 000² is where Pillow warns by itself, 20 000² where it refuses, with the path of the file."""
+    (tmp_path / name).write_bytes(made(side, side))
+    with pytest.raises(UnreadableError) as caught:
+        read(tmp_path / name)
+    assert str(caught.value) == f"has {side} × {side} pixels; allowed: as many as 8192 × 8192"
+
+
+@pytest.mark.parametrize(
+    "content", [b"", b"no image", false_png(3, 3)[:20], false_png(3, 3), false_jpeg(3, 3)]
+)
+def test_a_damaged_image_is_refused_without_the_path_of_the_file(tmp_path, content):
+    (tmp_path / "bad.png").write_bytes(content)
+    with pytest.raises(UnreadableError, match="cannot be read as an image") as caught:
+        read(tmp_path / "bad.png")
+    assert str(tmp_path) not in str(caught.value)
 
 
 def test_an_elevation_model_of_too_many_cells_is_refused_by_its_heading(tmp_path):

@@ -215,8 +215,36 @@ def test_an_image_without_the_heights_of_black_and_white_is_refused(image):
     assert "state lowest and highest" in refused(path, lowest=0.0)
 
 
-def test_a_coloured_image_is_refused(image):
-    assert "mode RGB; allowed: greyscale" in refused(image(np.zeros((ROWS, COLUMNS, 3), np.uint8)))
+GREYS = (2 * HEIGHTS).astype(np.uint8)
+
+
+@pytest.mark.parametrize("mode", ["L", "LA", "RGB", "RGBA", "P"])
+def test_greys_are_the_same_heights_however_an_image_stores_them(tmp_path, mode):
+    """White (255) is 127.5 m high, so that a grey of 2 is 1 m."""
+    Image.fromarray(GREYS[::-1]).convert(mode).save(tmp_path / "greys.png")
+    path = tmp_path / "greys.png"
+    np.testing.assert_allclose(elevation(path, lowest=0.0, highest=127.5), HEIGHTS, atol=1e-9)
+    assert not read(path).coloured
+
+
+def test_an_image_of_two_tones_is_black_and_white(tmp_path):
+    Image.fromarray(GREYS > 107).save(tmp_path / "tones.png")
+    assert read(tmp_path / "tones.png").full_scale == 255.0
+    assert set(read(tmp_path / "tones.png").values.ravel()) == {0, 255}
+
+
+def test_colours_are_taken_by_their_luminance_which_is_said(image):
+    """0.299 R + 0.587 G + 0.114 B (ITU-R BT.601) of pure red is 76, of white 255."""
+    path = image(np.full((ROWS, COLUMNS, 3), (255, 0, 0), np.uint8))
+    assert (read(path).values == 76).all()
+    facts = FileGround(path=str(path), lowest=0.0, highest=1.0).facts(LATTICE)
+    assert facts["terrain"] == f"{ROWS} rows of {COLUMNS} cells; colours taken by their luminance"
+
+
+def test_transparent_pixels_are_refused(image):
+    pixels = np.full((ROWS, COLUMNS, 4), 255, np.uint8)
+    pixels[0, :2, 3] = 254
+    assert "has 2 transparent pixels" in refused(image(pixels), lowest=0.0, highest=1.0)
 
 
 @pytest.mark.parametrize("heights", [np.zeros(5), np.zeros((2, 2), complex), np.array([["a"]])])
@@ -288,5 +316,5 @@ def test_a_photograph_gives_its_luminance_with_its_upper_edge_in_the_north(tmp_p
 def test_an_image_of_too_many_pixels_is_refused_before_it_is_unpacked(tmp_path, monkeypatch, name):
     monkeypatch.setattr(reading, "MOST_PIXELS", 32 * 16 - 1)
     Image.fromarray(np.zeros((16, 32), np.uint8)).save(tmp_path / name)
-    with pytest.raises(UnreadableError, match="has 32 × 16 cells; allowed"):
+    with pytest.raises(UnreadableError, match="has 32 × 16 pixels; allowed"):
         read(tmp_path / name)

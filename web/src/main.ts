@@ -83,10 +83,10 @@ const views: DockView[] = [section, series, ...(app.watching ? [] : [new SpaceTi
 const dock = new Dock(views);
 const moments = new Moments(app, stage);
 const timeline = new Timeline(app, () => void moments.mark());
-const scenario = new Panel(app, () => void files.ask("ground")).element;
+const scenario = new Panel(app, () => void files.askForGround()).element;
 if (app.watching) readOnly(scenario);
 const changing = (): [string, HTMLElement][] => [
-  ["Wind", new WindPanel(app, () => void files.ask("wind")).element],
+  ["Wind", new WindPanel(app, () => void files.askForWind()).element],
   ["Paint", paint.element],
   ["View", new ViewPanel(app, stage).element],
   ["Moments", moments.element],

@@ -87,7 +87,7 @@ def measure(
     """Measure any surface: heights, crests, dunes; or the change between two dates of a place.
 
     Files are GeoTIFF (.tif), ESRI ASCII grids (.asc), points on a grid (.xyz), NetCDF (.nc), SRTM (.hgt),
-    NumPy arrays (.npy, row 0 in the south), greyscale images (.png), or the folders of runs. With two files
+    NumPy arrays (.npy, row 0 in the south), images (.png, .jpg), or the folders of runs. With two files
     of the same cells the migration and the volumes moved are printed, with standard errors.
 
     A measure marked with ? should not be quoted, for the reason that follows.

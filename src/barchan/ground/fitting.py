@@ -32,9 +32,9 @@ class FromFile(Parameters):
     kind: str
     path: str = parameter(
         unit="-",
-        meaning="The file: .npy (row 0 in the south), .png (greyscale), .jpg (its luminance), .tif or .tiff "
-        "(GeoTIFF), .asc (ESRI ASCII grid), .xyz (points on a grid), .nc (NetCDF) or .hgt; in a scenario "
-        "file, from where that file lies.",
+        meaning="The file: .npy (row 0 in the south), .png or .jpg (greys, or the luminance of colours), "
+        ".tif or .tiff (GeoTIFF), .asc (ESRI ASCII grid), .xyz (points on a grid), .nc (NetCDF) or .hgt; in "
+        "a scenario file, from where that file lies.",
     )
     lowest: float | None = parameter(
         None, unit="m", ge=-1e5, le=1e5, meaning="Height that black means, in an image."
@@ -200,7 +200,7 @@ def _outline(file: FromFile, _stamps: tuple[tuple[str, int, int], ...]) -> Outli
     raster = file.raster()
     rows, columns = raster.values.shape
     holes = np.count_nonzero(file.holes(raster.values.astype(np.float64)))
-    return Outline((rows, columns), raster.place, raster.scale, raster.unit, int(holes))
+    return Outline((rows, columns), raster.place, raster.scale, raster.unit, int(holes), raster.coloured)
 
 
 def _stamps(*paths: Path) -> tuple[tuple[str, int, int], ...]:

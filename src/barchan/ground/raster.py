@@ -74,6 +74,8 @@ class Raster:
     """Height (m) that zero stands for."""
     unit: str | None = None
     """Unit of length that the file states for its numbers; None where it states none."""
+    coloured: bool = False
+    """Whether an image has colours, the luminance of which its numbers are."""
 
 
 @dataclass(frozen=True)
@@ -86,6 +88,7 @@ class Outline:
     unit: str | None
     holes: int = 0
     """Cells without a value."""
+    coloured: bool = False
 
 
 def placed(

@@ -1,18 +1,26 @@
-"""Rasters from files, by suffix: arrays, greyscale images, elevation models."""
+"""Rasters from files, by suffix: arrays, images, elevation models."""
 
 import math
 from collections.abc import Callable
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from barchan.ground.geotiff import read_elevation_model
 from barchan.ground.netcdf_grid import read_netcdf
-from barchan.ground.raster import Hints, Raster, UnreadableError, refuse_many_cells
+from barchan.ground.raster import Hints, Raster, UnreadableError
 from barchan.ground.text_grids import read_ascii_grid, read_points
+from barchan.image_files import ImageError, image_in
+
+if TYPE_CHECKING:
+    from PIL.Image import Image
 
 MOST_PIXELS = 1 << 26
 """Pixels of an image that is read (8192 × 8192)."""
+
+OPAQUE = 255
+"""What the alpha channel of an image holds where nothing shines through."""
 
 
 def read(path: Path, hints: Hints | None = None) -> Raster:
@@ -60,37 +68,44 @@ def _refuse_false_heading(path: Path) -> None:
 
 
 def _image(path: Path, _hints: Hints) -> Raster:
-    from PIL import Image
-
+    """Greys as they are, of 16 bits or of 8; of colours the luminance (ITU-R BT.601), which keeps greys."""
     try:
-        with Image.open(path) as image:
-            refuse_many_cells(image.height, image.width, MOST_PIXELS)
-            mode, values = image.mode, np.asarray(image)
-    except (OSError, ValueError, Image.DecompressionBombError) as error:
+        with path.open("rb") as file:
+            image = image_in(file, ("PNG", "JPEG"), MOST_PIXELS)
+            if image.mode.startswith("I"):
+                return Raster(np.asarray(image)[::-1], full_scale=65535.0)
+            _refuse_transparency(image)
+            return Raster(
+                np.asarray(image.convert("L"))[::-1], full_scale=255.0, coloured=_has_colours(image)
+            )
+    except ImageError as error:
+        raise UnreadableError(str(error)) from None
+    except (OSError, ValueError, SyntaxError) as error:
         raise UnreadableError(f"cannot be read as an image: {error}") from None
-    if mode != "L" and not mode.startswith("I"):
-        raise UnreadableError(f"is an image of mode {mode}; allowed: greyscale of 8 or 16 bits")
-    return Raster(values[::-1], full_scale=255.0 if mode == "L" else 65535.0)
 
 
-def _photograph(path: Path, _hints: Hints) -> Raster:
-    """The luminance (ITU-R BT.601) of an image that cameras and scanners store in colour."""
-    from PIL import Image
+def _refuse_transparency(image: "Image") -> None:
+    if image.mode == "L" or not image.has_transparency_data:
+        return
+    found = np.count_nonzero(np.asarray(image.convert("RGBA").getchannel("A")) < OPAQUE)
+    if found:
+        raise UnreadableError(
+            f"has {found} transparent pixels, which stand for no height; allowed: opaque ones"
+        )
 
-    try:
-        with Image.open(path) as image:
-            refuse_many_cells(image.height, image.width, MOST_PIXELS)
-            values = np.asarray(image.convert("L"))
-    except (OSError, ValueError, Image.DecompressionBombError) as error:
-        raise UnreadableError(f"cannot be read as an image: {error}") from None
-    return Raster(values[::-1], full_scale=255.0)
+
+def _has_colours(image: "Image") -> bool:
+    if image.mode in ("1", "L", "LA"):
+        return False
+    pixels = np.asarray(image.convert("RGB"))
+    return bool((pixels[..., 1:] != pixels[..., :1]).any())
 
 
 READERS: dict[str, Callable[[Path, Hints], Raster]] = {
     ".npy": _array,
     ".png": _image,
-    ".jpg": _photograph,
-    ".jpeg": _photograph,
+    ".jpg": _image,
+    ".jpeg": _image,
     ".tif": read_elevation_model,
     ".tiff": read_elevation_model,
     ".asc": read_ascii_grid,

@@ -53,6 +53,8 @@ class FileGround(Terrain, FromFile):
             said = [f"{said[0]} of {_cells(file.place)}", _position(file.place)]
         if file.unit is not None and file.scale != 1.0:
             said.append(f"heights in {file.unit} taken to metres")
+        if file.coloured:
+            said.append("colours taken by their luminance")
         if filled := self.fill_facts():
             said.append(filled)
         if self.resample:

@@ -147,8 +147,8 @@ class MappedPlants(Layout):
     )
     path: str = parameter(
         unit="-",
-        meaning="A .npy array of shares (row 0 in the south) or a greyscale .png (white: the full values), "
-        "of the lattice's size.",
+        meaning="A .npy array of shares (row 0 in the south) or a .png or .jpg (its luminance; white: the "
+        "full values), of the lattice's size.",
         source=OWN,
     )
 

@@ -406,6 +406,7 @@ def test_an_image_dropped_onto_the_scene_is_the_ground(studio):
     file = io.BytesIO()
     Image.fromarray(heights).save(file, "PNG")
     studio.drop_file("plateau.png", "image/png", file.getvalue())
+    studio.page.get_by_role("dialog").get_by_role("button", name="use it").click()
     run = "window.barchan.app.runs[0]"
     studio.until(f"{run}.description.scenario.ground.kind === 'file' && {run}.ground[0] > 1")
     ground = np.array(studio.ask(f"[...{run}.ground]")).reshape(48, 64)

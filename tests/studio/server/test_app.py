@@ -407,6 +407,26 @@ def test_uploads_are_data_of_limited_size_with_plain_names(served):
     assert kept == ["hill-2.npy", "hill.npy"]
 
 
+def test_an_upload_that_was_refused_is_deleted_unless_it_was_sent_before(served):
+    uploads = served.folder / "studio-uploads"
+
+    def ask(method: str, name: str, content: bytes = b"") -> httpx.Response:
+        headers = {"x-barchan-token": served.guard.token}
+        url = f"{served.address}/api/upload"
+        return httpx.request(
+            method, url, params={"name": name}, content=content, headers=headers, trust_env=False
+        )
+
+    for content in (b"1", b"2"):
+        ask("POST", "my hill.npy", content)
+    ask("POST", "my hill.npy", b"1")
+    (uploads / "older.npy").write_bytes(b"3")
+    for name in ("my-hill.npy", "my-hill-2.npy", "older.npy", "../scenario.json", "none.npy"):
+        assert ask("DELETE", name).status_code == 200
+    assert sorted(path.name for path in uploads.iterdir()) == ["my-hill.npy", "older.npy"]
+    assert httpx.delete(f"{served.address}/api/upload?name=my-hill.npy", trust_env=False).status_code == 403
+
+
 def test_a_scenario_from_the_browser_opens_no_file_beyond_the_folder(served, scenario, tmp_path):
     data = {**scenario.data(), "ground": {"kind": "file", "path": "/etc/passwd.npy"}}
     with served.browser() as browser:

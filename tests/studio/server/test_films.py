@@ -9,6 +9,7 @@ from barchan.errors import BarchanError
 from barchan.studio.server import films
 from barchan.studio.server.films import Films
 from barchan.studio.server.workspace import Workspace
+from tests.false_images import false_png
 
 
 def picture(shade, size=(32, 24), kind="PNG"):
@@ -76,6 +77,13 @@ def test_a_picture_of_too_many_pixels_is_refused_before_it_is_unpacked(made, mon
     number = made.begin("dunes.webp", 10.0)
     with pytest.raises(BarchanError, match="allowed"):
         made.film(number).add(picture(0))
+    made.give_up()
+
+
+def test_a_picture_that_claims_a_huge_size_is_refused_in_our_words(made):
+    number = made.begin("dunes.webp", 10.0)
+    with pytest.raises(BarchanError, match="20000 × 20000 pixels; allowed: as many as 4096 × 4096"):
+        made.film(number).add(false_png(20_000, 20_000))
     made.give_up()
 
 

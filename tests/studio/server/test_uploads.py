@@ -29,7 +29,7 @@ def dem(tmp_path):
 
 
 def test_an_elevation_model_is_described_by_its_cells(dem):
-    assert heights_in(dem()) == {"rows": 3, "columns": 12, "cell_size": 2.5, "codes": []}
+    assert heights_in(dem()) == {"rows": 3, "columns": 12, "cell_size": 2.5, "codes": [], "coloured": False}
 
 
 def test_undeclared_codes_for_missing_cells_are_named(dem):
@@ -38,7 +38,8 @@ def test_undeclared_codes_for_missing_cells_are_named(dem):
 
 def test_an_array_has_no_cells_of_its_own(tmp_path):
     np.save(tmp_path / "a.npy", np.ones((4, 9)))
-    assert heights_in(tmp_path / "a.npy") == {"rows": 4, "columns": 9, "cell_size": None, "codes": []}
+    held = heights_in(tmp_path / "a.npy")
+    assert held == {"rows": 4, "columns": 9, "cell_size": None, "codes": [], "coloured": False}
 
 
 def test_a_record_of_winds_holds_no_heights(tmp_path):

@@ -90,7 +90,15 @@ export abstract class Connection {
     if (!waiting) return this.message.send(message);
     if (message.type === "progress") return waiting.progress?.(Number(message.done), Number(message.of));
     this.waiting.delete(message.id as number);
-    if (message.type === "refused") waiting.refused(new Refused(String(message.text), message.problems as never));
+    if (message.type === "refused") waiting.refused(refusal(message));
     else waiting.done(message);
   }
+}
+
+/** Folders before the name of a file that its user sent: the server's, which nobody on the page knows. */
+const UPLOADED = /(?<=')[^']*[/\\]studio-uploads[/\\](?=[^'/\\]+')/g;
+
+function refusal({ text, problems }: Message): Refused {
+  const plain = (said: string) => said.replaceAll(UPLOADED, "");
+  return new Refused(plain(String(text)), ((problems ?? []) as unknown as Problem[]).map((one) => ({ ...one, message: plain(one.message) })));
 }

@@ -1,6 +1,7 @@
 /** Which values colour a surface, between which ends, with which colours. */
 
 import type { App } from "../core/app";
+import { ABOVE, OVERLAY } from "../core/overlay";
 import type { Field } from "../core/protocol";
 import type { Run } from "../core/run";
 import { slopes } from "./smooth";
@@ -13,6 +14,8 @@ export interface Colouring {
   unit: string;
   natural: boolean;
   choice: boolean;
+  /** Whether bare ground has its value as well, so that it must not be greyed. */
+  everywhere: boolean;
 }
 
 /** The choice that shows a surface in its material's own colour. */
@@ -66,6 +69,7 @@ function alone(app: App, run: Run): Colouring {
     unit: field.unit === "1" || field.unit === "-" ? "" : field.unit,
     natural: field.name === NATURAL,
     choice: field.choice,
+    everywhere: field.name === OVERLAY || field.name === ABOVE,
   };
 
   function valuesOf(name: string): Float32Array | undefined {
@@ -88,6 +92,7 @@ function difference(run: Run, other: Run, app: App): Colouring {
     unit: "m",
     natural: false,
     choice: false,
+    everywhere: true,
   };
 }
 

@@ -45,7 +45,7 @@ export async function photograph(file: Blob): Promise<HTMLCanvasElement> {
 /** Heights (m) of a run's lattice as a shaded map in the colours of elevation. */
 export function shadedMap(app: App, run: Run, heights: Float32Array): HTMLCanvasElement {
   const limits = ends(heights);
-  const colours = { values: heights, limits, map: "perceptual", title: "", unit: "m", natural: false, choice: false };
+  const colours = { values: heights, limits, map: "perceptual", title: "", unit: "m", natural: false, choice: false, everywhere: true };
   const across = Math.max(run.columns, run.rows) * run.description!.lattice.cell_size;
   const steep = Math.max((STEEP * across) / Math.max(limits[1] - limits[0], 1e-9) / 4, 1);
   const image = document.createElement("canvas");

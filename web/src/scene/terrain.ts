@@ -169,7 +169,7 @@ export class Terrain {
     const numbers: Record<string, number> = {
       natural: Number(this.colouring!.natural),
       shaded: Number(look.shaded),
-      bare: Number(look.bare && look.side === "surface"),
+      bare: Number(look.bare && !this.colouring!.everywhere),
       thickness: lattice.thickness,
       contour: this.contour(),
       wire: Number(look.wireframe),

@@ -2,7 +2,8 @@
 
 import type { App } from "../core/app";
 import type { Progress } from "../core/connection";
-import { type KeptFile, keepFile } from "../core/kept_file";
+import { isImage } from "../core/image_ground";
+import { withKeptFile } from "../core/kept_file";
 import { problemText } from "../core/notices";
 import type { JsonObject, Problem } from "../core/protocol";
 import type { Stage } from "../scene/stage";
@@ -10,6 +11,7 @@ import { type Submit, dialog, formDialog, working } from "./dialog";
 import { download, h } from "./dom";
 import { exportRun, reportSheet } from "./exports";
 import { filmSheet } from "./film";
+import { type ImageChoice, beginOn, groundSheet } from "./ground_file";
 import { menu } from "./menu";
 import { overlaySheet } from "./overlay";
 import { pictureSheet } from "./picture";
@@ -20,9 +22,6 @@ import { letOthersWatch } from "./watching";
 
 /** Whether a file's name ends in one of some suffixes. */
 const ends = (name: string, suffixes: string[]): boolean => suffixes.some((suffix) => name.toLowerCase().endsWith(suffix));
-
-/** Most cells of a dropped elevation model that become cells of the lattice one by one. */
-const MOST_CELLS = 2 ** 19;
 
 export class Files {
   readonly menu: HTMLElement;
@@ -71,6 +70,7 @@ export class Files {
   async take(file: File): Promise<void> {
     const { heights, records } = this.app.files;
     if (ends(file.name, [".json"])) await this.load(file.name, await file.text());
+    else if (isImage(file.name)) this.askForGround(file);
     else if (ends(file.name, [...heights, ...records])) await this.dropped(file);
     else {
       const kinds = [["scenarios", ".json"], ["grounds", heights.join(", ")], ["records of wind", records.join(", ")]];
@@ -128,18 +128,22 @@ export class Files {
     );
   }
 
-  /** Ask for a file of heights, or of winds, and use it. */
-  async ask(purpose: "ground" | "wind"): Promise<void> {
-    const { heights, records } = this.app.files;
-    const [title, suffixes] = purpose === "ground" ? ["Ground from a file", heights] : ["Wind from a record", records];
-    const input = h("input", { type: "file", accept: suffixes.join(), required: true, "aria-label": title });
+  /** Ask for a file of heights and use it, or use an image in the way that is asked for. */
+  askForGround(image?: File): void {
+    groundSheet(this.app, (file, choice, progress, signal) => this.keep(file, progress, signal, blow, choice), image);
+  }
+
+  /** Ask for a record of winds, and let it blow. */
+  async askForWind(): Promise<void> {
+    const { records } = this.app.files;
+    const title = "Wind from a record";
+    const input = h("input", { type: "file", accept: records.join(), required: true, "aria-label": title });
     const use: Submit = async (progress, signal) => {
       const file = input.files?.[0];
       if (file) await this.keep(file, progress, signal, blow);
     };
-    const text = `One of ${suffixes.join(", ")}. Files can be dropped onto the scene as well.`;
-    const ofWind = purpose === "wind" ? await this.ofRecords(() => sheet.close()) : [];
-    const sheet: HTMLDialogElement = formDialog(title, "use it", use, h("p", {}, text), input, ...ofWind);
+    const text = `One of ${records.join(", ")}. Files can be dropped onto the scene as well.`;
+    const sheet: HTMLDialogElement = formDialog(title, "use it", use, h("p", {}, text), input, ...(await this.ofRecords(() => sheet.close())));
   }
 
   /** What the sheet for a record says and offers beside the file. */
@@ -165,38 +169,11 @@ export class Files {
   }
 
   /** Use a file as ground, or as a record of winds where it holds no heights; a refusal is thrown. */
-  private async keep(file: File, progress: Progress, signal: AbortSignal, use: typeof blow): Promise<void> {
-    const kept = await keepFile(this.app, file, progress, signal);
-    if (ends(file.name, this.app.files.records) && !kept.heights) await use(this.app, { kind: "record", path: kept.path }, file.name);
-    else await this.ground(file, kept);
-  }
-
-  private async ground(file: File, kept: KeptFile): Promise<void> {
-    const scenario = this.app.current?.description?.scenario;
-    if (!scenario) return;
-    const image = /\.(png|jpe?g)$/i.test(file.name);
-    const { columns, cell_size } = this.app.current!.description!.lattice;
-    const heights = image ? { lowest: 0, highest: Number((columns * cell_size * 0.08).toPrecision(2)) } : {};
-    const codes = kept.heights?.codes ?? [];
-    const missing = codes.length ? { missing: codes } : {};
-    const ground = { kind: "file", path: kept.path, resample: true, fill: "interpolate", ...heights, ...missing };
-    const said = [
-      `${file.name} is the ground now`,
-      image ? `white ${heights.highest} m above black` : "",
-      codes.length ? `${codes.join(", ")} taken as cells without a height` : "",
-    ];
-    await this.app.begin({ ...scenario, ...this.lattice(scenario, kept), ground }, true, true);
-    this.app.notices.settle(["ground", "lattice"]);
-    this.app.note("info", `${said.filter(Boolean).join(", ")}; see Ground in the panel.`);
-  }
-
-  /** The lattice over a whole elevation model: its own cells, or larger ones where there are too many. */
-  private lattice(scenario: JsonObject, kept: KeptFile): JsonObject {
-    const { rows = 0, columns = 0, cell_size = null } = kept.heights ?? {};
-    if (cell_size === null) return {};
-    const { rows: _rows, columns: _columns, ...rest } = scenario.lattice as JsonObject;
-    const times = Math.ceil(Math.sqrt((rows * columns) / MOST_CELLS));
-    return { lattice: { ...rest, kind: "from ground", cell_size: cell_size * times } };
+  private async keep(file: File, progress: Progress, signal: AbortSignal, use: typeof blow, image: ImageChoice | null = null): Promise<void> {
+    await withKeptFile(this.app, file, progress, signal, async (kept) => {
+      if (ends(file.name, this.app.files.records) && !kept.heights) await use(this.app, { kind: "record", path: kept.path }, file.name);
+      else await beginOn(this.app, file, kept, image);
+    });
   }
 
   private saveRun(): void {

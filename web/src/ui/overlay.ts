@@ -2,16 +2,16 @@
 
 import type { App } from "../core/app";
 import type { Progress } from "../core/connection";
-import { keepFile } from "../core/kept_file";
+import { isImage } from "../core/image_ground";
+import { withKeptFile } from "../core/kept_file";
 import { ABOVE, OVERLAY } from "../core/overlay";
 import type { Json } from "../core/protocol";
 import { photograph, shadedMap } from "../scene/draped";
 import { type Submit, formDialog } from "./dialog";
 import { h } from "./dom";
-import { NumberField } from "./number_field";
+import { HeightEnds, sheetRow } from "./height_ends";
 
 const PHOTOGRAPHS = [".png", ".jpg", ".jpeg", ".webp"];
-const IMAGES = [".png", ".jpg", ".jpeg"];
 
 const has = (name: string, suffixes: string[]): boolean => suffixes.some((suffix) => name.toLowerCase().endsWith(suffix));
 
@@ -86,28 +86,25 @@ export function overlaySheet(app: App): void {
   const heights = app.files.heights;
   const input = h("input", { type: "file", accept: [...heights, ".webp"].join(), required: true, "aria-label": "Terrain or photograph", onchange: () => show() });
   const as = h("select", { "aria-label": "Read as", onchange: () => show() }, h("option", { value: "photograph" }, "a photograph"), h("option", { value: "terrain" }, "heights"));
-  const level = h("input", { type: "checkbox", checked: true });
-  const lowest = new NumberField({ label: "Height of black (m)", signed: true, value: 0 });
-  const highest = new NumberField({ label: "Height of white (m)", signed: true, value: 10 });
-  const row = (text: string, ...controls: (HTMLElement | string)[]) => h("div", { className: "row" }, h("span", {}, text), h("div", { className: "control" }, ...controls));
-  const kind = row("read as", as);
-  const levelled = row("compare forms only: both with the same mean height", level);
-  const ends = row("black and white (m)", lowest.element, highest.element);
+  const level = h("input", { type: "checkbox" });
+  const ends = new HeightEnds(app.current!);
+  const kind = sheetRow("read as", as);
+  const levelled = sheetRow("compare forms only: both with the same mean height", level);
   const name = () => input.files?.[0]?.name ?? "";
   const terrain = () => !has(name(), PHOTOGRAPHS) || as.value === "terrain";
   const show = () => {
-    kind.hidden = !has(name(), IMAGES);
+    kind.hidden = !isImage(name());
     levelled.hidden = !name() || !terrain();
-    ends.hidden = levelled.hidden || !has(name(), IMAGES);
+    ends.element.hidden = levelled.hidden || !isImage(name());
   };
   const use: Submit = async (progress, signal) => {
     const file = input.files![0]!;
     if (!terrain()) return drape(app, file, signal);
-    const between = has(file.name, IMAGES) ? { lowest: lowest.number, highest: highest.number } : {};
+    const between = isImage(file.name) ? ends.values : {};
     await compareWith(app, file, { level: level.checked, ...between }, progress, signal);
   };
   const words = `A photograph (PNG, JPEG, WebP) is stretched over the field, its upper edge in the north. A terrain (${heights.join(", ")}) is read as ground from a file is: an elevation model at its own scale from its south-west corner, which must cover the field.`;
-  formDialog("Compare with a terrain or photograph", "drape it", use, h("p", {}, words), input, kind, levelled, ends);
+  formDialog("Compare with a terrain or photograph", "drape it", use, h("p", {}, words), input, kind, levelled, ends.element);
   show();
 }
 
@@ -120,10 +117,11 @@ async function drape(app: App, file: File, signal: AbortSignal): Promise<void> {
 
 /** Let every run compare its surface with a terrain. */
 async function compareWith(app: App, file: File, options: { [key: string]: Json }, progress: Progress, signal: AbortSignal): Promise<void> {
-  const kept = await keepFile(app, file, progress, signal);
-  const codes = kept.heights?.codes ?? [];
-  const request = { command: "overlay" as const, path: kept.path, ...options, ...(codes.length ? { missing: codes } : {}) };
-  await Promise.all(app.runs.map((run) => app.connection.ask({ ...request, run: run.name }, undefined, signal)));
+  await withKeptFile(app, file, progress, signal, async ({ path, heights }) => {
+    const codes = heights?.codes ?? [];
+    const request = { command: "overlay" as const, path, ...options, ...(codes.length ? { missing: codes } : {}) };
+    await Promise.all(app.runs.map((run) => app.connection.ask({ ...request, run: run.name }, undefined, signal)));
+  });
   app.overlay.set({ name: file.name, terrain: true, image: null });
   for (const run of app.runs) run.fields.delete(OVERLAY);
   app.view.need(OVERLAY, true);

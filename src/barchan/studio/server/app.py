@@ -71,7 +71,7 @@ def application(session: Session, guard: Guard) -> Starlette:
             return JSONResponse({"text": str(error)}, 404)
 
     async def upload(request: Request) -> Response:
-        return await _upload(request, session)
+        return await (_discard if request.method == "DELETE" else _upload)(request, session)
 
     async def connect(websocket: WebSocket) -> None:
         await _connect(websocket, session, guard)
@@ -86,7 +86,7 @@ def application(session: Session, guard: Guard) -> Starlette:
         Route("/api/watching", guarded(json_of(guard.for_watchers))),
         Route("/api/exports/{number}/{name}", guarded(exported)),
         Route("/api/pictures/{name}", guarded(thumbnail)),
-        Route("/api/upload", guarded(upload), methods=["POST"]),
+        Route("/api/upload", guarded(upload), methods=["POST", "DELETE"]),
         *film_routes(session.films, guarded),
         WebSocketRoute("/connection", connect),
         Mount("/", StaticFiles(directory=CLIENT, html=True, check_dir=False)),
@@ -111,6 +111,12 @@ async def _upload(request: Request, session: Session) -> Response:
     except ClientDisconnect:
         return Response(status_code=400)
     return JSONResponse({"path": str(path), "name": path.name})
+
+
+async def _discard(request: Request, session: Session) -> Response:
+    """Delete a file that the page sent for something that was refused."""
+    await run_in_threadpool(session.workspace.discard, request.query_params.get("name", ""))
+    return JSONResponse({})
 
 
 async def _connect(websocket: WebSocket, session: Session, guard: Guard) -> None:

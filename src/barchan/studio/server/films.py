@@ -7,9 +7,10 @@ import threading
 from collections.abc import Iterator
 from pathlib import Path
 
-from PIL import Image, UnidentifiedImageError
+from PIL import Image
 
 from barchan.errors import BarchanError
+from barchan.image_files import ImageError, image_in
 from barchan.studio.server.workspace import Workspace
 
 SUFFIXES = (".mp4", ".webp")
@@ -156,10 +157,6 @@ class Films:
 def _picture(data: bytes) -> Image.Image:
     """A picture of a film; raises BarchanError for anything else."""
     try:
-        with Image.open(io.BytesIO(data), formats=("PNG", "JPEG", "WEBP")) as opened:
-            if opened.width * opened.height > MOST_PIXELS:
-                size = f"{opened.width} × {opened.height}"
-                raise BarchanError(f"a picture of {size} pixels in a film; allowed: {MOST_PIXELS} in all")
-            return opened.convert("RGB")
-    except (UnidentifiedImageError, OSError, SyntaxError) as error:
-        raise BarchanError(f"no picture that can be read: {error}") from None
+        return image_in(io.BytesIO(data), ("PNG", "JPEG", "WEBP"), MOST_PIXELS).convert("RGB")
+    except (ImageError, OSError, ValueError, SyntaxError) as error:
+        raise BarchanError(f"no picture for a film: {error}") from None

@@ -38,6 +38,8 @@ class Workspace:
         """Use a folder; it is created when something is kept."""
         self.folder = folder.resolve()
         self._trusted: set[Path] = set()
+        self._new: set[Path] = set()
+        """Uploads that were sent once, of which nothing else can be made yet."""
 
     def trust(self, data: Any) -> None:
         """Let the files that a scenario from the command line names be opened."""
@@ -73,9 +75,17 @@ class Workspace:
         number = 1
         while path.exists() and path.read_bytes() != content:
             number += 1
-            path = path.with_name(f"{Path(name).stem}-{number}{Path(name).suffix}")
+            path = path.with_name(f"{Path(plain).stem}-{number}{Path(plain).suffix}")
+        (self._new.discard if path.exists() else self._new.add)(path)
         path.write_bytes(content)
         return path
+
+    def discard(self, name: str) -> None:
+        """Delete an upload that was refused, unless it was sent before and so may be in use."""
+        path = self.folder / UPLOADS / name
+        if path in self._new:
+            self._new.remove(path)
+            path.unlink(missing_ok=True)
 
     def run(self, name: str) -> Path:
         """The folder of the run of that name; raises BarchanError for any other than a plain name."""

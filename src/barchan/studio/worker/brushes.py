@@ -2,13 +2,24 @@
 
 from typing import Any
 
+import numpy as np
+
 from barchan.simulation import Simulation
+
+MOST = 1000.0
+"""Strength of a brush that counts quanta, at most."""
 
 USUAL_SHARE = 0.1
 """Strength of a brush for plants at first, as a share of the field's upper bound."""
 
 USUAL_QUANTA = 5.0
 """Strength of the brush of snowfall at first (quanta)."""
+
+USUAL_ROCK = 2.0
+"""Height of rock at first, in cells, and at least."""
+
+ROCK_SHARE = 0.5
+"""Height of rock at first among forms that are higher, as a share of the relief."""
 
 USUAL_FRESH = 100.0
 """Density of fresh snow that a brush lays at first (kg/m³)."""
@@ -24,14 +35,22 @@ UNDER_SAND = "Rock rises under the {}, and is seen only where the wind has laid 
 def brushes(simulation: Simulation) -> list[dict[str, Any]]:
     """What may be painted: data of a stroke, unit, strengths, a note, and further numbers that it takes."""
     layer = simulation.bed.layers[-1]
-    units = {"unit": layer.unit, "least": 1.0, "most": 1000.0, "whole": True, "usual": 2.0}
+    units = {"unit": layer.unit, "least": 1.0, "most": MOST, "whole": True, "usual": 2.0}
     own = [{"title": simulation.model.material, "stroke": {"kind": "stroke"}, **units}]
     if layer.mass is None:
         note = UNDER_SAND.format(simulation.model.material)
-        own.append({"title": "rock", "stroke": {"kind": "rock"}, **units, "note": note})
+        rock = {**units, "usual": _rock(simulation)}
+        own.append({"title": "rock", "stroke": {"kind": "rock"}, **rock, "note": note})
     else:
         own += [*_fresh(simulation, units), _ice(simulation)]
     return [{"numbers": [], "note": "", **brush} for brush in (*own, *_plants(simulation))]
+
+
+def _rock(simulation: Simulation) -> float:
+    """Slabs of rock that are seen among the forms that there are."""
+    lattice, elevation = simulation.lattice, simulation.elevation
+    height = max(USUAL_ROCK * lattice.cell_size, ROCK_SHARE * float(np.ptp(elevation)))
+    return min(float(np.ceil(height / lattice.thickness)), MOST)
 
 
 def _fresh(simulation: Simulation, units: dict[str, Any]) -> list[dict[str, Any]]:

@@ -24,7 +24,7 @@ def file_content(path: Path) -> dict[str, Any]:
 
 
 def heights_in(path: Path) -> dict[str, Any] | None:
-    """Rows, columns, cell size (m, where it has one) and undeclared codes for missing cells.
+    """Rows, columns, cell size (m, where it has one), undeclared codes for missing cells, whether in colour.
 
     None where the file holds no heights, or holds them in a way that is refused with the reason later.
     """
@@ -39,6 +39,7 @@ def heights_in(path: Path) -> dict[str, Any] | None:
         "columns": columns,
         "cell_size": None if raster.place is None else raster.place.cell_size,
         "codes": codes,
+        "coloured": raster.coloured,
     }
 
 
