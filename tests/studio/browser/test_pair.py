@@ -1,10 +1,15 @@
 """Two runs side by side: every picture, every pause and every look back shows both at the same step."""
 
+import json
+
 import numpy as np
 import pytest
 from PIL import Image
 
+from barchan.scenario import load_scenario
+from tests.studio.browser.conftest import SMALL
 from tests.studio.browser.test_measures import saved
+from tests.studio.browser.test_sharing import link_with
 from tests.studio.browser.test_truth import LISTEN
 
 WATCH = """(() => {
@@ -385,3 +390,29 @@ def test_the_field_fills_a_narrow_view_as_well(studio):
     assert abs(high + low) < 0.4
     studio.ask("window.barchan.app.send({ command: 'alone' })")
     studio.until("window.barchan.app.runs.length === 1")
+
+
+@pytest.mark.extended
+def test_a_preset_and_a_link_opened_from_two_values_run_alone_as_they_say(studio):
+    page = studio.page
+    linked = load_scenario("barchans", list({**SMALL, "title": '"As a link has it"'}.items())).data()
+    link = link_with(json.dumps(linked).encode())
+
+    def open_preset():
+        page.get_by_role("button", name="Presets").first.click()
+        page.locator("[data-preset=dome]").click()
+
+    def open_link():
+        studio.ask(f"void (location.hash = {json.dumps(link)})")
+        page.get_by_role("button", name="start it").click()
+
+    for begin, title in ((open_preset, "A dome dune"), (open_link, "As a link has it")):
+        studio.ask("window.barchan.app.ask({ command: 'compare', key: 'model.hop_length', value: 10 })")
+        studio.until("window.barchan.app.runs.length === 2 && window.barchan.app.runs[1].status?.step > 5")
+        begin()
+        page.get_by_role("button", name="let it end").click()
+        studio.until(f"window.barchan.app.runs[0].description.scenario.title === '{title}'")
+        studio.until("window.barchan.app.runs.length === 1 && window.barchan.app.running")
+        assert studio.ask("window.barchan.app.runs[0].description.changes") == []
+        hop = studio.ask("window.barchan.app.runs[0].description.scenario.model.hop_length")
+        assert hop == 5
