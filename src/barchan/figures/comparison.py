@@ -18,8 +18,8 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-COLOURS = ("#35507a", "#b3402a", "#3f8f5b", "#c28a1e", "#7a4b94", "#4aa3b5", "#8c8278", "#d06aa0")
-"""Colours of variants, in order."""
+COLOURS = ("#2b2620", "#2f6d8c", "#b3402a", "#3f8f5b", "#c28a1e", "#7a4b94", "#d06aa0", "#8c8278")
+"""Colours of variants, in order; of two those of the studio's left and right run."""
 
 DASHES = ("-", "--", "-.", ":")
 """Lines of variants, so that they are told apart in print without colours."""

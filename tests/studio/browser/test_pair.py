@@ -416,3 +416,45 @@ def test_a_preset_and_a_link_opened_from_two_values_run_alone_as_they_say(studio
         assert studio.ask("window.barchan.app.runs[0].description.changes") == []
         hop = studio.ask("window.barchan.app.runs[0].description.scenario.model.hop_length")
         assert hop == 5
+
+
+@pytest.mark.extended
+def test_the_section_of_two_runs_is_drawn_the_same_whichever_panel_is_open_below_its_legend(pair):
+    """A line of the legend takes 17 pixels and its foot 7: the plot begins below the lowest line."""
+    page = pair.page
+    page.set_viewport_size({"width": 1200, "height": 760})
+    pair.step_beyond(60)
+    pair.pause()
+    page.keyboard.press("1")
+    pair.until("window.barchan.app.runs.every((run) => run.fields.has('shadow'))")
+    pair.ask(DRAWING)
+    pair.ask(
+        """void (CanvasRenderingContext2D.prototype.fillText = new Proxy(
+            CanvasRenderingContext2D.prototype.fillText,
+            { apply(draw, c, given) { (window.placed ??= []).push(given); return draw.apply(c, given); } }
+        ))"""
+    )
+    drawn = []
+    for panel in "ab":
+        pair.ask(f"void (window.barchan.app.selected = '{panel}', window.barchan.app.changed.send())")
+        drawn.append(page.locator(".plot:visible").evaluate("(canvas) => canvas.toDataURL()"))
+    assert drawn[0] == drawn[1]
+    legend = [y for text, _, y, *_ in pair.ask("window.placed") if text.startswith("shadow zone")]
+    zones = [top for _, top, _, height in pair.ask("window.hatched") if height > 40]
+    assert legend
+    assert min(zones) > max(legend)
+    page.screenshot(path=pair.folder / "section-below-legend.png")
+    page.keyboard.press("2")
+    pair.until("document.querySelectorAll('.run-names span').length === 2")
+    ink, blue = (
+        pair.ask(f"getComputedStyle(document.documentElement).getPropertyValue('--{name}').trim()")
+        for name in ("ink", "second")
+    )
+    lines = {tuple(line[:2]) for line in pair.ask("window.lines") if line[2] > 100}
+    assert {(ink, ""), (blue, "6,3")} <= lines
+    colours = [
+        pair.ask(f"getComputedStyle(document.querySelectorAll('.run-names > span')[{at}]).color")
+        for at in (0, 1)
+    ]
+    assert colours == [f"rgb{tuple(int(one[at : at + 2], 16) for at in (1, 3, 5))}" for one in (ink, blue)]
+    page.keyboard.press("2")
