@@ -43,7 +43,7 @@ def test_runs_of_one_model_are_called_by_what_differs(reported):
     page, scenarios, _, _ = reported
     default = scenarios[0].model.hop_length
     assert "Horns" not in page
-    assert f"<h1>Tiny: hop_length {default:g} and hop_length 3</h1>" in page
+    assert f"<h1>Tiny: hop length {default:g} and hop length 3</h1>" in page
     assert "by:</p><pre><code>the &lt;studio&gt;</code></pre>" in page
 
 
@@ -63,6 +63,22 @@ def test_its_measures_are_those_of_the_last_frames(reported):
     for path, scenario in zip(paths, scenarios, strict=True):
         with open_run(path) as dataset:
             assert f"<td>{number(last_measures(dataset, scenario)['highest_stack'])}</td>" in page
+
+
+def test_one_seed_has_plain_differences_and_nothing_of_tests(reported):
+    """Of the flux: the value of each last frame, their difference, and that in per cent of the first."""
+    page, scenarios, paths, _ = reported
+    found = []
+    for path, scenario in zip(paths, scenarios, strict=True):
+        with open_run(path) as dataset:
+            found.append(last_measures(dataset, scenario)["flux"])
+    base, own = found
+    assert own != base
+    cells = [number(one) for one in (base, own, own - base, 100 * (own - base) / base)]
+    assert "".join(f"<td>{cell}</td>" for cell in cells) in page
+    assert "chance is not told" in page
+    words = re.sub(r"base64,[^\"]+", "", page)
+    assert not any(word in words for word in ("Holm", "t-test", "±"))
 
 
 def test_it_says_how_far_it_is(reported):

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from barchan.comparison.statistics import holm, paired_difference, spread
+from barchan.figures.comparison import Course, measures_over_time
 from barchan.measures.slopes import slope_shares
 
 
@@ -57,3 +58,17 @@ def test_slopes_of_a_sawtooth_are_shared_between_its_flanks():
     assert shares[2] == pytest.approx(0.7)
     reversed_wind = slope_shares(surface, 1.0, 90.0, -edges[::-1], width=0.0)
     assert reversed_wind == pytest.approx(shares[::-1])
+
+
+def test_crests_of_two_variants_on_both_sides_of_north_are_drawn_next_to_each_other():
+    """178.5° and 5.745° lie 7.245° apart about north. What has no value has no panel."""
+    courses = {
+        "crest_azimuth": [
+            Course(label, np.array([0.0, 1.0]), np.full((1, 2), value))
+            for label, value in (("one", 178.5), ("other", 5.745))
+        ],
+        "spacing": [Course("one", np.array([0.0]), np.full((1, 1), np.nan))],
+    }
+    titles = {"crest_azimuth": ("Crests", "degrees"), "spacing": ("Spacing", "m")}
+    (axes,) = measures_over_time(courses, titles).axes
+    assert [line.get_ydata()[0] for line in axes.lines] == pytest.approx([-1.5, 5.745])

@@ -1,6 +1,7 @@
 """The report on runs that exist already, as those of the studio: they are measured and drawn, not run."""
 
 import math
+import re
 import time
 from collections.abc import Callable, Sequence
 from concurrent.futures import Executor, Future
@@ -92,8 +93,13 @@ def _name(variants: Sequence[Variant]) -> None:
         return
     differing = list(differing_keys(variants).items())[:MOST_NAMED]
     for number, variant in enumerate(variants):
-        told = [f"{key.rpartition('.')[2]} {_short(values[number])}" for key, values in differing]
+        told = [f"{_title(key)} {_short(values[number])}" for key, values in differing]
         variant.label = ", ".join(told) or f"run {variant.label.upper()}"
+
+
+def _title(key: str) -> str:
+    """The last name of a key in words, short symbols as they are: hop length, p_s."""
+    return re.sub(r"_(?=[a-z0-9]{3})", " ", key.rpartition(".")[2])
 
 
 def _short(value: object) -> str:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from barchan.comparison.drawing import Picture
 from barchan.comparison.page import Strong, figure, page, paragraph, points, section, table, text
 from barchan.comparison.runs_section import made_by, runs_table, scenarios_table
-from barchan.comparison.statistics import TURNS, Difference, spread
+from barchan.comparison.statistics import LEAST, TURNS, Difference, spread
 from barchan.comparison.variants import Variant, shared_measures
 from barchan.comparison.words import listed, named, number, probability, spread_text
 from barchan.scenario.summary import field_size
@@ -18,7 +18,9 @@ METHOD = """
 Every variant starts from the same bed for the same seed, under the same wind, and its polls draw from the
 same random numbers: what differs between variants of one seed comes of their rules and values alone.
 
-Differences are those from {reference}, taken seed by seed. Intervals and probabilities are those of the
+Differences are those from {reference}, taken seed by seed, of directions by the shorter way.
+
+Intervals and probabilities are those of the
 two-sided paired t-test (Student), which supposes that differences scatter normally. Holm's correction (1979)
 holds the chance of any false difference among all tests of the table at 5 %. With few seeds only large
 differences stand; none found is no proof of none.
@@ -87,9 +89,17 @@ def report_of(contents: Contents) -> str:
             runs_table(contents.variants, contents.unfinished),
             made_by(contents.command, contents.seconds),
         ),
-        section("method", "How to read this", points(METHOD.format(reference=reference.label))),
+        section("method", "How to read this", points(_method(contents))),
     ]
     return page(contents.title, *parts)
+
+
+def _method(contents: Contents) -> str:
+    """How to read the report, without what is about tests where there are none."""
+    paragraphs = METHOD.format(reference=contents.variants[0].label).strip().split("\n\n")
+    if _of_one_seed(contents):
+        paragraphs = [one for one in paragraphs if not one.startswith("Intervals")]
+    return "\n\n".join(paragraphs)
 
 
 def _finding(contents: Contents) -> str:
@@ -106,6 +116,8 @@ def _finding(contents: Contents) -> str:
             told.append(f"{other.label} differs from {reference.label} in {listed(list(names))}")
         elif tested:
             told.append(f"{other.label} differs from {reference.label} in no measure beyond chance")
+    if not told and _of_one_seed(contents) and others:
+        return "One seed each: differences are told below, how much of them is chance is not."
     if not told:
         needed = "at least two seeds (barchan compare --seeds) and a second variant"
         return f"No tests of difference: these need {needed}."
@@ -126,14 +138,18 @@ def _measures(contents: Contents) -> str:
             cell = spread_text(found, len(variant.reports))
             row.append(Strong(f"{cell} *") if (name, variant.label) in significant else cell)
         rows.append(row)
-    note = (
-        "Mean ± standard deviation over seeds; a dash where no value may be quoted, (1/3) where only one "
-        f"seed of three has one. * differs from {contents.variants[0].label} (Holm, p < 0.05)."
-    )
+    note = "A dash where no value may be quoted."
+    if not _of_one_seed(contents):
+        note = (
+            "Mean ± standard deviation over seeds; a dash where no value may be quoted, (1/3) where only one "
+            f"seed of three has one. * differs from {contents.variants[0].label} (Holm, p < 0.05)."
+        )
     return table(["measure", *(v.label for v in contents.variants)], rows) + paragraph(note, "quiet")
 
 
 def _differences(contents: Contents) -> str:
+    if _of_one_seed(contents):
+        return _plain_differences(contents)
     shared = shared_measures(contents.variants)
     rows = []
     for one in contents.differences:
@@ -156,6 +172,31 @@ def _differences(contents: Contents) -> str:
         return paragraph("No measure has values of two seeds that may be quoted in both variants.")
     heads = ("measure", "variant", "difference", "95 % interval", "pairs", "p", "p (Holm)")
     return table(heads, rows)
+
+
+def _plain_differences(contents: Contents) -> str:
+    """Values of one seed and how far they are apart, of directions by the shorter way."""
+    reference, *others = contents.variants
+    shared = shared_measures(contents.variants)
+    rows = []
+    for one in contents.differences:
+        if not one.count:
+            continue
+        other = next(variant for variant in others if variant.label == one.variant)
+        (base,), (own,) = (variant.finals(one.measure).values() for variant in (reference, other))
+        share = math.nan if one.measure in TURNS or not base else 100.0 * one.mean / abs(base)
+        values = (number(base), number(own), number(one.mean), number(share))
+        rows.append([named(*shared[one.measure]), one.variant, *values])
+    if not rows:
+        return paragraph("No measure has a value that may be quoted in both variants.")
+    heads = ("measure", "variant", f"value of {reference.label}", "value", "difference", "per cent")
+    note = "One seed each: how much of a difference is chance is not told."
+    return table(heads, rows) + paragraph(note, "quiet")
+
+
+def _of_one_seed(contents: Contents) -> bool:
+    """Whether no variant has more than one seed, so that nothing scatters and nothing is tested."""
+    return all(len(variant.reports) < LEAST for variant in contents.variants)
 
 
 def _time_note(seeds: Sequence[int]) -> str:

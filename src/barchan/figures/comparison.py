@@ -18,8 +18,8 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-COLOURS = ("#35507a", "#b3402a", "#3f8f5b", "#c28a1e", "#7a4b94", "#4aa3b5", "#8c8278", "#d06aa0")
-"""Colours of variants, in order."""
+COLOURS = ("#2b2620", "#2f6d8c", "#b3402a", "#3f8f5b", "#c28a1e", "#7a4b94", "#d06aa0", "#8c8278")
+"""Colours of variants, in order; of two those of the studio's left and right run."""
 
 DASHES = ("-", "--", "-.", ":")
 """Lines of variants, so that they are told apart in print without colours."""
@@ -44,8 +44,12 @@ def measures_over_time(
 
     ``courses`` holds the variants of each measure, ``titles`` its title and unit.
     """
-    names = [name for name in SHOWN if name in courses]
-    rows = -(-len(names) // ACROSS)
+    names = [
+        name
+        for name in SHOWN
+        if name in courses and any(np.isfinite(course.values).any() for course in courses[name])
+    ]
+    rows = max(-(-len(names) // ACROSS), 1)
     figure = new_figure(9.6, 0.6 + 2.1 * rows)
     panels = figure.subplots(rows, ACROSS, squeeze=False, sharex=True)
     for axes in panels.flat[len(names) :]:
@@ -61,8 +65,11 @@ def measures_over_time(
 
 
 def _course_panel(axes: "Axes", name: str, courses: Sequence[Course], title: str, unit: str) -> None:
-    for number, course in enumerate(courses):
-        values = about_middle(course.values)[0] if name == "crest_azimuth" else course.values
+    every = [course.values for course in courses]
+    if name == "crest_azimuth":
+        middle = about_middle(np.concatenate([values.ravel() for values in every]))[1]
+        every = [about_middle(values, middle)[0] for values in every]
+    for number, (course, values) in enumerate(zip(courses, every, strict=True)):
         known = np.isfinite(values).any(axis=0)
         if not known.any():
             axes.plot([], [], **style_of(number), label=course.label)

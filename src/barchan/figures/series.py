@@ -101,11 +101,15 @@ def within(axes: "Axes", least: float, greatest: float) -> None:
     axes.set_ylim(low, high if high > low else low + 1.0)
 
 
-def about_middle(azimuths: NDArray[np.float64]) -> tuple[NDArray[np.float64], float]:
-    """Orientations (degrees) within a quarter turn of their mean, and that mean to the nearest 45 degrees.
+def about_middle(
+    azimuths: NDArray[np.float64], middle: float | None = None
+) -> tuple[NDArray[np.float64], float]:
+    """Orientations (degrees) within a quarter turn of ``middle``, and that: their mean to the nearest 45.
 
     So crests that cross north go on beyond 0 or 180. NaN stays.
     """
+    if middle is not None:
+        return (azimuths - middle + 90.0) % 180.0 + middle - 90.0, middle
     known = np.radians(2 * azimuths[np.isfinite(azimuths)])
     mean = (
         np.degrees(np.arctan2(np.sin(known).sum(), np.cos(known).sum())) / 2 % 180.0 if known.size else 90.0

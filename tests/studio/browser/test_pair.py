@@ -1,10 +1,15 @@
 """Two runs side by side: every picture, every pause and every look back shows both at the same step."""
 
+import json
+
 import numpy as np
 import pytest
 from PIL import Image
 
+from barchan.scenario import load_scenario
+from tests.studio.browser.conftest import SMALL
 from tests.studio.browser.test_measures import saved
+from tests.studio.browser.test_sharing import link_with
 from tests.studio.browser.test_truth import LISTEN
 
 WATCH = """(() => {
@@ -386,3 +391,71 @@ def test_the_field_fills_a_narrow_view_as_well(studio):
     assert abs(high + low) < 0.4
     studio.ask("window.barchan.app.send({ command: 'alone' })")
     studio.until("window.barchan.app.runs.length === 1")
+
+
+@pytest.mark.extended
+def test_a_preset_and_a_link_opened_from_two_values_run_alone_as_they_say(studio):
+    page = studio.page
+    linked = load_scenario("barchans", list({**SMALL, "title": '"As a link has it"'}.items())).data()
+    link = link_with(json.dumps(linked).encode())
+
+    def open_preset():
+        page.get_by_role("button", name="Presets").first.click()
+        page.locator("[data-preset=dome]").click()
+
+    def open_link():
+        studio.ask(f"void (location.hash = {json.dumps(link)})")
+        page.get_by_role("button", name="start it").click()
+
+    for begin, title in ((open_preset, "A dome dune"), (open_link, "As a link has it")):
+        studio.ask("window.barchan.app.ask({ command: 'compare', key: 'model.hop_length', value: 10 })")
+        studio.until("window.barchan.app.runs.length === 2 && window.barchan.app.runs[1].status?.step > 5")
+        begin()
+        page.get_by_role("button", name="let it end").click()
+        studio.until(f"window.barchan.app.runs[0].description.scenario.title === '{title}'")
+        studio.until("window.barchan.app.runs.length === 1 && window.barchan.app.running")
+        assert studio.ask("window.barchan.app.runs[0].description.changes") == []
+        hop = studio.ask("window.barchan.app.runs[0].description.scenario.model.hop_length")
+        assert hop == 5
+
+
+@pytest.mark.extended
+def test_the_section_of_two_runs_is_drawn_the_same_whichever_panel_is_open_below_its_legend(pair):
+    """A line of the legend takes 17 pixels and its foot 7: the plot begins below the lowest line."""
+    page = pair.page
+    page.set_viewport_size({"width": 1200, "height": 760})
+    pair.step_beyond(60)
+    pair.pause()
+    page.keyboard.press("1")
+    pair.until("window.barchan.app.runs.every((run) => run.fields.has('shadow'))")
+    pair.ask(DRAWING)
+    pair.ask(
+        """void (CanvasRenderingContext2D.prototype.fillText = new Proxy(
+            CanvasRenderingContext2D.prototype.fillText,
+            { apply(draw, c, given) { (window.placed ??= []).push(given); return draw.apply(c, given); } }
+        ))"""
+    )
+    drawn = []
+    for panel in "ab":
+        pair.ask(f"void (window.barchan.app.selected = '{panel}', window.barchan.app.changed.send())")
+        drawn.append(page.locator(".plot:visible").evaluate("(canvas) => canvas.toDataURL()"))
+    assert drawn[0] == drawn[1]
+    legend = [y for text, _, y, *_ in pair.ask("window.placed") if text.startswith("shadow zone")]
+    zones = [top for _, top, _, height in pair.ask("window.hatched") if height > 40]
+    assert legend
+    assert min(zones) > max(legend)
+    page.screenshot(path=pair.folder / "section-below-legend.png")
+    page.keyboard.press("2")
+    pair.until("document.querySelectorAll('.run-names span').length === 2")
+    ink, blue = (
+        pair.ask(f"getComputedStyle(document.documentElement).getPropertyValue('--{name}').trim()")
+        for name in ("ink", "second")
+    )
+    lines = {tuple(line[:2]) for line in pair.ask("window.lines") if line[2] > 100}
+    assert {(ink, ""), (blue, "6,3")} <= lines
+    colours = [
+        pair.ask(f"getComputedStyle(document.querySelectorAll('.run-names > span')[{at}]).color")
+        for at in (0, 1)
+    ]
+    assert colours == [f"rgb{tuple(int(one[at : at + 2], 16) for at in (1, 3, 5))}" for one in (ink, blue)]
+    page.keyboard.press("2")

@@ -193,6 +193,26 @@ def test_a_section_between_typed_ends_gives_the_places_of_its_points_in_field_an
     assert [box.input_value() for box in boxes] == ["2", "4", "32", "44"]
 
 
+def test_a_line_of_the_section_goes_with_the_run_over_which_it_was_drawn(studio):
+    page = studio.page
+    page.keyboard.press("1")
+    ends = "[...document.querySelectorAll('.ends input')].map((one) => one.value)"
+    studio.until(f"({ends}).every(Boolean)")
+    along = studio.ask(ends)
+    page.locator(".ends input").first.fill("3")
+    page.keyboard.press("Enter")
+    studio.ask("document.activeElement.blur()")
+    studio.until(f"({ends})[0] === '3'")
+    scenario = load_scenario(
+        "barchans", [("title", '"Another"'), ("lattice.rows", "48"), ("lattice.columns", "64")]
+    )
+    studio.ask(f"window.barchan.app.create({json.dumps(scenario.data())}, false)")
+    studio.until(f"{RUN}.description.scenario.title === 'Another'")
+    studio.until(f"({ends})[0] !== '3'")
+    assert len(studio.ask(ends)) == len(along)
+    page.keyboard.press("1")
+
+
 def test_the_section_is_a_line_in_the_scene_that_lies_on_the_surface(studio):
     studio.pause()
     studio.page.keyboard.press("1")

@@ -334,6 +334,42 @@ def test_a_saved_run_that_is_opened_from_two_sets_the_one_before_them_aside(serv
         assert len(told["branches"]) == 2
 
 
+def test_another_scenario_opened_from_two_values_runs_alone_and_the_one_before_them_comes_back(served):
+    other = small(title="Another", model={"hop_length": 3}).data()
+    with served.browser() as browser:
+        browser.until_frame(lambda status: status["step"] >= 20)
+        browser.send("compare", key="model.hop_length", value=10, id=1)
+        browser.until(lambda head, _: head.get("run") == "b" and head.get("status", {}).get("step", 0) > 10)
+        refused = {**other, "lattice": {**other["lattice"], "rows": 10**7, "columns": 10**7}}
+        browser.send("create", scenario=refused, aside=True, run="b", id=2)
+        browser.until_message("refused", id=2)
+        assert list(served.session.workers) == ["a", "b"]
+        browser.send("create", scenario=other, aside=True, run="b", id=3)
+        browser.until_message("runs", runs=["a"])
+        assert served.session.scenarios == {"a": other}
+        status = browser.until_frame(lambda status: status["step"] >= 20)[0]["status"]
+        assert status["running"]
+        browser.send("alone", back=True, id=4)
+        assert len(browser.until_message("scenario", run="a")["branches"]) == 2
+        assert list(served.session.workers) == ["a"]
+
+
+@pytest.mark.extended
+def test_a_change_of_one_of_two_begins_both_again_each_with_its_own_model(served):
+    with served.browser() as browser:
+        browser.until_frame()
+        browser.send("compare", key="model.hop_length", value=10, id=1)
+        browser.until_message("done", id=1)
+        right = served.session.scenarios["b"]
+        larger = {**right, "lattice": {**right["lattice"], "rows": 40}}
+        browser.send("create", scenario=larger, changed=True, run="b", id=2)
+        browser.until_message("done", id=2)
+        while (left := served.session.scenarios["a"])["lattice"]["rows"] != 40:
+            browser.receive()
+        assert left["model"]["hop_length"] == 5
+        assert list(served.session.workers) == ["a", "b"]
+
+
 @pytest.mark.extended
 def test_two_that_are_opened_run_to_their_scenarios_end_and_leave_the_run_before_set_aside(served):
     with served.browser() as browser:

@@ -58,6 +58,19 @@ def test_a_pause_on_the_way_is_carried_out_and_said_where_both_meet(pair):
     assert pair.steps[0] == pair.steps[1]
 
 
+def test_a_halt_stops_both_at_once_and_whichever_is_behind_comes_up_first_when_they_go_on(pair):
+    pair.lockstep.run()
+    pair.arrive("a")
+    pair.lockstep.halt()
+    assert pair.said == [True, False]
+    assert [worker.commands[-1] for worker in pair.workers.values()] == ["pause", "pause"]
+    pair.arrive("b")
+    assert pair.said == [True, False]
+    pair.lockstep.run()
+    pair.meet()
+    assert pair.steps[0] == pair.steps[1]
+
+
 def test_what_changes_a_run_waits_until_both_are_at_the_same_step(pair):
     pair.lockstep.run()
     pair.arrive("a")

@@ -1,8 +1,12 @@
 """The comparison report: which worker does what, and what is left of it."""
 
+import re
+from pathlib import Path
+
 import pytest
 
 from barchan.errors import BarchanError
+from barchan.figures.comparison import style_of
 from barchan.studio.server.reports import Reports
 from barchan.studio.server.workspace import Workspace
 
@@ -107,3 +111,12 @@ def test_one_run_has_no_report_and_two_have_one_at_a_time(tmp_path, reports):
         Reports(Session(tmp_path, "a")).begin(40, 7)
     with pytest.raises(BarchanError, match="being made already"):
         reports.begin(40, 8)
+
+
+def test_the_lines_of_a_report_are_those_of_the_page():
+    """Dark and full on the left, blue and dashed on the right, as in the light theme of the page."""
+    style = (Path(__file__).parents[3] / "web" / "src" / "style.css").read_text("utf-8").partition("}")[0]
+    colours = dict(re.findall(r"--([\w-]+): ([^;]+);", style))
+    sides = [colours[colours[side].removeprefix("var(--").removesuffix(")")] for side in ("left", "right")]
+    assert [style_of(at)["color"] for at in (0, 1)] == sides
+    assert [style_of(at)["linestyle"] for at in (0, 1)] == ["-", "--"]

@@ -62,6 +62,12 @@ export class Notices {
     return entry;
   }
 
+  /** Let a line of the log stand on the page again. */
+  restore(entry: Entry): void {
+    if (!this.standing.includes(entry)) this.standing = [...this.standing, entry];
+    this.changed.send();
+  }
+
   dismiss(entry: Entry): void {
     this.standing = this.standing.filter((one) => one !== entry);
     this.troubles.delete(entry.key);

@@ -73,7 +73,7 @@ export class WayBack {
 
   private async lead(): Promise<void> {
     const title = this.spoken(this.title ?? "");
-    if (!(await this.mayEndRight())) return this.say(`Your run “${title}” is set aside with its moments.`);
+    if (!(await this.mayEndRight())) return void (this.entry && this.app.notices.restore(this.entry));
     const answer = await this.app.ask({ command: "alone", back: true });
     if (!answer) return;
     this.app.restarts.length = 0;

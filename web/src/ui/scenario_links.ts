@@ -3,6 +3,7 @@
 import type { App } from "../core/app";
 import type { JsonObject, Problem } from "../core/protocol";
 import { readable, valueLabel } from "../core/labels";
+import { namesOf } from "../core/run";
 import { holdsScenario, scenarioIn, scenarioLink } from "../core/scenario_link";
 import { copyRow } from "./copy_row";
 import { dialog, formDialog } from "./dialog";
@@ -15,12 +16,16 @@ const NAME = "the link";
 
 /** A sheet with the link of the scenario that is shown. */
 export async function copyScenarioLink(app: App): Promise<void> {
-  const scenario = app.current?.description?.scenario;
+  const { current, runs } = app;
+  const scenario = current?.description?.scenario;
   if (!scenario) return;
+  const at = runs.indexOf(current!);
+  const whose = runs.length > 1 && h("p", {}, `It is that of the ${at ? "right" : "left"} one of the two runs: `, h("b", {}, namesOf(runs)[at]!), ", whose parameters the panel shows.");
   const link = await scenarioLink(scenario, `${location.origin}/`);
   dialog(
     "A link of this scenario",
     "small",
+    whose,
     h("p", {}, "It holds every value, the seed included, and nothing of the run; opened, it offers to start the scenario. What stands behind the # stays in the browser: no server gets to see it."),
     copyRow("Link of the scenario", link),
     h("p", { className: "hint" }, `${link.length} characters. Who opens it needs a studio that runs at ${location.origin}; in one at another address, `, h("i", {}, "File, open a link of a scenario"), " takes it."),
@@ -60,7 +65,7 @@ function show(app: App, scenario: JsonObject): void {
     h("h3", {}, title),
     h("p", { className: "source" }, facts.join(" · ")),
     scenario.look_for ? h("p", {}, String(scenario.look_for)) : false,
-    h("p", { className: "hint" }, "It takes the place of the run that is shown now; save that before, if you want to keep it."),
+    h("p", { className: "hint" }, "It takes the place of the run that is shown now, which is set aside with its moments."),
     h(
       "div",
       { className: "buttons" },

@@ -8,13 +8,18 @@ import type { Stage } from "../scene/stage";
 import { nameBeside } from "../core/run";
 import { SectionEnds } from "./section_ends";
 import { SectionLegend, sectionItems } from "./section_legend";
-import { drawShadows, drawSurface } from "./section_marks";
+import { type Drawn, drawShadows, drawSurface } from "./section_marks";
 import { type Second, placed, secondProfile, sectionCsv } from "./second_profile";
 import { SectionLayers } from "./strata";
 import { button, download, fitCanvas, h, heights, lengthUnit, metres, short, themeColour, ticks } from "../ui/dom";
+import { sideOf } from "../ui/sides";
 import { stepsOf } from "../ui/steps";
 
-const MARGIN = { left: 54, right: 14, top: 24, bottom: 30 };
+const MARGIN = { left: 54, right: 14, bottom: 30 };
+/** What the title of the axis of heights takes above the plot (pixels). */
+const AXIS_TITLE = 90;
+/** How opaque the left one of two runs is filled, so that the lines of both stand out from it. */
+const FILLED_OF_TWO = 0.45;
 /** A layer deeper than this multiple of its relief is not shown down to the ground. */
 const DEEP = 3;
 
@@ -62,6 +67,7 @@ export class SectionView {
       this.hover = null;
       this.draw();
     });
+    app.opened.watch(() => (this.line = null)); // it was drawn over another field
     app.described.watch(() => (this.downwind = null));
     app.framed.watch((run) => {
       if (run === app.current && run.ready) this.downwind ??= alongWind(run.status!.wind, run.description!.lattice);
@@ -123,7 +129,9 @@ export class SectionView {
     const room = Math.max((high - low) * 0.12, run.description!.lattice.thickness);
     [low, high] = [low - room * 0.6, high + room];
     const x = (d: number) => MARGIN.left + (d / length) * (width - MARGIN.left - MARGIN.right);
-    const y = (z: number) => height - MARGIN.bottom - ((z - low) / (high - low)) * (height - MARGIN.top - MARGIN.bottom);
+    const drawn: Drawn[] = [{ run, profile: p }, ...(second ? [second] : [])].sort((one, other) => one.run.name.localeCompare(other.run.name));
+    const legend = new SectionLegend(c, width - MARGIN.right, AXIS_TITLE, sectionItems(drawn));
+    const y = (z: number) => height - MARGIN.bottom - ((z - low) / (high - low)) * (height - legend.height - MARGIN.bottom);
     this.axes(c, x, y, length, [low, high], width, height);
     const area = (values: Float32Array, colour: string) => {
       c.beginPath();
@@ -135,15 +143,15 @@ export class SectionView {
       c.fillStyle = colour;
       c.fill();
     };
-    drawShadows(c, p, x, y(high), y(low), false);
-    if (second) drawShadows(c, second.profile, x, y(high), y(low), true);
+    for (const one of drawn) drawShadows(c, one.profile, x, y(high), y(low), sideOf(one.run));
     const layered = this.layers.draw(c, run, this.current(run), x, y, low);
-    if (!layered) area(p.surface, themeColour(run.material === "snow" ? "snow" : "loose"));
+    c.globalAlpha = second ? FILLED_OF_TWO : 1;
+    if (!layered) area(drawn[0]!.profile.surface, themeColour(drawn[0]!.run.material === "snow" ? "snow" : "loose"));
+    c.globalAlpha = 1;
     area(p.ground, themeColour("rock"));
-    if (!layered) drawSurface(c, p, x, y, run.description!.repose, false);
-    if (second) drawSurface(c, second.profile, x, y, second.run.description!.repose, true);
-    new SectionLegend(c, MARGIN, width).draw(sectionItems(run, p, second));
-    if (layered) this.layers.legend(c, run, MARGIN.left + 60, MARGIN.top);
+    for (const one of drawn) if (!layered || one.run !== run) drawSurface(c, one.profile, x, y, one.run.description!.repose, sideOf(one.run));
+    legend.draw();
+    if (layered) this.layers.legend(c, run, MARGIN.left + 60, legend.height);
     this.point(c, p, x, y, length, width, run, second);
   }
 
@@ -195,13 +203,13 @@ export class SectionView {
       return;
     }
     const share = (this.hover - MARGIN.left) / (width - MARGIN.left - MARGIN.right);
-    const i = nearest(p, share * length);
-    drawPoint(c, x(p.distance[i]!), y(p.surface[i]!), "ink");
+      const i = nearest(p, share * length);
+      drawPoint(c, x(p.distance[i]!), y(p.surface[i]!), sideOf(run).colour);
     const lee = p.shadow && p.shadow[i]! > 0.5 ? ", in shadow" : "";
     const own =
       `elevation ${metres(p.surface[i])}, ${run.material} ${metres(p.surface[i]! - p.ground[i]!)}, ` +
       `slope ${p.slope[i]!.toFixed(1)}°${lee}${this.layers.under(p.distance[i]!, run)}`;
-    if (second) drawPoint(c, x(p.distance[i]!), y(second.profile.surface[i]!), "second");
+    if (second) drawPoint(c, x(p.distance[i]!), y(second.profile.surface[i]!), sideOf(second.run).colour);
     const both = second ? `${nameBeside(run, second.run)}: ${own} · ${placed(second, run, i)}` : own;
     this.readout.textContent = `${short(p.distance[i])} m: ${both}`;
   }

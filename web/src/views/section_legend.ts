@@ -1,20 +1,22 @@
-/** What the lines and colours of a section mean, in its upper right corner, in as many lines as it takes. */
+/** What the lines and colours of a section mean, above its plot, in as many lines as it takes. */
 
-import type { Profile } from "../core/profile";
 import { type Run, nameBeside } from "../core/run";
 import { short, themeColour } from "../ui/dom";
-import { DASHES, shadowFill } from "./section_marks";
-import type { Second } from "./second_profile";
+import { type Side, sideOf } from "../ui/sides";
+import { type Drawn, shadowFill } from "./section_marks";
 
 const LINE = 17;
 const SWATCH = 16;
 const GAP = 16;
+/** Between the last line and the plot. */
+const FOOT = 7;
+const FONT = "11px system-ui, sans-serif";
 
-type Manner = "line" | "dashes" | "area" | "hatching";
+type Mark = "line" | "shadow" | "steep" | "steep area";
 
 interface Swatch {
-  colour: string;
-  manner: Manner;
+  side: Side;
+  mark: Mark;
 }
 
 export interface Item {
@@ -22,32 +24,21 @@ export interface Item {
   text: string;
 }
 
-/** What is drawn of one run, or of two along the same line. */
-export function sectionItems(run: Run, own: Profile, second: Second | null): Item[] {
-  const items = second ? namesAndShadows(run, own, second) : own.shadow ? [{ swatches: [swatch("shadow", "area")], text: "shadow zone" }] : [];
-  return [...items, ...steepItems(run, second)];
-}
-
-function namesAndShadows(run: Run, own: Profile, second: Second): Item[] {
-  const [name, other] = [nameBeside(run, second.run), nameBeside(second.run, run)];
-  const items: Item[] = [
-    { swatches: [swatch("ink", "line")], text: name },
-    { swatches: [swatch("second", "dashes")], text: other },
-  ];
-  if (own.shadow) items.push({ swatches: [swatch("shadow", "area")], text: `shadow zone of ${name}` });
-  if (second.profile.shadow) items.push({ swatches: [swatch("second", "hatching")], text: `shadow zone of ${other}` });
-  return items;
+/** What is drawn of a run, or of two along the same line: the left one first. */
+export function sectionItems(drawn: Drawn[]): Item[] {
+  const pair = drawn.length > 1;
+  const names = drawn.map(({ run }, at) => (pair ? nameBeside(run, drawn[1 - at]!.run) : ""));
+  const lines = drawn.map(({ run }, at) => ({ swatches: [swatch(sideOf(run), "line")], text: names[at]! }));
+  const shadows = drawn.map(({ run }, at) => ({ swatches: [swatch(sideOf(run), "shadow")], text: pair ? `shadow zone of ${names[at]}` : "shadow zone" }));
+  return [...(pair ? lines : []), ...shadows.filter((_, at) => drawn[at]!.profile.shadow), ...steepItems(drawn, names)];
 }
 
 /** Where surfaces are marked as steep: of two runs in the manner of each line, in one item where their angle is the same. */
-function steepItems(run: Run, second: Second | null): Item[] {
-  const own = steepText(run);
-  if (!second) return own === null ? [] : [{ swatches: [swatch("steep", "area")], text: own }];
-  const other = steepText(second.run);
-  const [line, dashes] = [swatch("steep", "line"), swatch("steep", "dashes")];
-  if (own !== null && own === other) return [{ swatches: [line, dashes], text: own }];
-  const of = (text: string | null, mark: Swatch, one: Run, beside: Run) => (text === null ? [] : [{ swatches: [mark], text: `${nameBeside(one, beside)}: ${text}` }]);
-  return [...of(own, line, run, second.run), ...of(other, dashes, second.run, run)];
+function steepItems(drawn: Drawn[], names: string[]): Item[] {
+  const texts = drawn.map(({ run }) => steepText(run));
+  const marks = drawn.map(({ run }) => swatch(sideOf(run), drawn.length > 1 ? "steep" : "steep area"));
+  if (texts[0] != null && texts.every((text) => text === texts[0])) return [{ swatches: marks, text: texts[0] }];
+  return texts.flatMap((text, at) => (text === null ? [] : [{ swatches: [marks[at]!], text: `${names[at]}: ${text}` }]));
 }
 
 function steepText(run: Run): string | null {
@@ -55,7 +46,7 @@ function steepText(run: Run): string | null {
   return repose === null ? null : `near the effective angle of repose, ${repose.toFixed(1)}°${slabs === null ? "" : ` (${short(slabs, 3)} slabs a cell)`}`;
 }
 
-const swatch = (colour: string, manner: Manner): Swatch => ({ colour, manner });
+const swatch = (side: Side, mark: Mark): Swatch => ({ side, mark });
 
 /** Items in lines that are each no wider than `most`, by their widths. */
 export function inLines<T>(items: T[], widthOf: (item: T) => number, most: number): T[][] {
@@ -74,48 +65,54 @@ export function inLines<T>(items: T[], widthOf: (item: T) => number, most: numbe
 }
 
 export class SectionLegend {
+  private readonly lines: Item[][];
+
+  /** ``left`` is what the title of the axis takes of the first line. */
   constructor(
     private readonly c: CanvasRenderingContext2D,
-    private readonly margin: { left: number; right: number; top: number },
-    private readonly width: number,
-  ) {}
+    private readonly right: number,
+    left: number,
+    items: Item[],
+  ) {
+    c.font = FONT;
+    this.lines = inLines(items, (item) => this.wide(item), right - left);
+  }
 
-  draw(all: Item[]): void {
-    const { c, margin } = this;
-    const most = this.width - margin.left - margin.right - 80; // the layers' own words stand at the left
-    const marks = ({ swatches }: Item) => swatches.length * (SWATCH + 6);
-    const wide = (item: Item) => c.measureText(item.text).width + marks(item) + GAP;
+  /** What it takes above the plot (pixels). */
+  get height(): number {
+    return LINE * Math.max(this.lines.length, 1) + FOOT;
+  }
+
+  draw(): void {
+    const { c } = this;
+    c.font = FONT;
     c.textAlign = "left";
-    inLines(all, wide, most).forEach((items, line) => {
-      let x = this.width - margin.right - items.reduce((sum, item) => sum + wide(item), 0);
-      const y = margin.top + LINE * line;
-      this.back(x, y);
+    this.lines.forEach((items, line) => {
+      let x = this.right + GAP - items.reduce((sum, item) => sum + this.wide(item), 0);
+      const y = LINE * (line + 0.5);
       for (const item of items) {
         item.swatches.forEach((one, at) => this.swatch(one, x + at * (SWATCH + 6), y));
         c.fillStyle = themeColour("ink");
         c.fillText(item.text, x + marks(item), y + 4);
-        x += wide(item);
+        x += this.wide(item);
       }
     });
   }
 
-  private back(x: number, y: number): void {
-    const { c } = this;
-    c.globalAlpha = 0.85;
-    c.fillStyle = themeColour("card");
-    c.fillRect(x - 6, y - 9, this.width - this.margin.right - x + 6 - GAP + 6, LINE + 1);
-    c.globalAlpha = 1;
+  private wide(item: Item): number {
+    return this.c.measureText(item.text).width + marks(item) + GAP;
   }
 
-  private swatch({ colour, manner }: Swatch, x: number, y: number): void {
+  private swatch({ side, mark }: Swatch, x: number, y: number): void {
     const { c } = this;
+    const steep = mark.startsWith("steep");
     c.save();
-    c.fillStyle = manner === "hatching" ? shadowFill(c, true) : themeColour(colour);
-    c.strokeStyle = themeColour(colour);
-    if (manner === "area" || manner === "hatching") c.fillRect(x + 2, y - 4, SWATCH - 4, 8);
+    c.fillStyle = steep ? themeColour("steep") : shadowFill(c, side);
+    c.strokeStyle = themeColour(steep ? "steep" : side.colour);
+    if (mark === "shadow" || mark === "steep area") c.fillRect(x + 2, y - 4, SWATCH - 4, 8);
     else {
-      c.lineWidth = colour === "steep" ? 3 : 2;
-      c.setLineDash(manner === "dashes" ? DASHES : []);
+      c.lineWidth = steep ? 3 : 2;
+      c.setLineDash(side.dashes);
       c.beginPath();
       c.moveTo(x, y);
       c.lineTo(x + SWATCH, y);
@@ -123,4 +120,9 @@ export class SectionLegend {
     }
     c.restore();
   }
+}
+
+/** What the swatches before an item's text take (pixels). */
+function marks({ swatches }: Item): number {
+  return swatches.length * (SWATCH + 6);
 }

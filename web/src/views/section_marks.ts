@@ -1,23 +1,29 @@
 /** What a section marks of a profile: zones in shadow, and slopes about as steep as the material can stand. */
 
 import type { Profile } from "../core/profile";
+import type { Run } from "../core/run";
 import { themeColour } from "../ui/dom";
+import { RIGHT, type Side } from "../ui/sides";
 
 /** The share of the angle of repose from which a slope counts as near it. */
 const NEAR = 0.85;
-/** Lengths of dashes and gaps of the other of two profiles (pixels). */
-export const DASHES = [6, 3];
 /** Distance of the lines of a hatching (pixels). */
 const HATCH = 7;
 
+/** A profile that is drawn, and whose it is. */
+export interface Drawn {
+  run: Run;
+  profile: Profile;
+}
+
 export type Across = (distance: number) => number;
 
-/** What fills the shadow zones: of one run, and of the first of two, a tint; of the other one lines, so that both are seen where they overlap. */
-export function shadowFill(c: CanvasRenderingContext2D, hatched: boolean): string | CanvasPattern {
-  if (!hatched) return themeColour("shadow");
+/** What fills the shadow zones: of the left run a tint, of the right one lines, so that both are seen where they overlap. */
+export function shadowFill(c: CanvasRenderingContext2D, side: Side): string | CanvasPattern {
+  if (side !== RIGHT) return themeColour("shadow");
   const tile = new OffscreenCanvas(HATCH, HATCH);
   const t = tile.getContext("2d")!;
-  t.strokeStyle = themeColour("second");
+  t.strokeStyle = themeColour(side.colour);
   for (const shift of [-HATCH, 0, HATCH]) {
     t.moveTo(shift, HATCH);
     t.lineTo(shift + HATCH, 0);
@@ -27,9 +33,9 @@ export function shadowFill(c: CanvasRenderingContext2D, hatched: boolean): strin
 }
 
 /** Fill the zones in shadow from the top of the plot to its foot. */
-export function drawShadows(c: CanvasRenderingContext2D, p: Profile, x: Across, top: number, foot: number, hatched: boolean): void {
+export function drawShadows(c: CanvasRenderingContext2D, p: Profile, x: Across, top: number, foot: number, side: Side): void {
   if (!p.shadow) return;
-  c.fillStyle = shadowFill(c, hatched);
+  c.fillStyle = shadowFill(c, side);
   let from = -1;
   p.distance.forEach((_, i) => {
     const dark = p.shadow![i]! > 0.5;
@@ -42,7 +48,7 @@ export function drawShadows(c: CanvasRenderingContext2D, p: Profile, x: Across, 
 }
 
 /** The line of a surface, in red where it is near an angle of repose (degrees). */
-export function drawSurface(c: CanvasRenderingContext2D, p: Profile, x: Across, y: (z: number) => number, repose: number | null, dashed: boolean): void {
+export function drawSurface(c: CanvasRenderingContext2D, p: Profile, x: Across, y: (z: number) => number, repose: number | null, side: Side): void {
   const stroke = (colour: string, width: number, wanted: (i: number) => boolean) => {
     c.strokeStyle = themeColour(colour);
     c.lineWidth = width;
@@ -57,8 +63,8 @@ export function drawSurface(c: CanvasRenderingContext2D, p: Profile, x: Across, 
   };
   c.save();
   c.lineJoin = "round";
-  c.setLineDash(dashed ? DASHES : []);
-  stroke(dashed ? "second" : "ink", dashed ? 1.8 : 1.3, () => true);
+  c.setLineDash(side.dashes);
+  stroke(side.colour, side === RIGHT ? 1.8 : 1.3, () => true);
   if (repose !== null) stroke("steep", 3, (i) => Math.abs(p.slope[i]!) >= NEAR * repose);
   c.restore();
 }

@@ -9,6 +9,7 @@ import type { Measure } from "../core/protocol";
 import { type Run, namesOf } from "../core/run";
 import { BalanceTable } from "./balance";
 import { download, button, h, short, themeColour } from "../ui/dom";
+import { type Side, sideOf } from "../ui/sides";
 
 const FIRST = ["highest_stack", "spacing", "crest_azimuth", "speed", "flux"];
 const CREST = "crest_azimuth";
@@ -171,7 +172,6 @@ export class SeriesView {
   }
 
   private options(measure: Measure): uPlot.Options {
-    const colours = [themeColour("accent"), themeColour("second")];
     const axis = { stroke: themeColour("faint"), grid: { stroke: themeColour("line"), width: 1 }, ticks: { show: false } };
     const dots = measure.unit === "degrees";
     return {
@@ -186,13 +186,7 @@ export class SeriesView {
       ],
       series: [
         {},
-        ...this.app.runs.map((_, at) => ({
-          stroke: colours[at] ?? "",
-          width: 1.5,
-          ...(at ? { dash: [6, 3] } : {}),
-          points: { show: true, size: 3, fill: colours[at] ?? "", ...(dots ? {} : { filter: (chart: uPlot, series: number) => alone(chart.data[series]!) }) },
-          ...(dots ? { paths: () => null } : {}),
-        })),
+        ...this.app.runs.map((run) => line(sideOf(run), dots)),
       ],
     } as uPlot.Options;
   }
@@ -215,6 +209,18 @@ function lastOf(run: Run, name: string): { text: string; doubt: string } {
   const last = run.measures.findLast((row) => row.values[name] != null)?.values[name];
   const doubt = run.measures.at(-1)?.doubts[name] ?? "";
   return { text: last == null ? "no value yet" : `${short(last, 3)}${doubt && " ?"}`, doubt };
+}
+
+/** The line of a run in a chart; where it is of ``dots`` every value stands alone. */
+function line({ colour, dashes }: Side, dots: boolean): uPlot.Series {
+  const stroke = themeColour(colour);
+  return {
+    stroke,
+    width: 1.5,
+    dash: dashes,
+    points: { show: true, size: 3, fill: stroke, ...(dots ? {} : { filter: (chart: uPlot, series: number) => alone(chart.data[series]!) }) },
+    ...(dots ? { paths: () => null } : {}),
+  };
 }
 
 /** The names of two runs, each with the line that its measures have; none where there is one run. */

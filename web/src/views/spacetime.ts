@@ -5,6 +5,7 @@ import { type Run, nameBeside } from "../core/run";
 import type { RunName } from "../core/protocol";
 import { button, fitCanvas, h, metres } from "../ui/dom";
 import { fetchFile } from "../ui/exports";
+import { sideOf } from "../ui/sides";
 import { Bands } from "./bands";
 import type { SectionView } from "./section";
 import { type Panel, drawPanels } from "./spacetime_picture";
@@ -116,7 +117,7 @@ export class SpaceTimeView {
   private draw(): void {
     if (!this.visible || !this.canvas.clientWidth) return;
     const runs = this.runs.filter((run) => this.bands[run.name].rows.length);
-    const panels: Panel[] = this.chosen().filter((run) => runs.includes(run)).map((run) => ({ name: this.name(run), bands: this.bands[run.name] }));
+    const panels: Panel[] = this.chosen().filter((run) => runs.includes(run)).map((run) => ({ name: this.name(run), colour: sideOf(run).colour, bands: this.bands[run.name] }));
     if (!panels.length) return;
     const all = runs.flatMap((run) => this.bands[run.name].rows);
     const steps = all.map(({ step }) => step);

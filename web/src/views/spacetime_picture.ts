@@ -15,6 +15,8 @@ const MOST = 600;
 export interface Panel {
   /** Stands above it; empty where there is one run. */
   name: string;
+  /** The colour of the theme of its run. */
+  colour: string;
   bands: Bands;
 }
 
@@ -41,13 +43,13 @@ export function drawPanels(c: CanvasRenderingContext2D, panels: Panel[], scales:
   c.imageSmoothingEnabled = true;
   const top = MARGIN.top + (panels.some(({ name }) => name) ? NAME : 0);
   const each = (width - MARGIN.right + MARGIN.between) / panels.length;
-  panels.forEach(({ name, bands }, at) => {
+  panels.forEach(({ name, colour, bands }, at) => {
     const box = { x: at * each + MARGIN.left, y: top, w: each - MARGIN.left - MARGIN.between, d: height - top - MARGIN.bottom };
     drawBands(c, bands, scales, box);
     drawAxes(c, scales, box, height);
     c.textAlign = "left";
     c.fillText("step", at * each + 4, top + 6);
-    c.fillStyle = themeColour("ink");
+    c.fillStyle = themeColour(colour);
     c.fillText(name, box.x, top - 5, box.w);
   });
   drawColourBar(c, scales, { x: width - MARGIN.right + BAR.gap, y: top, w: BAR.width, d: height - top - MARGIN.bottom });

@@ -95,6 +95,11 @@ class Lockstep:
         self._goes_on, self._away = False, set()
         self._do_held()
 
+    def halt(self) -> None:
+        """Stop both at once, wherever each of them is; what was to be done where they meet is done now."""
+        self.leave()
+        self._rest()
+
     def keep(self) -> None:
         """Let both send their states where they meet next, so that both are of the same step."""
         self._keep = True

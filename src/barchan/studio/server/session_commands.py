@@ -16,31 +16,41 @@ if TYPE_CHECKING:
 
 FIRST, SECOND = RUNS
 
+ENDS_SECOND = "ends_second"
+"""The key of a request to the first worker whose run, once it has begun, stands alone."""
+
 SESSION: Handlers[Callable[["Session", Request], None]] = Handlers("session")
 
 
 @SESSION.handles("create")
 def create(session: "Session", request: Request) -> None:
-    """Start a scenario; where there are two workers in the other one, too, with its own model.
+    """Start a scenario; ``changed`` where it came of the one that runs by changes on the page.
+
+    Of two that are compared both begin again with what was changed, the other one with its own model. A
+    scenario that did not come of them ends the second one as soon as it has begun itself.
 
     With ``aside`` the run that there is is set aside, to be taken back by ``alone``: of two that are compared
     the one that was set aside for them, with the left one as a branch of it.
     """
     session.workspace.check(request["scenario"])
     data = validate(request["scenario"]).seeded().data()
-    name = SECOND if session.lockstep is not None and request.get("run") == SECOND else FIRST
-    begun = {name: data}
-    answering: dict[str, Request] = {run: {"changed": bool(request.get("changed"))} for run in "ab"}
-    aside = bool(request.get("aside")) and FIRST in session.scenarios
-    answering[FIRST if aside else name] |= _id_of(request)
-    if aside:
-        session.workers[FIRST].send("keep")
-        answering[FIRST]["aside"] = True
-    if session.lockstep is not None:
+    changed, running = bool(request.get("changed")), bool(request.get("running", True))
+    if changed and session.lockstep is not None:
+        name = SECOND if request.get("run") == SECOND else FIRST
         other = FIRST if name == SECOND else SECOND
         newest = session.starts.scenario(other) or session.scenarios[other]
-        begun[other] = {**data, "model": newest["model"]}
-    session.begin(begun, bool(request.get("running", True)), answering)
+        both = {name: data, other: {**data, "model": newest["model"]}}
+        session.begin(both, running, {name: {"changed": True, **_id_of(request)}, other: {"changed": True}})
+        return
+    aside = bool(request.get("aside")) and FIRST in session.scenarios
+    if aside:
+        session.workers[FIRST].send("keep")
+    begun = {"changed": changed, "aside": aside, ENDS_SECOND: session.lockstep is not None}
+    if session.lockstep is not None:
+        session.lockstep.halt()
+    session.start_run(
+        FIRST, {"command": "start", **begun, **_id_of(request), "scenario": data, "running": running}
+    )
 
 
 @SESSION.handles("compare")

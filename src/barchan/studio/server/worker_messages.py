@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 from barchan.studio.protocol import Request, is_frame, is_state, message
 from barchan.studio.server.joint_answers import is_joint
-from barchan.studio.server.session_commands import FIRST, SECOND
+from barchan.studio.server.session_commands import ENDS_SECOND, FIRST, SECOND
 from barchan.studio.server.worker_handle import WorkerHandle
 
 if TYPE_CHECKING:
@@ -78,6 +78,8 @@ class WorkerMessages:
             if name == FIRST and start_request:
                 session.aside.begun(name, start_request, content["aside"])
             session.kept.begun(name, content["number"], resumed=start is not None and start.request is None)
+            if start_request.get(ENDS_SECOND) and session.starts.scenario(name) is None:
+                session.end_second()  # unless two are to begin by now
         elif name == SECOND and SECOND not in session.scenarios and not is_joint(start_request):
             session.end_second()
             session.aside.take_back(FIRST)
