@@ -224,14 +224,15 @@ READING = """
 ![Errors of crests over the angle of the wind to the lattice](_static/directions.png)
 
 Shadow lines over whole slabs steer Momiji's model; neighbourhoods, orders of neighbours, exact hops and
-bands change little. Shadow from each slab's place ends it: planted trains turn hardly more off the axes than
-along one, where symmetry forbids a bias. Fields that grow with it have the same relief, spacing and speed
-at all angles within some per cent. Runs of Momiji's model still scatter by 7° from seed to seed on fields
-of this size, along an axis as much as off it. With sloping tops and slides straight downslope, which act by
-default off the axes, the means of ten seeds are within 2.5° of the line across the wind at every angle for Werner's
-model, and within 3.3° for Momiji's but at 7.5°, where its crests turn by 7.2° to the lattice's axis; with eight neighbours
-and one limit for all of them no mean is farther off than 3.6°, and seeds scatter less. Why 7.5°: without the
-model's speedup, or with forced polls, crests do not turn that way; by the height at the start they turn half
-as much. Over level tops they turn to the other side, with the speedup as well. Hops of their exact length change it by less than chance. Planted
-trains of Werner's model are little steered by any rule.
+bands change little. Shadow from each slab's place ends it: planted trains turn hardly more off the axes
+than along one, where symmetry forbids a bias. Fields that grow with it have the same relief, spacing and
+speed at all angles within some per cent. Runs of Momiji's model still scatter by 7° from seed to seed on
+fields of this size, along an axis as much as off it. With sloping tops and slides straight downslope, which
+act by default off the axes, the means of ten seeds are within 2.5° of the line across the wind at every
+angle for Werner's model, and within 3.3° for Momiji's but at 7.5°, where its crests turn by 7.2° to the
+lattice's axis; with eight neighbours and one limit for all of them no mean is farther off than 3.6°, and
+seeds scatter less. Why 7.5°: without the model's speedup, or with forced polls, crests do not turn that
+way; by the height at the start they turn half as much. Over level tops they turn to the other side, with
+the speedup as well. Hops of their exact length change it by less than chance. Planted trains of Werner's
+model are little steered by any rule.
 """

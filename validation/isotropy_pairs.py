@@ -109,7 +109,9 @@ def rows():
         yield _summary(f"**{model}**", {k: v for k, v in found.items() if k[0] == model})
     for model in VARIANTS:
         for flux_up in FLUX_UP:
-            yield _flux_up_row(model, flux_up, {key: value for key, value in found.items() if key[0] == model})
+            yield _flux_up_row(
+                model, flux_up, {key: value for key, value in found.items() if key[0] == model}
+            )
     for name, (changes, turn, cases) in PROBES.items():
         variant = Variant(name, "momiji", {**RULES, **changes})
         for case in cases:
@@ -139,7 +141,8 @@ def _flux_up_row(model, flux_up, found):
     return Row(
         f"{model}, theory with a flux-up ratio of {flux_up:g}",
         "0°",
-        f"of the cases' means but at 90° {np.mean(np.abs(means)):.1f}°, the worst {max(means, key=abs):+.1f}°",
+        f"of the cases' means but at 90° {np.mean(np.abs(means)):.1f}°, "
+        f"the worst {max(means, key=abs):+.1f}°",
         "",
     )
 
@@ -249,18 +252,18 @@ def draw(found):
 READING = """
 ![Errors of crests under pairs of winds, over their divergence](_static/directions-pairs.png)
 
-Crests take the candidate that theory prefers in every case, on either side of 90°, whether the bisector lies
-along an axis or not; at 90° the candidates are equally good, and crests of Werner's model often lie between
-both. But for that, the cases' means of Werner's model are off by 1.9° in the mean and by 4.1° at most. So are
-those of Momiji's model under equal winds (1.4 and 2.2°). Under unequal winds its crests lie as if the weaker
-wind had a greater share: 5 to 8° to one side below 90°, 9 to 17° to the other above it, with every seed and
-along the lattice as well as off it. Its speedup does that: without it the same cases are off by 5, -3, -3
-and 0°. The lattice does not, nor do the turns: where the weaker wind blows for 1, 5 and 20 steps at a time
-the error under 4:1, 120° apart, is -17, -14 and -9° (three seeds). With the linear part of the speedup alone
-it is -15°, with hops by the height at the start -16°. How it does that is seen by the theory of Courrech du
-Pont et al. (2014), in which the flux over a crest is 1 + γ |sin| times that over a flat bed: positive γ would turn
-crests to the stronger wind and makes the errors larger. With γ = -0.5 the means of Momiji's cases are off by 3.4°
-instead of 7.5°, with γ = -0.2 those of Werner's by 1.4° instead of 1.9°: in the model a wind builds crests the less
-for its sand, the more squarely it blows across them, for slabs that come to high ground hop on. γ is fitted
-here, one number to all cases of a model.
+Crests take the candidate that theory prefers in every case, on either side of 90°, whether the bisector
+lies along an axis or not; at 90° the candidates are equally good, and crests of Werner's model often lie
+between both. But for that, the cases' means of Werner's model are off by 1.9° in the mean and by 4.1° at
+most. So are those of Momiji's model under equal winds (1.4 and 2.2°). Under unequal winds its crests lie as
+if the weaker wind had a greater share: 5 to 8° to one side below 90°, 9 to 17° to the other above it, with
+every seed and along the lattice as well as off it. Its speedup does that: without it the same cases are off
+by 5, -3, -3 and 0°. The lattice does not, nor do the turns: where the weaker wind blows for 1, 5 and 20
+steps at a time the error under 4:1, 120° apart, is -17, -14 and -9° (three seeds). With the linear part of
+the speedup alone it is -15°, with hops by the height at the start -16°. How it does that is seen by the
+theory of Courrech du Pont et al. (2014), in which the flux over a crest is 1 + γ |sin| times that over a
+flat bed: positive γ would turn crests to the stronger wind and makes the errors larger. With γ = -0.5 the
+means of Momiji's cases are off by 3.4° instead of 7.5°, with γ = -0.2 those of Werner's by 1.4° instead of
+1.9°: in the model a wind builds crests the less for its sand, the more squarely it blows across them, for
+slabs that come to high ground hop on. γ is fitted here, one number to all cases of a model.
 """
