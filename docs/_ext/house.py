@@ -44,6 +44,8 @@ ABOUT = {
     "measures": "spacing, crests, slopes",
     "parameters": "declared once",
     "kernels": "compiled loops, by subject",
+    "image_files": "images, judged before they are unpacked",
+    "udunits": "",
     "directions": "",
     "version": "",
     "errors": "",
