@@ -35,6 +35,10 @@ PLACE = {"shadow_from": "place", "stack_tops": "level"}
 SLOPING = {"shadow_from": "place", "stack_tops": "sloping"}
 RANDOM = {"neighbour_order": "random"}
 DOWNSLOPE = {"neighbour_order": "downslope"}
+DEFAULT = {**SLOPING, **DOWNSLOPE}
+"""What acts where any wind blows off the axes."""
+
+NO_SPEEDUP = {"speedup_linear": 0.0, "speedup_quadratic": 0.0}
 MOORE = {"neighbourhood": "moore"}
 THREE = {**MOORE, "corner_limit": 3}
 
@@ -52,14 +56,13 @@ CHANGES = {
     "shadow from the place, Moore, two limits, random order": {**PLACE, **THREE, **RANDOM},
     "sloping tops": SLOPING,
     "sloping tops, Moore, two limits, random order": {**SLOPING, **THREE, **RANDOM},
-    "sloping tops, slides downslope": {**SLOPING, **DOWNSLOPE},
-    "sloping tops, slides downslope, Moore": {**SLOPING, **DOWNSLOPE, **MOORE},
+    "sloping tops, slides downslope": DEFAULT,
 }
 OF_MOMIJI = {
     "hops of their exact length": {"hop_rounding": "none"},
     "hops by the height at the start": {"hop_from": "start"},
 }
-GROWN_ONLY = ("sloping tops, slides downslope, Moore",)
+ONLY_GROWN = {"sloping tops, slides downslope, Moore": {**DEFAULT, **MOORE}}
 OF_WERNER = (
     "as it is",
     "shadow from the edge",
@@ -72,7 +75,7 @@ OF_WERNER = (
 
 def variant(model, name):
     """A model with one of the changes; two limits are those nearest to one angle, 2 and 3 slabs for both."""
-    options = {**CENTRE, **{**CHANGES, **OF_MOMIJI}[name]}
+    options = {**CENTRE, **{**CHANGES, **OF_MOMIJI, **ONLY_GROWN}[name]}
     if model == "werner" and "corner_limit" in options:
         options["corner_limit"] = "geometric"
     return Variant(f"{model}, {name}", model, options)
@@ -88,7 +91,7 @@ COLOURS = {
 }
 """Of the lines in the figure; sloping tops with slides downslope act by default."""
 
-PLANTED = [variant("momiji", name) for name in (*CHANGES, *OF_MOMIJI) if name not in GROWN_ONLY] + [
+PLANTED = [variant("momiji", name) for name in (*CHANGES, *OF_MOMIJI)] + [
     variant("werner", name) for name in CHANGES if name in OF_WERNER
 ]
 """Variants whose planted trains are followed."""
@@ -107,10 +110,9 @@ GROWN = {
 }
 """Variants whose fields grow out of noise, and their seeds."""
 
-DEFAULT = {**SLOPING, **DOWNSLOPE}
 PROBES = {
     "level tops": {"stack_tops": "level"},
-    "no speedup": {"speedup_linear": 0.0, "speedup_quadratic": 0.0},
+    "no speedup": NO_SPEEDUP,
     "the linear speedup alone": {"speedup_quadratic": 0.0},
     "hops by the height at the start": {"hop_from": "start"},
     "hops of their exact length": {"hop_rounding": "none"},

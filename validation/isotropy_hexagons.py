@@ -6,7 +6,7 @@ lattice, 60° apart; half way between them, at 30°, lies an axis of symmetry. E
 migration are those of the study of squares, on squares as wide as the hexagons.
 """
 
-from validation.isotropy import DOWNSLOPE, PLACE, SLOPING, grown_rows
+from validation.isotropy import DEFAULT, PLACE, grown_rows
 from validation.isotropy_bench import Variant, measured, steady
 
 TITLE = "Crests on hexagons"
@@ -19,7 +19,7 @@ GROWN = [
     Variant(f"{model} on hexagons, {name}", model, rules, HEXAGONS)
     for name, rules in {
         "level tops": PLACE,
-        "sloping tops, slides downslope": {**SLOPING, **DOWNSLOPE},
+        "sloping tops, slides downslope": DEFAULT,
     }.items()
     for model in ("momiji", "werner")
 ]

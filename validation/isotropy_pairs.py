@@ -18,7 +18,7 @@ from barchan.directions import bearing, downwind
 from barchan.figures.style import new_figure
 from barchan.theory.crests import gross_transport
 from barchan.theory.drift import Drift
-from validation.isotropy import DOWNSLOPE, SLOPING
+from validation.isotropy import DEFAULT, NO_SPEEDUP
 from validation.isotropy_bench import Case, Variant, measured
 from validation.orientation import difference
 from validation.study import Row
@@ -60,11 +60,9 @@ def told(divergence, ratio):
     return abs(difference(*azimuths)) >= LEAST_APART
 
 
-RULES = {**SLOPING, **DOWNSLOPE}
-VARIANTS = {model: Variant(model, model, RULES) for model in ("werner", "momiji")}
-LEVEL_HOPS = {"speedup_linear": 0.0, "speedup_quadratic": 0.0}
+VARIANTS = {model: Variant(model, model, DEFAULT) for model in ("werner", "momiji")}
 PROBES = {
-    "without speedup": (LEVEL_HOPS, TURN, ((60, 4), (105, 4), (120, 4), (135, 2))),
+    "without speedup": (NO_SPEEDUP, TURN, ((60, 4), (105, 4), (120, 4), (135, 2))),
     "with the linear part of the speedup alone": ({"speedup_quadratic": 0.0}, TURN, ((120, 4),)),
     "with hops by the height at the start": ({"hop_from": "start"}, TURN, ((120, 4),)),
     "with turns of 1 step": ({}, 1, ((60, 4), (120, 4))),
@@ -82,7 +80,12 @@ CASES = [(d, n) for n in RATIOS for d in DIVERGENCES if told(d, n)]
 def error(azimuth, divergence, ratio, bisector):
     """From the winning candidate (of equally good ones the nearer) to a crest (degrees, clockwise)."""
     _, winners = candidates(divergence, ratio, bisector)
-    return min((difference(azimuth, winner) for winner in winners), key=abs)
+    return nearest(azimuth, winners)
+
+
+def nearest(azimuth, crests):
+    """From the nearest of some expected crests to one that grew (degrees, clockwise)."""
+    return min((difference(azimuth, crest) for crest in crests), key=abs)
 
 
 def run(model, divergence, ratio, bisector, seed):
@@ -113,7 +116,7 @@ def rows():
                 model, flux_up, {key: value for key, value in found.items() if key[0] == model}
             )
     for name, (changes, turn, cases) in PROBES.items():
-        variant = Variant(name, "momiji", {**RULES, **changes})
+        variant = Variant(name, "momiji", {**DEFAULT, **changes})
         for case in cases:
             blown = winds(*case, 270.0, turn)
             yield _probe(
@@ -132,10 +135,7 @@ def _flux_up_row(model, flux_up, found):
             continue
         directions, steps = zip(*winds(divergence, ratio, bisector), strict=True)
         best = gross_transport(Drift(np.array(directions), np.array(steps, float)), flux_up)
-        values = [
-            min((difference(result["azimuth"], one) for one in (best.azimuth, *best.rivals)), key=abs)
-            for result in results
-        ]
+        values = [nearest(result["azimuth"], (best.azimuth, *best.rivals)) for result in results]
         by_case.setdefault((divergence, ratio), []).extend(values)
     means = [np.mean(values) for values in by_case.values()]
     return Row(

@@ -45,7 +45,7 @@ ABOUT = {
     "parameters": "declared once",
     "kernels": "compiled loops, by subject",
     "image_files": "images, judged before they are unpacked",
-    "udunits": "",
+    "udunits": "units in the words of CF",
     "directions": "",
     "version": "",
     "errors": "",

@@ -1,7 +1,7 @@
 """Images that others made: what a file claims of itself is judged before anything is unpacked."""
 
 import math
-import struct
+import warnings
 from collections.abc import Sequence
 from typing import IO, TYPE_CHECKING
 
@@ -20,27 +20,21 @@ def image_in(file: IO[bytes], formats: Sequence[str], most: int) -> "ImageFile":
 
     Raises ImageError for anything else.
     """
-    image = _heading(file, formats)
+    from PIL import Image, UnidentifiedImageError
+
+    side = math.isqrt(most)
+    allowed = f"allowed: as many as {side} × {side}"
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", Image.DecompressionBombWarning)  # the size is judged here
+            image = Image.open(file, formats=formats)
+    except Image.DecompressionBombError:
+        most_opened = 2 * (Image.MAX_IMAGE_PIXELS or 0)
+        raise ImageError(f"has more than {most_opened} pixels; {allowed}") from None
+    except UnidentifiedImageError:
+        raise ImageError(f"cannot be read as an image; allowed: {', '.join(formats)}") from None
+    except (OSError, ValueError, SyntaxError) as error:
+        raise ImageError(f"cannot be read as an image: {error}") from None
     if image.width * image.height > most:
-        side = math.isqrt(most)
-        raise ImageError(f"has {image.width} × {image.height} pixels; allowed: as many as {side} × {side}")
+        raise ImageError(f"has {image.width} × {image.height} pixels; {allowed}")
     return image
-
-
-def _heading(file: IO[bytes], formats: Sequence[str]) -> "ImageFile":
-    """``Image.open``, which from a number of pixels of its own on tells neither width nor height."""
-    from PIL import Image
-
-    start = file.read(16)
-    for name in formats:
-        if name not in Image.OPEN:
-            Image.init()
-        reader, accepts = Image.OPEN[name]
-        if accepts is not None and accepts(start) is not True:
-            continue
-        file.seek(0)
-        try:
-            return reader(file, "")
-        except (OSError, ValueError, SyntaxError, IndexError, TypeError, struct.error) as error:
-            raise ImageError(f"cannot be read as an image: {error}") from None
-    raise ImageError(f"cannot be read as an image; allowed: {', '.join(formats)}")

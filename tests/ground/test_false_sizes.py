@@ -41,11 +41,12 @@ def test_an_image_of_too_many_pixels_is_refused_by_its_heading(tmp_path):
 @pytest.mark.parametrize("side", [12_000, 20_000])
 @pytest.mark.filterwarnings("error")
 def test_a_huge_image_is_refused_in_our_words(tmp_path, name, made, side):
-    """12 000² is where Pillow warns by itself, 20 000² where it refuses, with the path of the file."""
+    """12 000² is where Pillow warns by itself; 20 000² it refuses without its size."""
     (tmp_path / name).write_bytes(made(side, side))
     with pytest.raises(UnreadableError) as caught:
         read(tmp_path / name)
-    assert str(caught.value) == f"has {side} × {side} pixels; allowed: as many as 8192 × 8192"
+    size = f"{side} × {side}" if side < 13_000 else "more than 178956970"
+    assert str(caught.value) == f"has {size} pixels; allowed: as many as 8192 × 8192"
 
 
 @pytest.mark.parametrize(

@@ -19,9 +19,12 @@ export interface Profile {
   slope: Float32Array;
 }
 
-export function profile(run: Run, line: SectionLine): Profile {
+/** Whether a run's section shows whole cells, as the layers of its bed are drawn. */
+export const showsCells = (run: Run): boolean => run.description!.strata.length > 0;
+
+/** The profile along a line, in `cells` or between them. */
+export function profile(run: Run, line: SectionLine, cells = showsCells(run)): Profile {
   const lattice = run.description!.lattice;
-  const cells = run.description!.strata.length > 0;
   const places = (cells ? cellSamples : samples)(line, lattice);
   const at = (field: Float32Array) => (cells ? within : along)(field, places, lattice);
   const surface = at(run.surface);

@@ -2,7 +2,7 @@
 
 import type { App } from "../core/app";
 import { cell } from "../core/csv";
-import { type Profile, ends, profile } from "../core/profile";
+import { type Profile, ends, profile, showsCells } from "../core/profile";
 import { type Run, nameBeside } from "../core/run";
 import type { SectionLine } from "../core/section";
 import { metres } from "../ui/dom";
@@ -17,7 +17,7 @@ export interface Second {
 export function secondProfile(app: App, run: Run, line: SectionLine): Second | null {
   const other = app.runs.find((one) => one !== run && one.ready);
   if (!other || other.rows !== run.rows || other.columns !== run.columns) return null;
-  const found = profile(other, line);
+  const found = profile(other, line, showsCells(run)); // point by point as the first
   return { run: other, profile: found, ends: ends(found.surface) };
 }
 

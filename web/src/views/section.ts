@@ -203,8 +203,8 @@ export class SectionView {
       return;
     }
     const share = (this.hover - MARGIN.left) / (width - MARGIN.left - MARGIN.right);
-      const i = nearest(p, share * length);
-      drawPoint(c, x(p.distance[i]!), y(p.surface[i]!), sideOf(run).colour);
+    const i = nearest(p, share * length);
+    drawPoint(c, x(p.distance[i]!), y(p.surface[i]!), sideOf(run).colour);
     const lee = p.shadow && p.shadow[i]! > 0.5 ? ", in shadow" : "";
     const own =
       `elevation ${metres(p.surface[i])}, ${run.material} ${metres(p.surface[i]! - p.ground[i]!)}, ` +
