@@ -76,6 +76,11 @@ export class App {
   private state: ConnectionState = "connecting";
   private loading = false;
 
+  /** Whether there is a connection to the server. */
+  get connected(): boolean {
+    return this.state === "open";
+  }
+
   private onState(state: ConnectionState): void {
     this.state = state;
     if (state === "open" && !this.schema.properties) void this.load();
@@ -93,7 +98,7 @@ export class App {
       ]);
       this.changed.send();
     } catch (error) {
-      if (this.state === "open") this.refused(error);
+      if (this.connected) this.refused(error);
     } finally {
       this.loading = false;
     }

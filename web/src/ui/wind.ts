@@ -19,6 +19,8 @@ export class WindPanel {
   readonly element = h("div", { className: "forms" });
   private wind: JsonObject = {};
   private shown = "";
+  /** The wind whose roses were asked for last. */
+  private asked = "";
   private chosen = 0;
   private readonly guard: RefreshGuard;
   private readonly refused: RefusedTexts;
@@ -61,12 +63,13 @@ export class WindPanel {
     const wind = this.app.current?.description?.scenario.wind as JsonObject | undefined;
     if (!wind || !this.app.schema.properties || this.guard.busy || this.unsent) return;
     const text = JSON.stringify(wind);
-    if (text === this.shown) return;
-    this.shown = text;
-    const known = text === JSON.stringify(this.wind);
-    this.wind = wind;
-    if (!known) this.draw();
-    void this.drawRose();
+    if (text !== this.shown) {
+      this.shown = text;
+      const known = text === JSON.stringify(this.wind);
+      this.wind = wind;
+      if (!known) this.draw();
+    }
+    if (text !== this.asked && this.app.connected) void this.drawRose(text);
   }
 
   private get kind(): string {
@@ -98,20 +101,27 @@ export class WindPanel {
   }
 
   /** Show the roses of the wind that blows, and until they come none of another wind. */
-  private async drawRose(): Promise<void> {
-    const wind = this.shown;
+  private async drawRose(wind: string): Promise<void> {
+    this.asked = wind;
     const details = this.rose.querySelector("details")?.open;
     this.rose.classList.add("coming");
     const late = setTimeout(() => {
-      if (wind === this.shown) this.rose.replaceChildren(h("p", { className: "hint", role: "status" }, "The roses of this wind are being prepared …"));
+      if (wind === this.asked) this.rose.replaceChildren(h("p", { className: "hint", role: "status" }, "The roses of this wind are being prepared …"));
       this.rose.classList.remove("coming");
     }, PREPARING);
-    const answer = await this.app.ask({ command: "rose", run: this.app.selected });
+    const answer = await this.app.connection.ask({ command: "rose", run: this.app.selected }).catch((error) => this.roseRefused(error));
     clearTimeout(late);
-    if (wind !== this.shown) return;
+    if (wind !== this.asked) return;
     const rose = answer?.rose as JsonObject | null | undefined;
     this.rose.replaceChildren(...(rose ? [roses(rose), windWords(rose, details ?? true)] : []));
     this.rose.classList.remove("coming");
+  }
+
+  /** Say why there are no roses; where the connection was lost they are asked for again once it is back. */
+  private roseRefused(error: unknown): null {
+    if (this.app.connected) this.app.refused(error);
+    else this.asked = "";
+    return null;
   }
 
   private steady(): HTMLElement[] {
