@@ -2,7 +2,6 @@
 
 import math
 import warnings
-from collections.abc import Sequence
 from typing import IO, TYPE_CHECKING
 
 from barchan.errors import BarchanError
@@ -15,7 +14,7 @@ class ImageError(BarchanError):
     """An image that is not read, and why."""
 
 
-def image_in(file: IO[bytes], formats: Sequence[str], most: int) -> "ImageFile":
+def image_in(file: IO[bytes], formats: tuple[str, ...], most: int) -> "ImageFile":
     """The image in an open file, of one of Pillow's ``formats``, with ``most`` pixels at most; not unpacked.
 
     Raises ImageError for anything else.
