@@ -39,6 +39,17 @@ def others(chromium, studio, server):
     assert errors == []
 
 
+def test_the_bar_keeps_to_one_row_with_a_count_of_watchers(studio):
+    studio.pause()
+    studio.ask("(({ app }) => { app.sharing.watchers = 1; app.changed.send(); })(window.barchan)")
+    for width in (1280, 1200, 1100):
+        studio.page.set_viewport_size({"width": width, "height": 700})
+        assert studio.page.locator(".bar").bounding_box()["height"] < 60
+        assert studio.page.locator(".extras").evaluate("(one) => one.getBoundingClientRect().right") < width
+        step, play = (studio.page.locator(one).bounding_box() for one in ("[data-status=step]", ".primary"))
+        assert abs(step["y"] - play["y"]) < 30
+
+
 @pytest.mark.extended
 def test_a_window_that_watches_shows_the_run_and_has_no_control_that_works(studio, others):
     studio.pause()
