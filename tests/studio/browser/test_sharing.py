@@ -273,5 +273,5 @@ def test_a_film_of_the_last_states_is_written_with_a_bar_and_downloaded(studio):
     with page.expect_download(timeout=60_000) as download:
         sheet.get_by_role("button", name="write the film").click()
     path = download.value.path()
-    assert download.value.suggested_filename in ("dunes.mp4", "dunes.webp")
+    assert download.value.suggested_filename in ("barchans.mp4", "barchans.webp")
     assert path.read_bytes()[4:12] in (b"ftypisom", b"ftypmp42") or path.read_bytes()[8:12] == b"WEBP"
