@@ -98,6 +98,9 @@ export class FlatStage {
     this.redraw();
   }
 
+  /** Of a map, which does not turn, there is nothing to keep. */
+  keepWhole(): void {}
+
   redraw(): void {
     this.dirty = true;
   }
