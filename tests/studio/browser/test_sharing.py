@@ -129,6 +129,34 @@ def test_the_link_of_a_scenario_holds_it_whole(studio):
     page.keyboard.press("Escape")
 
 
+@pytest.mark.extended
+def test_the_link_of_two_runs_starts_both_side_by_side(studio):
+    page = studio.page
+    studio.ask("window.barchan.app.ask({ command: 'compare', key: 'model.hop_length', value: 9 })")
+    studio.until("window.barchan.app.runs.length === 2 && window.barchan.app.runs[1].status?.step > 5")
+    page.locator(".menu summary").click()
+    page.get_by_role("menuitem", name="Copy a link of this scenario").click()
+    link = page.get_by_label("Link of both scenarios", exact=True).input_value()
+    alone = page.get_by_label("Link of the scenario", exact=True).input_value()
+    both = scenario_in(link)
+    assert scenario_in(alone) == both[0]
+    assert [one["model"]["hop_length"] for one in both] == [5, 9]
+    page.screenshot(path=studio.folder / "link-of-two.png")
+    page.keyboard.press("Escape")
+    studio.ask("window.barchan.app.ask({ command: 'alone' })")
+    studio.until("window.barchan.app.runs.length === 1")
+    studio.ask(f"void (location.hash = {json.dumps('#' + link.partition('#')[2])})")
+    page.get_by_role("dialog", name="Two scenarios from a link").wait_for()
+    page.screenshot(path=studio.folder / "two-from-a-link.png")
+    page.get_by_role("button", name="start both").click()
+    studio.until("window.barchan.app.runs.length === 2 && window.barchan.app.runs[1].status?.step > 2")
+    assert studio.ask("window.barchan.app.runs.map((run) => run.description.scenario)") == both
+    assert studio.ask("window.barchan.app.running")
+    page.locator(".toast.way", has_text="Set aside with its moments").wait_for()
+    studio.ask("window.barchan.app.ask({ command: 'alone' })")
+    studio.until("window.barchan.app.runs.length === 1")
+
+
 def test_a_link_put_into_the_address_offers_its_scenario_and_starts_it_only_when_asked(studio):
     page = studio.page
     scenario = load_scenario("barchans", [*SMALL.items(), ("title", "Dunes from a friend")]).data()
