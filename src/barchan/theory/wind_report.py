@@ -29,6 +29,8 @@ class Subject:
     sand: Saltation
     remarks: tuple[str, ...] = ()
     """Assumptions made in reading it."""
+    over_snow: bool = False
+    """Whether it blows over snow, of which what is told of sand does not hold."""
 
     @property
     def table(self) -> Rows:
@@ -82,7 +84,7 @@ def of_winds(scenario: Scenario, supply: float) -> Subject:
     found = _over_sand(scenario, supply)
     if models()[scenario.model.name].material != "snow":
         return found
-    return replace(found, remarks=(*found.remarks, OF_SAND))
+    return replace(found, remarks=(*found.remarks, OF_SAND), over_snow=True)
 
 
 def _over_sand(scenario: Scenario, supply: float) -> Subject:

@@ -15,15 +15,22 @@ Rows = list[tuple[str, str, str]]
 """Name, value, unit."""
 
 
+def plain_rows(record: WindRecord, sand: Saltation) -> Rows:
+    """Facts of a record and its speeds, whatever they blow over."""
+    mean = float(np.average(record.speed, weights=record.duration))
+    return [
+        *((name, text, "") for name, text in record_facts(record, sand.height).items()),
+        ("wind speed", f"mean {mean:.2f} m/s, highest {record.speed.max():.1f} m/s", ""),
+    ]
+
+
 def record_rows(record: WindRecord, sand: Saltation) -> Rows:
     """Facts of a record, and how often its winds move sand."""
     threshold, friction = sand.threshold_speed(), sand.threshold_friction_velocity()
     exceeds = sand.at_own_height(record.speed, record.height) > threshold
     blowing = float(record.duration[exceeds].sum()) / record.seconds
-    mean = float(np.average(record.speed, weights=record.duration))
     return [
-        *((name, text, "") for name, text in record_facts(record, sand.height).items()),
-        ("wind speed", f"mean {mean:.2f} m/s, highest {record.speed.max():.1f} m/s", ""),
+        *plain_rows(record, sand),
         ("flux law", f"{sand.law}, grains of {1e3 * sand.grain_diameter:g} mm", ""),
         ("threshold", f"{threshold:.2f} m/s at {sand.height:g} m, u* {friction:.3f} m/s", ""),
         ("exceeded", f"{100 * blowing:.1f} % of the time", ""),

@@ -173,3 +173,25 @@ def test_sands_differ_as_their_names_say(studio):
     golden, white = seen["golden"], seen["white"]
     assert white.mean() > golden.mean() > seen["dark"].mean()
     assert red / blue > 1.2 * golden[0] / golden[2] > 1.2 * white[0] / white[2]
+
+
+@pytest.mark.parametrize("viewpoint", ["oblique", "top"])
+def test_the_whole_field_stays_in_a_film_while_the_camera_turns(studio, viewpoint):
+    begin(studio, rows=48, columns=96)
+    studio.ask(f"window.barchan.stage.look('{viewpoint}')")
+    studio.ask("window.barchan.stage.keepWhole(Math.PI, 400, 320)")
+    shape = "((camera, aspect) => void (camera.isPerspectiveCamera ? camera.aspect = aspect : "
+    shape += "(camera.right = aspect * camera.top, camera.left = -camera.right)))"
+    for _ in range(13):
+        studio.ask(f"{shape}(window.barchan.stage.camera, 400 / 320)")
+        studio.ask("window.barchan.stage.camera.updateProjectionMatrix()")
+        assert max(abs(share) for corner in studio.ask(CORNERS) for share in corner) <= 1
+        studio.ask("window.barchan.stage.turn(Math.PI / 12, 0)")
+
+
+def test_a_detail_that_is_looked_at_stays_as_near_in_a_film(studio):
+    begin(studio, rows=48, columns=96)
+    studio.ask("window.barchan.stage.turn(0, 0, 0.4)")
+    before = studio.ask("window.barchan.stage.standpoint()")
+    studio.ask("window.barchan.stage.keepWhole(Math.PI, 1280, 720)")
+    assert studio.ask("window.barchan.stage.standpoint()") == before

@@ -2,6 +2,10 @@
 
 from pathlib import Path
 
+import pytest
+
+RUN = "window.barchan.app.runs[0]"
+
 
 def test_every_format_is_offered_and_the_file_is_downloaded(studio):
     studio.step_beyond(15)
@@ -21,3 +25,22 @@ def test_every_format_is_offered_and_the_file_is_downloaded(studio):
     assert lines[0].split() == ["ncols", "64"]
     assert len(lines) == 6 + 48
     assert sheet.count() == 0
+    assert download.value.suggested_filename == "barchans.asc"
+
+
+@pytest.mark.parametrize(
+    ("title", "name"),
+    [
+        ("Dünen am Océan: 1/2", "dunen-am-ocean-1-2"),
+        ("Star dunes, changed: wind.speed 9", "star-dunes"),
+        ("砂丘", "run"),
+        ("a" * 30 + " " + "b" * 30, "a" * 30),
+    ],
+)
+def test_files_are_named_by_the_title_of_the_run_as_every_system_takes_it(studio, title, name):
+    page = studio.page
+    studio.pause()
+    page.evaluate(f"(title) => void ({RUN}.description.scenario.title = title)", title)
+    page.locator("summary", has_text="File").click()
+    page.get_by_role("menuitem", name="Film of what was just seen").click()
+    assert page.get_by_role("dialog").get_by_label("Name of the file").input_value() == name

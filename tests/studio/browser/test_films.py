@@ -61,7 +61,7 @@ def test_a_film_of_kept_states_is_drawn_by_the_camera_of_the_scene(studio):
     after = studio.ask("window.barchan.stage.standpoint()")
     assert after["position"] == pytest.approx(before["position"], abs=1e-6)
     studio.until("window.barchan.app.running")
-    assert list((studio.folder / "studio-exports").rglob(f"dunes{suffix}"))
+    assert list((studio.folder / "studio-exports").rglob(f"barchans{suffix}"))
 
 
 @pytest.mark.extended

@@ -58,7 +58,23 @@ def test_an_image_that_fits_the_field_is_told_nothing_of_and_is_not_compared_wit
     assert not sheet.get_by_role("checkbox").is_checked()
     sheet.get_by_role("button", name="drape it").click()
     sheet.wait_for(state="detached")
+    scale = studio.page.locator(".colours:visible")
+    scale.filter(has_text="draped: elevation of slope.png (m)").wait_for()
+    low, _, high = (float(mark) for mark in scale.locator(".bar-ends span").all_inner_texts())
+    assert (low, high) == pytest.approx((0, 7), abs=0.3)
+    card, close = (studio.page.locator(one).bounding_box() for one in (".toast.way", ".toast.way .close"))
+    scene = studio.page.locator(".scene").bounding_box()
+    assert card["height"] < 40
+    assert (
+        scene["x"]
+        < card["x"]
+        < close["x"] + close["width"]
+        < card["x"] + card["width"]
+        < scene["x"] + scene["width"]
+    )
+    studio.page.screenshot(path=studio.folder / "draped.png")
     studio.ask("window.barchan.app.view.set({ field: 'above_overlay' })")
+    scale.filter(has_text="elevation less that of the overlay").wait_for()
     studio.until(f"{RUN}.fields.get('above_overlay')")
     above, depth = (
         np.array(studio.ask(f"[...{RUN}.{of}]")) for of in ("fields.get('above_overlay')", "depth")

@@ -39,6 +39,17 @@ def others(chromium, studio, server):
     assert errors == []
 
 
+def test_the_bar_keeps_to_one_row_with_a_count_of_watchers(studio):
+    studio.pause()
+    studio.ask("(({ app }) => { app.sharing.watchers = 1; app.changed.send(); })(window.barchan)")
+    for width in (1280, 1200, 1100):
+        studio.page.set_viewport_size({"width": width, "height": 700})
+        assert studio.page.locator(".bar").bounding_box()["height"] < 60
+        assert studio.page.locator(".extras").evaluate("(one) => one.getBoundingClientRect().right") < width
+        step, play = (studio.page.locator(one).bounding_box() for one in ("[data-status=step]", ".primary"))
+        assert abs(step["y"] - play["y"]) < 30
+
+
 @pytest.mark.extended
 def test_a_window_that_watches_shows_the_run_and_has_no_control_that_works(studio, others):
     studio.pause()
@@ -116,6 +127,34 @@ def test_the_link_of_a_scenario_holds_it_whole(studio):
     assert scenario_in(link) == studio.ask(f"{RUN}.description.scenario")
     assert "token" not in link
     page.keyboard.press("Escape")
+
+
+@pytest.mark.extended
+def test_the_link_of_two_runs_starts_both_side_by_side(studio):
+    page = studio.page
+    studio.ask("window.barchan.app.ask({ command: 'compare', key: 'model.hop_length', value: 9 })")
+    studio.until("window.barchan.app.runs.length === 2 && window.barchan.app.runs[1].status?.step > 5")
+    page.locator(".menu summary").click()
+    page.get_by_role("menuitem", name="Copy a link of this scenario").click()
+    link = page.get_by_label("Link of both scenarios", exact=True).input_value()
+    alone = page.get_by_label("Link of the scenario", exact=True).input_value()
+    both = scenario_in(link)
+    assert scenario_in(alone) == both[0]
+    assert [one["model"]["hop_length"] for one in both] == [5, 9]
+    page.screenshot(path=studio.folder / "link-of-two.png")
+    page.keyboard.press("Escape")
+    studio.ask("window.barchan.app.ask({ command: 'alone' })")
+    studio.until("window.barchan.app.runs.length === 1")
+    studio.ask(f"void (location.hash = {json.dumps('#' + link.partition('#')[2])})")
+    page.get_by_role("dialog", name="Two scenarios from a link").wait_for()
+    page.screenshot(path=studio.folder / "two-from-a-link.png")
+    page.get_by_role("button", name="start both").click()
+    studio.until("window.barchan.app.runs.length === 2 && window.barchan.app.runs[1].status?.step > 2")
+    assert studio.ask("window.barchan.app.runs.map((run) => run.description.scenario)") == both
+    assert studio.ask("window.barchan.app.running")
+    page.locator(".toast.way", has_text="Set aside with its moments").wait_for()
+    studio.ask("window.barchan.app.ask({ command: 'alone' })")
+    studio.until("window.barchan.app.runs.length === 1")
 
 
 def test_a_link_put_into_the_address_offers_its_scenario_and_starts_it_only_when_asked(studio):
@@ -262,5 +301,5 @@ def test_a_film_of_the_last_states_is_written_with_a_bar_and_downloaded(studio):
     with page.expect_download(timeout=60_000) as download:
         sheet.get_by_role("button", name="write the film").click()
     path = download.value.path()
-    assert download.value.suggested_filename in ("dunes.mp4", "dunes.webp")
+    assert download.value.suggested_filename in ("barchans.mp4", "barchans.webp")
     assert path.read_bytes()[4:12] in (b"ftypisom", b"ftypmp42") or path.read_bytes()[8:12] == b"WEBP"

@@ -65,9 +65,31 @@ def test_a_stored_look_of_another_shape_is_replaced_where_it_does_not_fit(studio
     assert (look["contours"], look["count"]) == ("count", 5)
     assert look["limits"] is None
     assert look["theme"] == "system"
-    assert isinstance(look["smoothing"], float | int)
+    assert look["smoothing"] is None
     page.get_by_role("tab", name="View").click()
     assert page.get_by_label("smoothing").is_visible()
+
+
+def test_smoothing_suits_the_material_until_one_is_chosen(studio):
+    page = studio.page
+    older = json.dumps({"smoothing": 1, "count": 5})
+    studio.ask(f"localStorage.setItem('barchan-look', JSON.stringify({older}))")
+    page.reload()
+    studio.step_beyond(-1)
+    page.get_by_role("tab", name="View").click()
+    shown = page.locator(".row", has=page.get_by_label("smoothing"))
+    assert "1 ×" in shown.inner_text()
+    studio.ask("window.barchan.app.runs[0].description.materials.werner = 'snow'")
+    studio.ask("window.barchan.app.changed.send()")
+    assert "0 ×" in shown.inner_text()
+    assert studio.ask("window.barchan.app.view.look.count") == 5
+    studio.ask("window.barchan.app.view.set({ smoothing: 1 })")
+    page.reload()
+    studio.step_beyond(-1)
+    assert studio.ask("window.barchan.app.view.look.smoothing") == 1
+    page.get_by_role("tab", name="View").click()
+    page.get_by_role("button", name="Smooth as suits the material").click()
+    assert studio.ask("window.barchan.app.view.look.smoothing") is None
 
 
 def picture() -> bytes:

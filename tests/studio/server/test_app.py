@@ -370,6 +370,24 @@ def test_a_change_of_one_of_two_begins_both_again_each_with_its_own_model(served
         assert list(served.session.workers) == ["a", "b"]
 
 
+def test_two_scenarios_that_are_started_together_run_in_lockstep_and_leave_the_run_before_set_aside(served):
+    with served.browser() as browser:
+        browser.until_frame()
+        first = served.session.scenarios["a"]
+        other = {**first, "title": "Other", "model": {**first["model"], "hop_length": 9}}
+        browser.send("create", scenario=first, beside=other, running=True, aside=True, id=1)
+        assert browser.until_message("done", id=1)["aside"] == first["title"]
+        browser.until(lambda head, _: head.get("run") == "b" and head.get("status", {}).get("step", 0) > 4)
+        assert [one["model"]["hop_length"] for one in served.session.scenarios.values()] == [5, 9]
+        assert served.session.lockstep.running
+        browser.send("create", scenario=first, beside={**other, "lattice": {"rows": -1}}, aside=True, id=2)
+        assert browser.until_message("refused", id=2)["problems"]
+        assert list(served.session.workers) == ["a", "b"]
+        browser.send("alone", back=True, id=3)
+        browser.until_message("done", id=3)
+        assert list(served.session.workers) == ["a"]
+
+
 @pytest.mark.extended
 def test_two_that_are_opened_run_to_their_scenarios_end_and_leave_the_run_before_set_aside(served):
     with served.browser() as browser:

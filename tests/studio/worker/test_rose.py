@@ -60,3 +60,17 @@ def test_a_wind_in_metres_per_second_has_its_class_of_speed_and_its_days():
 def test_of_winds_over_snow_it_is_said_what_holds_for_sand_only(name, said):
     found = of_winds(validate({**TINY, "model": {"name": name}}), 1.0)
     assert (OF_SAND in found.all_remarks) is said
+
+
+def test_over_snow_the_panel_is_told_of_the_wind_alone():
+    """What holds for dry sand only is left out, with one remark on that."""
+    record = {"wind": {"kind": "record"}, "model": {"name": "snow"}}
+    told = rose_of(Simulation(validate({**TINY, **record})))
+    names = [name for name, _ in told["rows"]]
+    assert "wind speed" in names
+    assert not {"sand supply", "flux law", "drift potential", "dunes to expect"} & set(names)
+    assert (told["sand"], told["crest"], told["toward"]) == (None, None, None)
+    assert told["remarks"].count(OF_SAND) == 1
+    steady = rose_of(Simulation(validate({**TINY, "model": {"name": "snow_werner"}})))
+    assert (steady["rows"], steady["warnings"], steady["remarks"]) == ([], (), (OF_SAND,))
+    assert sum(map(sum, steady["shares"])) == pytest.approx(1.0)

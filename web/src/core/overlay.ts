@@ -13,11 +13,13 @@ export class Overlay {
   terrain = false;
   /** The picture, north at the top, over the whole field; null while the heights of a terrain are on their way. */
   image: HTMLCanvasElement | null = null;
+  /** The lowest and the highest height (m) of a terrain, between which the colours of its map lie; null while they are on their way. */
+  limits: [number, number] | null = null;
   /** From 0, nothing of it is seen, to 1. */
   opacity = 0.6;
   readonly changed = new Signal<void>();
 
-  set(change: Partial<Pick<Overlay, "name" | "terrain" | "image" | "opacity">>): void {
+  set(change: Partial<Pick<Overlay, "name" | "terrain" | "image" | "limits" | "opacity">>): void {
     Object.assign(this, change);
     this.changed.send();
   }

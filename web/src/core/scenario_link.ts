@@ -1,4 +1,4 @@
-/** Links that carry a scenario: compressed, behind the # of an address, which no browser sends to a server. */
+/** Links that carry a scenario, or those of two runs side by side: compressed, behind the # of an address, which no browser sends to a server. */
 
 import type { JsonObject } from "./protocol";
 
@@ -12,11 +12,12 @@ const FORMAT = "deflate";
 
 const CUT_OFF = "The link is damaged: part of it was cut off or changed on its way. Ask for it again, or for the scenario as a file.";
 
-/** The link of a scenario. Throws where it needs a file, or is too long. */
-export async function scenarioLink(scenario: JsonObject, address: string): Promise<string> {
-  const files = pathsIn(scenario);
-  if (files.length) throw new Error(`This scenario uses ${files.join(", ")}, which a link cannot carry. Save the scenario instead, and hand the file on beside it.`);
-  const packed = await collected(stream(new TextEncoder().encode(JSON.stringify(scenario))).pipeThrough(new CompressionStream(FORMAT)), LARGEST);
+/** The link of a scenario, or of two, the left one first. Throws where one needs a file, or the link is too long. */
+export async function scenarioLink(scenarios: JsonObject[], address: string): Promise<string> {
+  const held = scenarios.length > 1 ? scenarios : scenarios[0]!;
+  const files = pathsIn(held);
+  if (files.length) throw new Error(`${scenarios.length > 1 ? "One of these scenarios" : "This scenario"} uses ${[...new Set(files)].join(", ")}, which a link cannot carry. Save the scenario instead, and hand the file on beside it.`);
+  const packed = await collected(stream(new TextEncoder().encode(JSON.stringify(held))).pipeThrough(new CompressionStream(FORMAT)), LARGEST);
   const link = `${address}${MARK}${inLetters(packed)}`;
   if (link.length > LONGEST) throw new Error(`The link would have ${link.length} characters; allowed: ${LONGEST}. Save the scenario as a file instead.`);
   return link;
@@ -27,19 +28,18 @@ export function holdsScenario(text: string): boolean {
   return text.includes(MARK);
 }
 
-/** The text of the scenario in a link. Throws where the link is damaged or too long. */
-export async function scenarioIn(link: string): Promise<string> {
+/** The texts of the scenarios in a link: of one, or of two, the left one first. Throws where the link is damaged or too long. */
+export async function scenariosIn(link: string): Promise<string[]> {
   const letters = link.slice(link.indexOf(MARK) + MARK.length).trim();
   if (!holdsScenario(link)) throw new Error(`This is no link of a scenario: it lacks ${MARK}`);
   if (letters.length > LONGEST) throw new Error(`The link has ${letters.length} characters; allowed: ${LONGEST}. Ask for the scenario as a file.`);
-  let text: string;
   try {
-    text = new TextDecoder("utf-8", { fatal: true }).decode(await collected(stream(inBytes(letters)).pipeThrough(new DecompressionStream(FORMAT)), LARGEST));
-    JSON.parse(text);
+    const text = new TextDecoder("utf-8", { fatal: true }).decode(await collected(stream(inBytes(letters)).pipeThrough(new DecompressionStream(FORMAT)), LARGEST));
+    const held: unknown = JSON.parse(text);
+    return Array.isArray(held) ? held.slice(0, 2).map((one) => JSON.stringify(one)) : [text];
   } catch (error) {
     throw error instanceof RangeError ? error : new Error(CUT_OFF);
   }
-  return text;
 }
 
 /** The files that a scenario names. */

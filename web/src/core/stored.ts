@@ -32,7 +32,8 @@ export function keep(key: string, settings: object): void {
   }
 }
 
-function read(key: string): Settings {
+/** What stands under a key, unchecked; nothing where that is no group of settings. */
+export function read(key: string): Settings {
   try {
     const found: unknown = JSON.parse(localStorage.getItem(key) ?? "{}");
     return found !== null && typeof found === "object" ? (found as Settings) : {};

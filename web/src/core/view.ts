@@ -1,7 +1,7 @@
 /** The settings of the view; kept in the browser from one visit to the next. */
 
 import { Signal } from "./signal";
-import { keep, stored } from "./stored";
+import { checked, keep, read } from "./stored";
 
 export type Theme = "system" | "light" | "dark";
 
@@ -17,7 +17,8 @@ export interface Look {
   interval: number;
   count: number;
   wireframe: boolean;
-  smoothing: number;
+  /** Width of the smoothing (cells) of the surface as it is drawn; null: as suits the material. */
+  smoothing: number | null;
   /** How much steeper heights are drawn; null: chosen from the relief. */
   exaggeration: number | null;
   bare: boolean;
@@ -43,6 +44,8 @@ export interface Look {
 }
 
 const KEY = "barchan-look";
+/** Of the kept settings: what a number in them means may change from one edition to the next. */
+const EDITION = 2;
 
 export const LOOK: Look = {
   field: "natural",
@@ -53,7 +56,7 @@ export const LOOK: Look = {
   interval: 1,
   count: 8,
   wireframe: false,
-  smoothing: 1,
+  smoothing: null,
   exaggeration: null,
   bare: true,
   shadows: true,
@@ -87,12 +90,12 @@ export class View {
 
   /** Settings that are kept in the browser from one visit to the next, or are those of `usual` each time. */
   constructor(private readonly usual?: Partial<Look>) {
-    this.look = usual ? { ...LOOK, ...usual } : stored(KEY, LOOK, CHOICES);
+    this.look = usual ? { ...LOOK, ...usual } : kept();
   }
 
   set(change: Partial<Look>): void {
     Object.assign(this.look, change);
-    if (!this.usual) keep(KEY, this.look);
+    if (!this.usual) keep(KEY, { ...this.look, edition: EDITION });
     this.changed.send();
   }
 
@@ -113,4 +116,12 @@ export class View {
   fields(): string[] {
     return [...new Set([this.look.field, ...this.look.overlays, ...this.needed])].sort();
   }
+}
+
+/** The settings that the browser keeps. Those before edition 2 held the usual smoothing of all materials, 1, where nobody had chosen one. */
+function kept(): Look {
+  const found = read(KEY);
+  const look = checked(found, LOOK, CHOICES);
+  const early = (found as { edition?: unknown }).edition === undefined;
+  return early && look.smoothing === 1 ? { ...look, smoothing: null } : look;
 }

@@ -51,7 +51,7 @@ export class WayBack {
     this.forget();
     if (typeof aside !== "string") return;
     this.title = aside;
-    this.say(`Your run “${this.spoken(aside)}” is set aside with its moments.`);
+    this.say(`Set aside with its moments: “${this.spoken(aside)}”`);
     if (typeof ended === "string") void this.fate(ended).then((text) => this.app.note("info", text));
   }
 

@@ -3,14 +3,11 @@
 import * as THREE from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { LOOK } from "../core/view";
+import { type Point, distanceFor, fitted, halfHeightFor } from "./fitted";
 import { narrowness } from "./narrow";
 
 export type Viewpoint = "oblique" | "top" | "side";
 
-/** Share of the view that the field may fill; the rest is for compass, scale bar and air. */
-const FILLED = { across: 0.94, up: 0.86 };
-/** Where there is room above and below, the field lies this share of it lower than the middle: there is more sky. */
-const LOWER = 0.4;
 /** Angles (degrees) that the oblique view may take in from bottom to top. */
 export const ANGLES = { least: 8, most: 70 };
 const TILT = { oblique: 25, top: 90, side: 0 };
@@ -20,6 +17,8 @@ const HEADING = 22;
 /** Fields this much longer than wide are looked at across their long side. */
 const LONG = 1.7;
 const FAR = 1500;
+/** Angles (radians) of a turn at which it is seen whether the field is in view. */
+const SAMPLED = Math.PI / 60;
 /** Where the plain ends in mist, of the half view above its middle. */
 const SKYLINE = 0.66;
 /** Degrees a second of the slow turn, and seconds without a touch before it begins. */
@@ -150,6 +149,25 @@ export class Camera {
     this.onMoved();
   }
 
+  /** Move away, where the whole field is in view, so that it stays so in pictures of an aspect while the camera turns around by an angle (radians). */
+  keepWhole(around: number, aspect: number): void {
+    const { target } = this.controls;
+    const offset = this.active.position.clone().sub(target);
+    const turned = (angle: number) => this.seen(offset.clone().normalize().applyAxisAngle(new THREE.Vector3(0, 1, 0), angle), target).points;
+    const count = Math.ceil(Math.abs(around) / SAMPLED);
+    const points = Array.from({ length: count + 1 }, (_, at) => turned((around * at) / Math.max(count, 1))).flat();
+    const { fov } = this.perspective;
+    const half = this.parallel.top / this.parallel.zoom;
+    const whole = this.isParallel ? halfHeightFor(turned(0), this.aspect, 1) <= half : distanceFor(turned(0), this.aspect, fov, 1) <= offset.length();
+    if (!whole) return;
+    this.touch();
+    if (this.isParallel) this.parallel.zoom = this.parallel.top / Math.max(half, halfHeightFor(points, aspect));
+    else this.active.position.copy(target).addScaledVector(offset.normalize(), Math.max(offset.length(), distanceFor(points, aspect, fov)));
+    this.setAspect();
+    this.controls.update();
+    this.onMoved();
+  }
+
   /** To be called before each picture. */
   update(): void {
     const now = performance.now();
@@ -198,10 +216,10 @@ export class Camera {
   }
 
   private fit(): void {
-    const { basis, corners, middle } = this.seen();
-    const [right, up, back] = basis;
-    const points = corners.map((corner) => [corner.dot(right), corner.dot(up), -corner.dot(back)] as const);
-    if (this.isParallel) this.fitParallel(points.map(([x, y]) => [x, y]));
+    const back = this.usualBack();
+    const middle = this.box.getCenter(new THREE.Vector3());
+    const { right, up, points } = this.seen(back, middle);
+    if (this.isParallel) this.fitParallel(points);
     const place = this.isParallel ? { across: 0, up: 0, distance: 60 } : fitted(points, this.aspect, this.perspective.fov);
     const target = middle.addScaledVector(right, place.across).addScaledVector(up, place.up);
     this.controls.object = this.active;
@@ -213,24 +231,27 @@ export class Camera {
     this.onMoved();
   }
 
-  private seen(): { basis: [THREE.Vector3, THREE.Vector3, THREE.Vector3]; corners: THREE.Vector3[]; middle: THREE.Vector3 } {
+  /** Where the camera stands in one of the usual places, seen from what it looks at. */
+  private usualBack(): THREE.Vector3 {
     const size = this.box.getSize(new THREE.Vector3());
     const across = this.viewpoint !== "top" && size.z > LONG * size.x ? 90 : 0;
     const heading = ((this.viewpoint === "oblique" ? HEADING : 0) + across) * (Math.PI / 180);
     const steeper = this.isParallel ? 0 : STEEPER * (1 - narrowness(this.aspect));
     const tilt = Math.min(((TILT[this.viewpoint] + steeper) * Math.PI) / 180, Math.PI / 2 - 1e-4);
-    const back = new THREE.Vector3(-Math.sin(heading) * Math.cos(tilt), Math.sin(tilt), Math.cos(heading) * Math.cos(tilt));
-    const right = new THREE.Vector3(0, 1, 0).cross(back).normalize();
-    const up = back.clone().cross(right);
-    const middle = this.box.getCenter(new THREE.Vector3());
-    const { min, max } = this.box;
-    const corners = [min.x, max.x].flatMap((x) => [min.y, max.y].flatMap((y) => [min.z, max.z].map((z) => new THREE.Vector3(x, y, z).sub(middle))));
-    return { basis: [right, up, back], corners, middle };
+    return new THREE.Vector3(-Math.sin(heading) * Math.cos(tilt), Math.sin(tilt), Math.cos(heading) * Math.cos(tilt));
   }
 
-  private fitParallel(points: number[][]): void {
-    const half = (at: number) => Math.max(...points.map((point) => Math.abs(point[at]!)));
-    const high = Math.max(half(1) / FILLED.up, half(0) / FILLED.across / this.aspect);
+  /** The corners of the field as a camera behind a place sees them: to the right, up and ahead of that place. */
+  private seen(back: THREE.Vector3, place: THREE.Vector3): { right: THREE.Vector3; up: THREE.Vector3; points: Point[] } {
+    const right = new THREE.Vector3(0, 1, 0).cross(back).normalize();
+    const up = back.clone().cross(right);
+    const { min, max } = this.box;
+    const corners = [min.x, max.x].flatMap((x) => [min.y, max.y].flatMap((y) => [min.z, max.z].map((z) => new THREE.Vector3(x, y, z).sub(place))));
+    return { right, up, points: corners.map((corner) => [corner.dot(right), corner.dot(up), -corner.dot(back)] as const) };
+  }
+
+  private fitParallel(points: Point[]): void {
+    const high = halfHeightFor(points, this.aspect);
     this.parallel.top = high;
     this.parallel.bottom = -high;
     this.parallel.zoom = 1;
@@ -243,25 +264,4 @@ export class Camera {
     this.parallel.left = -this.parallel.right;
     this.parallel.updateProjectionMatrix();
   }
-}
-
-/**
- * How far aside, up and away a camera must be so that all points (right, up, ahead) are just in view.
- *
- * A point at x and z ahead is in view from a distance d and a place s aside if |x - s| <= t (d + z), t being the
- * tangent of half the view's angle (degrees). The least d over all s is (A + B) / 2t, at s = (A - B) / 2, with A and B the
- * greatest x - t z and -x - t z.
- */
-export function fitted(points: (readonly [number, number, number])[], aspect: number, angle: number): { across: number; up: number; distance: number } {
-  const tangent = Math.tan((angle * Math.PI) / 360);
-  const along = (at: 0 | 1, t: number) => {
-    const most = Math.max(...points.map((point) => point[at] - t * point[2]));
-    const least = Math.max(...points.map((point) => -point[at] - t * point[2]));
-    return { aside: (most - least) / 2, distance: (most + least) / (2 * t) };
-  };
-  const across = along(0, tangent * aspect * FILLED.across);
-  const up = along(1, tangent * FILLED.up);
-  const distance = Math.max(across.distance, up.distance);
-  const spare = tangent * FILLED.up * (distance - up.distance);
-  return { across: across.aside, up: up.aside + LOWER * narrowness(aspect) ** 2 * spare, distance };
 }

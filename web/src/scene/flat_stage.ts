@@ -10,6 +10,7 @@ import { type Ends, INKS } from "./line_mark";
 import type { Shot, ShotOptions } from "./shots";
 import type { Place } from "./pick";
 import type { Lines } from "./shown";
+import { smoothingOf } from "./looks";
 import { smoothed } from "./smooth";
 
 /** Times that heights are drawn as steep as they are, unless chosen. */
@@ -96,6 +97,9 @@ export class FlatStage {
     this.zoom = Math.min(Math.max(this.zoom / nearer, 1), 16);
     this.redraw();
   }
+
+  /** Of a map, which does not turn, there is nothing to keep. */
+  keepWhole(): void {}
 
   redraw(): void {
     this.dirty = true;
@@ -189,7 +193,7 @@ export class FlatStage {
     const { look } = this.app.view;
     const picture = this.terrain(run)?.picture ?? document.createElement("canvas");
     [picture.width, picture.height] = [run.columns, run.rows];
-    const surface = smoothed(run.surface, run.rows, run.columns, look.smoothing, lattice.periodic);
+    const surface = smoothed(run.surface, run.rows, run.columns, smoothingOf(run.material, look.smoothing), lattice.periodic);
     const exaggeration = look.exaggeration ?? STEEPER;
     const colours = colouring(this.app, run);
     picture.getContext("2d")!.putImageData(hillShade(this.app, run, surface, colours, exaggeration, this.sun(), this.host), 0, 0);

@@ -13,6 +13,9 @@ export interface MaterialLook {
   ripples: boolean;
 }
 
+/** Widths (cells) of the usual smoothing: single slabs of sand are not to be seen, but the edges of snow are as sharp as they are drawn. */
+const SMOOTHING = { sand: 1, snow: 0 };
+
 /** Sands: of quartz, of gypsum (White Sands), of quartz under iron oxide (Simpson Desert), of basalt (Iceland, Mars). */
 const SANDS: Record<Look["sand"], MaterialLook> = {
   golden: { light: [0.71, 0.475, 0.255], dark: [0.55, 0.325, 0.155], plain: [0.43, 0.325, 0.225], ripples: true },
@@ -24,6 +27,9 @@ const SNOW: MaterialLook = { light: [0.86, 0.885, 0.92], dark: [0.76, 0.80, 0.86
 
 /** The look of a material, of one of the sands; any that is not sand is nearly white. */
 export const lookOf = (material: string, sand: Look["sand"]): MaterialLook => (material === "sand" ? SANDS[sand] : SNOW);
+
+/** The smoothing (cells) with which a material is drawn: the chosen one, or the usual one of the material. */
+export const smoothingOf = (material: string, chosen: Look["smoothing"]): number => chosen ?? (material === "sand" ? SMOOTHING.sand : SMOOTHING.snow);
 
 /** Plants of up to four species. */
 export const TINTS: Colour[] = [

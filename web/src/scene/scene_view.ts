@@ -5,7 +5,7 @@ import { FlatStage } from "./flat_stage";
 import { Stage } from "./stage";
 
 /** All that the page asks of its scene. */
-type Asked = "canvas" | "painted" | "steady" | "fits" | "drawn" | "look" | "standpoint" | "stand" | "turn" | "redraw" | "showLine" | "showBrush" | "pick" | "picture" | "shoot" | "host" | "metresPerPixel" | "heading" | "dispose";
+type Asked = "canvas" | "painted" | "steady" | "fits" | "drawn" | "look" | "standpoint" | "stand" | "turn" | "keepWhole" | "redraw" | "showLine" | "showBrush" | "pick" | "picture" | "shoot" | "host" | "metresPerPixel" | "heading" | "dispose";
 
 export function sceneIn(host: HTMLElement, app: App): Stage {
   try {

@@ -108,6 +108,11 @@ export class Stage {
     this.view.turn(around, up, nearer);
   }
 
+  /** Keep the whole field, where it is in view, in pictures of a width and a height while the camera turns by an angle (radians). */
+  keepWhole(around: number, width: number, height: number): void {
+    this.view.keepWhole(around, width / this.surfaces.count / height);
+  }
+
   redraw(): void {
     this.dirty = true;
   }

@@ -9,7 +9,7 @@ import { type Colouring, colouring } from "./colouring";
 import { textureOf } from "./draped";
 import { steepness, usualExaggeration } from "./exaggeration";
 import type { LightUniforms } from "./light";
-import { RIPPLE_CELL, TINTS, lookOf } from "./looks";
+import { RIPPLE_CELL, TINTS, lookOf, smoothingOf } from "./looks";
 import { PathLines } from "./paths";
 import { Plants } from "./plants";
 import { FULL, PLAIN, Relief } from "./relief";
@@ -39,7 +39,7 @@ export class Terrain {
   readonly uniforms: Record<string, THREE.IUniform>;
   /** The exaggeration that suits the forms. */
   usual = Number.POSITIVE_INFINITY;
-  /** The smoothing for which `usual` was chosen. */
+  /** The smoothing with which it is drawn, and for which `usual` was chosen. */
   private smoothing = -1;
   private lastStep = -1;
   private readonly paths: PathLines;
@@ -73,7 +73,7 @@ export class Terrain {
   /** Take the surface of a run as it is to be drawn, and which exaggeration suits it; to be called before `update`. */
   settle(run: Run, plain: boolean): void {
     this.reshape(run, plain);
-    const { smoothing } = this.app.view.look;
+    const smoothing = smoothingOf(run.material, this.app.view.look.smoothing);
     if (smoothing !== this.smoothing) this.usual = Number.POSITIVE_INFINITY;
     this.smoothing = smoothing;
     this.drawn = settled(run.surface, run.rows, run.columns, smoothing, run.description!.lattice.thickness, run.description!.lattice.periodic);
@@ -177,7 +177,7 @@ export class Terrain {
       exaggeration: this.exaggeration,
       base: this.base,
       fine: Number(!plain),
-      rounded: Number(look.smoothing > 0 && !plain),
+      rounded: Number(this.smoothing > 0 && !plain),
       ripples: Number(material.ripples && lattice.cell_size >= RIPPLE_CELL),
       size: 0.85 * lattice.cell_size,
     };
@@ -200,7 +200,7 @@ export class Terrain {
   }
 
   private fillHeights(run: Run): void {
-    const width = this.app.view.look.smoothing;
+    const width = this.smoothing;
     const { periodic, thickness } = run.description!.lattice;
     if (this.groundKey[0] !== run.ground || this.groundKey[1] !== width) {
       this.ground = settled(run.ground, run.rows, run.columns, width, thickness, periodic);

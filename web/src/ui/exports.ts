@@ -2,6 +2,7 @@
 
 import type { App } from "../core/app";
 import type { Progress } from "../core/connection";
+import { nameOfRun } from "../core/file_name";
 import type { Command, Description, JsonObject } from "../core/protocol";
 import { shownSteps } from "../core/run";
 import { type Submit, formDialog } from "./dialog";
@@ -39,13 +40,14 @@ class ExportSheet {
   private readonly chosenFields = h("details", {}, h("summary", {}, "fields"), h("p", { className: "hint" }, "Files name each as in brackets. None chosen: those that the format usually has."), this.fields);
   private readonly options = h("div", {});
   private readonly further = h("details", {}, h("summary", {}, "options"), this.options);
-  private readonly name = h("input", { type: "text", value: "dunes", required: true, pattern: "[A-Za-z0-9_\\-]+", "aria-label": "Name of the file" });
+  private readonly name: HTMLInputElement;
   private read: () => JsonObject = () => ({});
 
   constructor(
     private readonly app: App,
     private readonly formats: Format[],
   ) {
+    this.name = nameField(app);
     this.choice = h("select", { "aria-label": "Format", onchange: () => this.show() }, ...formats.map((one) => h("option", { value: one.name }, `${one.suffix}: ${one.meaning}`)));
     const row = (text: string, control: HTMLElement) => h("div", { className: "row" }, h("span", {}, text), control);
     formDialog("Export for other programs", "export", (progress, signal) => this.save(progress, signal), row("format", this.choice), row("states", this.states), this.chosenFields, this.further, row("name", this.name));
@@ -78,6 +80,11 @@ class ExportSheet {
     const written = await fetchFile(this.app, { command: "export", name: `${this.name.value}${suffix}`, ...what, run: this.app.selected }, progress, signal);
     this.app.notices.confirm(`Exported ${written}; it is kept in studio-exports, with a file that tells what its numbers mean.`);
   }
+}
+
+/** A field for the name of a file, at first by the title of the run. */
+export function nameField(app: App): HTMLInputElement {
+  return h("input", { type: "text", value: nameOfRun(app.current), required: true, pattern: "[A-Za-z0-9_\\-]+", "aria-label": "Name of the file" });
 }
 
 /** The row of an option; its value is empty where it is left out. */

@@ -2,6 +2,7 @@
 
 import type { App } from "../core/app";
 import type { Progress } from "../core/connection";
+import { nameOf, nameOfRun } from "../core/file_name";
 import { isImage } from "../core/image_ground";
 import { withKeptFile } from "../core/kept_file";
 import { problemText } from "../core/notices";
@@ -85,14 +86,13 @@ export class Files {
 
   async savePicture(): Promise<void> {
     const step = this.app.current?.status?.step ?? 0;
-    download(`barchan-${step}.png`, await this.stage.picture());
+    download(`${nameOfRun(this.app.current)}-${step}.png`, await this.stage.picture());
   }
 
   saveScenario(): void {
     const scenario = this.app.current?.description?.scenario;
     if (!scenario) return;
-    const name = String(scenario.title || "scenario").toLowerCase().replaceAll(/[^a-z0-9]+/g, "-");
-    download(`${name}.json`, `${JSON.stringify(scenario, null, 2)}\n`);
+    download(`${nameOf(String(scenario.title ?? ""), "scenario")}.json`, `${JSON.stringify(scenario, null, 2)}\n`);
   }
 
   /** Load a scenario; of a broken one every bad key is listed, and is only used in part when asked. */

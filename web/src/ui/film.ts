@@ -6,7 +6,7 @@ import type { Stage } from "../scene/stage";
 import { type Submit, formDialog } from "./dialog";
 import { h, short } from "./dom";
 import type { Format } from "./exports";
-import { fetchFile } from "./exports";
+import { fetchFile, nameField } from "./exports";
 import { filmOfStates } from "./scene_film";
 import { NumberField } from "./number_field";
 import { wordsRows } from "./words_rows";
@@ -42,7 +42,7 @@ export async function filmSheet(app: App, stage: Stage): Promise<void> {
   const size = h("select", { "aria-label": "Size" }, ...SIZES.map(([width, height], at) => h("option", { value: String(at) }, `${width} × ${height}`)));
   const turn = new NumberField({ label: "Degrees that the camera turns", value: 0, least: -720, most: 720 });
   const side = h("select", { "aria-label": "Longer side" }, ...SIDES.map((one) => h("option", { value: String(one), selected: one === 1024 }, `${one} pixels`)));
-  const name = h("input", { type: "text", value: "dunes", required: true, pattern: "[A-Za-z0-9_\\-]+", "aria-label": "Name of the file" });
+  const name = nameField(app);
   const words = wordsRows(app, stage, () => {});
   const count = h("span", { className: "unit" });
   const told = h("p", { className: "source", role: "status" });

@@ -21,6 +21,7 @@ export class Hud {
   private readonly steeper = h("div", { className: "steeper", title: "Heights are drawn this many times as steep as they are (View, vertical exaggeration)" });
   /** The scales of the left and of the right surface; one that both have is the left one's. */
   private readonly legends: [LegendBox, LegendBox];
+  private readonly photograph = h("div", { className: "colours", hidden: true });
   private readonly under = h("output", { className: "under" });
   private readonly names = h("div", { className: "names" });
 
@@ -40,7 +41,7 @@ export class Hud {
       { className: "hud", hidden: true },
       this.names,
       h("div", { className: "compass" }, compass as unknown as HTMLElement, this.windText),
-      h("div", { className: "corner" }, this.legends[0].element, h("div", { className: "measure" }, this.scale, this.steeper)),
+      h("div", { className: "corner" }, this.legends[0].element, this.photograph, h("div", { className: "measure" }, this.scale, this.steeper)),
       this.legends[1].element,
       this.under,
     );
@@ -117,7 +118,10 @@ export class Hud {
   }
 
   private drawColours(): void {
-    const scales = scalesOf(this.app.runs, (run) => this.stage.terrain(run)?.colouring);
+    const scales = scalesOf(this.app, (run) => this.stage.terrain(run)?.colouring);
+    const { name, image, terrain, opacity } = this.app.overlay;
+    this.photograph.hidden = !image || terrain || opacity === 0 || scales.length > 0;
+    if (!this.photograph.hidden) this.photograph.textContent = `draped: photograph ${name}`;
     this.legends.forEach((legend, at) => legend.show(scales.find((scale) => scale.at === at)));
   }
 }

@@ -6,7 +6,7 @@ import { isImage } from "../core/image_ground";
 import { withKeptFile } from "../core/kept_file";
 import { ABOVE, OVERLAY } from "../core/overlay";
 import type { Json } from "../core/protocol";
-import { photograph, shadedMap } from "../scene/draped";
+import { heightsBetween, photograph, shadedMap } from "../scene/draped";
 import { type Submit, formDialog } from "./dialog";
 import { h } from "./dom";
 import { HeightEnds, sheetRow } from "./height_ends";
@@ -65,7 +65,7 @@ export class OverlayPanel {
     const { overlay, current } = this.app;
     const heights = current?.ready && overlay.terrain && !overlay.image ? current.fields.get(OVERLAY) : undefined;
     if (!heights) return;
-    overlay.set({ image: shadedMap(this.app, current!, heights) });
+    overlay.set({ image: shadedMap(this.app, current!, heights), limits: heightsBetween(heights) });
     this.app.view.need(OVERLAY, false);
   }
 
@@ -112,7 +112,7 @@ async function drape(app: App, file: File, signal: AbortSignal): Promise<void> {
   const image = await photograph(file);
   signal.throwIfAborted();
   if (app.overlay.terrain) removeOverlay(app);
-  app.overlay.set({ name: file.name, terrain: false, image });
+  app.overlay.set({ name: file.name, terrain: false, image, limits: null });
 }
 
 /** Let every run compare its surface with a terrain. */
@@ -122,14 +122,14 @@ async function compareWith(app: App, file: File, options: { [key: string]: Json 
     const request = { command: "overlay" as const, path, ...options, ...(codes.length ? { missing: codes } : {}) };
     await Promise.all(app.runs.map((run) => app.connection.ask({ ...request, run: run.name }, undefined, signal)));
   });
-  app.overlay.set({ name: file.name, terrain: true, image: null });
+  app.overlay.set({ name: file.name, terrain: true, image: null, limits: null });
   for (const run of app.runs) run.fields.delete(OVERLAY);
   app.view.need(OVERLAY, true);
 }
 
 function removeOverlay(app: App): void {
   const { terrain } = app.overlay;
-  app.overlay.set({ name: "", terrain: false, image: null });
+  app.overlay.set({ name: "", terrain: false, image: null, limits: null });
   app.view.need(OVERLAY, false);
   if (!terrain) return;
   if ([OVERLAY, ABOVE].includes(app.view.look.field)) app.view.set({ field: "natural" });

@@ -2,6 +2,7 @@
 
 import type { App } from "../core/app";
 import type { Progress } from "../core/connection";
+import { nameOfRun } from "../core/file_name";
 import { isDusk } from "../scene/light";
 import { type Shot, blobOf } from "../scene/shots";
 import type { Stage } from "../scene/stage";
@@ -117,6 +118,6 @@ class PictureSheet {
       progress(done, of);
     });
     const { width, height } = shot.canvas;
-    download(`barchan-${shot.statuses.get(this.app.current!)?.step ?? 0}-${width}x${height}.png`, await blobOf(shot.canvas));
+    download(`${nameOfRun(this.app.current)}-${shot.statuses.get(this.app.current!)?.step ?? 0}-${width}x${height}.png`, await blobOf(shot.canvas));
   }
 }

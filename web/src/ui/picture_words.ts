@@ -169,7 +169,7 @@ class Writer {
   /** Draw the scales of the surfaces' colours, the feet of their cards at a height. */
   private legends(foot: number): void {
     const { runs } = this.app;
-    for (const scale of scalesOf(runs, (run) => this.stage.terrain(run)?.colouring)) this.legend(scale, foot, (scale.at * this.shot.canvas.width) / runs.length);
+    for (const scale of scalesOf(this.app, (run) => this.stage.terrain(run)?.colouring)) this.legend(scale, foot, (scale.at * this.shot.canvas.width) / runs.length);
   }
 
   private legend({ colouring, of }: Scale, foot: number, from: number): void {

@@ -1,6 +1,7 @@
 /** Records the scene while it runs, as it is seen: the browser makes the film, of which a bar in the scene tells how long it is. */
 
 import type { App } from "../core/app";
+import { nameOfRun } from "../core/file_name";
 import { isDusk } from "../scene/light";
 import type { Shot } from "../scene/shots";
 import type { Stage } from "../scene/stage";
@@ -81,7 +82,7 @@ export class Recorder {
     recorder.onerror = () => this.fail();
     recorder.onstop = () => {
       for (const track of recorder.stream.getTracks()) track.stop();
-      if (this.saving) this.save(`barchan.${suffix}`, new Blob(parts, { type: type.split(";")[0]! }), length(performance.now() - this.began));
+      if (this.saving) this.save(`${nameOfRun(this.app.current)}.${suffix}`, new Blob(parts, { type: type.split(";")[0]! }), length(performance.now() - this.began));
     };
     this.began = performance.now();
     recorder.start(1000);

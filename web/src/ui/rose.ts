@@ -12,7 +12,8 @@ export interface Rose {
   /** Shares of the time by direction and class of speed. */
   shares: number[][];
   calms: number;
-  sand: number[];
+  /** How much sand winds from each side move; null over snow. */
+  sand: number[] | null;
   toward: number | null;
   steadiness: number | null;
   crest: number | null;
@@ -24,23 +25,27 @@ export function roses(answer: JsonObject): HTMLElement {
   const rose = answer as unknown as Rose;
   const still = `calm ${short(100 * rose.calms, 2)} %${rose.days === null ? "" : ` of ${short(rose.days, 3)} days`}`;
   const time = wheel(rose.shares, `How often the wind blows from each side; ${still}`);
-  const sand = wheel(rose.sand.map((amount) => [amount]), "Sand that winds from each side move", "sand");
-  if (rose.crest !== null) sand.append(svg("line", { y1: -R, y2: R, transform: `rotate(${rose.crest})`, class: "crest" }));
-  if (rose.toward !== null) sand.append(arrow(rose.toward, rose.steadiness ?? 0));
-  const goes = netTransport(rose);
-  const crest = rose.crest === null ? "" : `; crests expected along ${short(rose.crest, 3)}°`;
   return h(
     "div",
     { className: "roses" },
     h("figure", {}, time as unknown as HTMLElement, h("figcaption", {}, h("b", {}, "time "), still)),
-    h("figure", {}, sand as unknown as HTMLElement, h("figcaption", {}, h("b", {}, "sand "), goes + crest)),
+    rose.sand && ofSand(rose, rose.sand),
     rose.limits.length > 0 && h("div", { className: "speeds" }, ...legend(rose.limits), "m/s"),
   );
 }
 
-function netTransport(rose: Rose): string {
+/** How much sand moves from each side, where to, and the crests to expect of it. */
+function ofSand(rose: Rose, moved: number[]): HTMLElement {
+  const sand = wheel(moved.map((amount) => [amount]), "Sand that winds from each side move", "sand");
+  if (rose.crest !== null) sand.append(svg("line", { y1: -R, y2: R, transform: `rotate(${rose.crest})`, class: "crest" }));
+  if (rose.toward !== null) sand.append(arrow(rose.toward, rose.steadiness ?? 0));
+  const crest = rose.crest === null ? "" : `; crests expected along ${short(rose.crest, 3)}°`;
+  return h("figure", {}, sand as unknown as HTMLElement, h("figcaption", {}, h("b", {}, "sand "), netTransport(rose, moved) + crest));
+}
+
+function netTransport(rose: Rose, moved: number[]): string {
   if (rose.toward !== null) return `net transport towards ${short(rose.toward, 3)}°, ${short(100 * (rose.steadiness ?? 0), 2)} % of all that moves`;
-  return rose.sand.some((amount) => amount > 0) ? "no net transport: the winds cancel" : "nothing moves";
+  return moved.some((amount) => amount > 0) ? "no net transport: the winds cancel" : "nothing moves";
 }
 
 function legend(limits: number[]): HTMLElement[] {

@@ -1,10 +1,11 @@
 /** Links of scenarios: made, opened, and offered when the page is opened with one; nothing starts without a click. */
 
 import type { App } from "../core/app";
-import type { JsonObject, Problem } from "../core/protocol";
+import { Refused } from "../core/connection";
+import type { Command, JsonObject, Problem } from "../core/protocol";
 import { readable, valueLabel } from "../core/labels";
 import { namesOf } from "../core/run";
-import { holdsScenario, scenarioIn, scenarioLink } from "../core/scenario_link";
+import { holdsScenario, scenarioLink, scenariosIn } from "../core/scenario_link";
 import { copyRow } from "./copy_row";
 import { dialog, formDialog } from "./dialog";
 import { h, short } from "./dom";
@@ -14,22 +15,31 @@ import type { Files } from "./files";
 const CHANNEL = "barchan-links";
 const NAME = "the link";
 
-/** A sheet with the link of the scenario that is shown. */
+/** A sheet with the link of the scenario that is shown; of two runs with that of both as well. */
 export async function copyScenarioLink(app: App): Promise<void> {
   const { current, runs } = app;
   const scenario = current?.description?.scenario;
   if (!scenario) return;
+  const own = await linkRow("Link of the scenario", [scenario]);
   const at = runs.indexOf(current!);
-  const whose = runs.length > 1 && h("p", {}, `It is that of the ${at ? "right" : "left"} one of the two runs: `, h("b", {}, namesOf(runs)[at]!), ", whose parameters the panel shows.");
-  const link = await scenarioLink(scenario, `${location.origin}/`);
+  const pair = runs.length > 1 ? [
+    h("p", {}, "Both runs, which start side by side again:"),
+    await linkRow("Link of both scenarios", runs.map((run) => run.description!.scenario)).catch((error: Error) => h("p", { className: "hint" }, error.message)),
+    h("p", {}, `The ${at ? "right" : "left"} one alone, `, h("b", {}, namesOf(runs)[at]!), ", whose parameters the panel shows:"),
+  ] : [];
   dialog(
     "A link of this scenario",
     "small",
-    whose,
     h("p", {}, "It holds every value, the seed included, and nothing of the run; opened, it offers to start the scenario. What stands behind the # stays in the browser: no server gets to see it."),
-    copyRow("Link of the scenario", link),
-    h("p", { className: "hint" }, `${link.length} characters. Who opens it needs a studio that runs at ${location.origin}; in one at another address, `, h("i", {}, "File, open a link of a scenario"), " takes it."),
+    ...pair,
+    own,
+    h("p", { className: "hint" }, `Who opens it needs a studio that runs at ${location.origin}; in one at another address, `, h("i", {}, "File, open a link of a scenario"), " takes it."),
   );
+}
+
+async function linkRow(label: string, scenarios: JsonObject[]): Promise<HTMLElement> {
+  const link = await scenarioLink(scenarios, `${location.origin}/`);
+  return h("div", {}, copyRow(label, link), h("p", { className: "hint" }, `${link.length} characters`));
 }
 
 /** A sheet that takes a link. */
@@ -38,39 +48,55 @@ export function askForLink(app: App, files: Files): void {
   formDialog("Open a link of a scenario", "open it", () => offer(app, files, input.value), h("div", { className: "row" }, h("span", {}, "link"), input));
 }
 
-/** Offer to start the scenario of a link. Throws where the link is damaged. */
+/** Offer to start the scenario of a link, or both of two. Throws where the link is damaged, or one of two has mistakes. */
 async function offer(app: App, files: Files, link: string): Promise<void> {
-  const text = await scenarioIn(link);
-  const answer = await app.connection.ask({ command: "check", name: NAME, text });
-  const problems = answer.problems as unknown as Problem[];
-  if (!problems.length && answer.scenario) show(app, answer.scenario as JsonObject);
-  else files.offer(NAME, problems, answer.scenario as JsonObject | null, answer.changes as string[] | undefined);
+  const texts = await scenariosIn(link);
+  const answers = await Promise.all(texts.map((text) => app.connection.ask({ command: "check", name: NAME, text })));
+  const problems = answers.flatMap((answer) => answer.problems as unknown as Problem[]);
+  const [first] = answers;
+  if (!problems.length && answers.every((answer) => answer.scenario)) show(app, answers.map((answer) => answer.scenario as JsonObject));
+  else if (answers.length > 1) throw new Refused("the link of two scenarios", problems);
+  else files.offer(NAME, problems, first!.scenario as JsonObject | null, first!.changes as string[] | undefined);
 }
 
-function show(app: App, scenario: JsonObject): void {
-  const models = app.current?.description?.models ?? {};
-  const title = readable(String(scenario.title || "Untitled scenario"), models);
+function titleIn(app: App, scenario: JsonObject): string {
+  return readable(String(scenario.title || "Untitled scenario"), app.current?.description?.models);
+}
+
+/** Title and facts of a scenario, and what to look for. */
+function told(app: App, scenario: JsonObject, looks: boolean): HTMLElement {
   const { rows, columns, kind } = scenario.lattice as JsonObject;
   const model = String((scenario.model as JsonObject).name);
   const cells = rows === undefined ? `lattice ${String(kind)}` : `${String(columns)} × ${String(rows)} cells`;
   const { steps, seed } = scenario.run as { steps: number; seed: number | null };
-  const facts = [valueLabel(model, models), cells, `${short(steps, 9)} steps`, seed === null ? "no seed" : `seed ${seed}`];
+  const facts = [valueLabel(model, app.current?.description?.models), cells, `${short(steps, 9)} steps`, seed === null ? "no seed" : `seed ${seed}`];
+  return h(
+    "div",
+    {},
+    h("h3", {}, titleIn(app, scenario)),
+    h("p", { className: "source" }, facts.join(" · ")),
+    looks && scenario.look_for ? h("p", {}, String(scenario.look_for)) : false,
+  );
+}
+
+function show(app: App, scenarios: JsonObject[]): void {
+  const [first, beside] = scenarios as [JsonObject, JsonObject?];
+  const title = scenarios.map((scenario) => titleIn(app, scenario)).join(" and ");
   const start = async () => {
     sheet.close();
-    if (await app.create(scenario)) app.note("info", `Started ${title}, from a link.`);
+    const command: Command = { command: "create", scenario: first, ...(beside ? { beside } : {}), running: true, changed: false, run: app.selected, aside: true };
+    if (await app.open(command)) app.note("info", `Started ${title}, from a link.`);
   };
   const sheet: HTMLDialogElement = dialog(
-    "A scenario from a link",
+    beside ? "Two scenarios from a link" : "A scenario from a link",
     "small",
-    h("h3", {}, title),
-    h("p", { className: "source" }, facts.join(" · ")),
-    scenario.look_for ? h("p", {}, String(scenario.look_for)) : false,
-    h("p", { className: "hint" }, "It takes the place of the run that is shown now, which is set aside with its moments."),
+    ...scenarios.map((scenario) => told(app, scenario, !beside)),
+    h("p", { className: "hint" }, `${beside ? "They run side by side. They take" : "It takes"} the place of the run that is shown now, which is set aside with its moments.`),
     h(
       "div",
       { className: "buttons" },
-      h("button", { type: "button", className: "primary", onclick: () => void start() }, "start it"),
-      h("button", { type: "button", onclick: () => sheet.close() }, "leave it"),
+      h("button", { type: "button", className: "primary", onclick: () => void start() }, beside ? "start both" : "start it"),
+      h("button", { type: "button", onclick: () => sheet.close() }, beside ? "leave them" : "leave it"),
     ),
   );
 }

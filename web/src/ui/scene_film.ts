@@ -37,6 +37,8 @@ export async function filmOfStates(app: App, stage: Stage, film: SceneFilm, prog
   const steps = shownSteps(app.runs).slice(-film.states);
   const fits = stage.fits;
   stage.stand(place); // which a field that grows does not move
+  const turn = (film.turn * Math.PI) / 180;
+  if (turn) stage.keepWhole(turn, film.width, film.height);
   stage.steady = true;
   // from the first picture to the last one, heights and colours mean the same
   app.view.follow({ ...look, exaggeration: look.exaggeration ?? stage.terrain(app.current!)?.exaggeration ?? null, limits: look.limits ?? limitsOf(stage, app) });
@@ -46,7 +48,7 @@ export async function filmOfStates(app: App, stage: Stage, film: SceneFilm, prog
         progress(at, steps.length, { counted: "picture" });
         await showStep(app, step, back, signal);
         await send(await pictureOf(app, stage, film, signal));
-        if (film.turn) stage.turn((film.turn * Math.PI) / 180 / Math.max(steps.length - 1, 1), 0);
+        if (turn) stage.turn(turn / Math.max(steps.length - 1, 1), 0);
       }
       progress(steps.length, steps.length);
     });

@@ -54,8 +54,8 @@ export class Toasts {
     };
     return h(
       "li",
-      { className: `toast ${entry.level}` },
-      h("span", { role: entry.level === "error" ? "alert" : "status" }, entry.text),
+      { className: `toast ${entry.level}${entry.way ? " way" : ""}` },
+      h("span", { role: entry.level === "error" ? "alert" : "status", title: entry.text }, entry.text),
       entry.way && h("button", { type: "button", onclick: go }, entry.way.name),
       entry.key !== "" && show,
       h("button", { type: "button", className: "close", title: "Dismiss", "aria-label": `Dismiss: ${entry.text}`, onclick: dismiss }, "×"),

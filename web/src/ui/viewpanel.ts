@@ -4,8 +4,10 @@ import type { App } from "../core/app";
 import { LOOK, type Look } from "../core/view";
 import { ANGLES } from "../scene/camera";
 import { plainFields } from "../scene/colouring";
+import { smoothingOf } from "../scene/looks";
 import type { Stage } from "../scene/stage";
-import { h, id, isActive } from "./dom";
+import { button, h, id, isActive } from "./dom";
+import { icon } from "./icons";
 import { labelOf } from "../core/labels";
 import { NumberField } from "./number_field";
 import { OverlayPanel } from "./overlay";
@@ -58,8 +60,8 @@ export class ViewPanel {
   }
 
   private redraw(): void {
-    const [steep, sun] = [this.exaggeration(), this.sun()];
-    this.showChosen = () => [steep, sun].forEach(({ show }) => show());
+    const [steep, smooth, sun] = [this.exaggeration(), this.smoothing(), this.sun()];
+    this.showChosen = () => [steep, smooth, sun].forEach(({ show }) => show());
     const description = this.app.current?.description;
     const fields = [...plainFields(this.app.current?.material ?? "sand"), ...(description?.fields ?? [])];
     const layers = description?.layers ?? [];
@@ -85,7 +87,7 @@ export class ViewPanel {
       this.check("wireframe of the cells", "wireframe"),
       h("h2", {}, "Shape and light"),
       ...steep.rows,
-      this.slider("smoothing (display only)", "smoothing", 0, 4, "×"),
+      ...smooth.rows,
       ...sun.rows,
       this.choice("light", "light", [["theme", "as the theme"], ["day", "day"], ["dusk", "dusk"]]),
       this.check("shadows of the sun", "shadows"),
@@ -147,25 +149,19 @@ export class ViewPanel {
     return this.row(label, input.element, h("span", { className: "unit" }, unit));
   }
 
-  private slider(label: string, key: "smoothing", min: number, max: number, unit: string): HTMLElement {
+  /** A slider that shows the smoothing that acts, and a way back to the one that suits the material. */
+  private smoothing(): Rows {
+    const now = () => smoothingOf(this.app.current?.material ?? "sand", this.app.view.look.smoothing);
     const value = h("span", { className: "unit" });
+    const slider = h("input", { type: "range", min: "0", max: "4", step: "any", oninput: () => this.set({ smoothing: Number(slider.value) }) });
+    const reset = button("Smooth as suits the material", icon("back"), () => this.set({ smoothing: null }), { className: "reset" });
     const show = () => {
-      value.textContent = `${Number(this.app.view.look[key].toFixed(1))} ${unit}`;
+      value.textContent = `${Number(now().toFixed(1))} ×`;
+      reset.hidden = this.app.view.look.smoothing === null;
+      if (Number(slider.value) !== now()) slider.value = String(now());
     };
-    const slider = h("input", {
-      type: "range",
-      "data-look": key,
-      min: String(min),
-      max: String(max),
-      step: "any",
-      value: String(this.app.view.look[key]),
-      oninput: () => {
-        this.set({ [key]: Number(slider.value) });
-        show();
-      },
-    });
     show();
-    return this.row(label, slider, value);
+    return { rows: [this.row("smoothing (display only)", slider, value, reset)], show };
   }
 
   /** A slider by factors, and the choice to leave it to the lattice. */

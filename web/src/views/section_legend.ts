@@ -1,6 +1,6 @@
 /** What the lines and colours of a section mean, above its plot, in as many lines as it takes. */
 
-import { type Run, nameBeside } from "../core/run";
+import { nameBeside } from "../core/run";
 import { short, themeColour } from "../ui/dom";
 import { type Side, sideOf } from "../ui/sides";
 import { type Drawn, shadowFill } from "./section_marks";
@@ -24,26 +24,35 @@ export interface Item {
   text: string;
 }
 
-/** What is drawn of a run, or of two along the same line: the left one first. */
+/** What is drawn of a run, or of two along the same line: the left one first, in few words, for the plot is low. */
 export function sectionItems(drawn: Drawn[]): Item[] {
+  return [...(drawn.length > 1 ? pairItems(drawn) : aloneItems(drawn[0]!)), ...steepItems(drawn)];
+}
+
+function aloneItems({ run, profile }: Drawn): Item[] {
+  return profile.shadow ? [{ swatches: [swatch(sideOf(run), "shadow")], text: "shadow zone" }] : [];
+}
+
+/** The line of each run, and its shadow zones beside it. */
+function pairItems(drawn: Drawn[]): Item[] {
+  return drawn.map(({ run, profile }, at) => {
+    const side = sideOf(run);
+    const name = nameBeside(run, drawn[1 - at]!.run);
+    const line = swatch(side, "line");
+    return profile.shadow ? { swatches: [line, swatch(side, "shadow")], text: `${name}, shadow zone` } : { swatches: [line], text: name };
+  });
+}
+
+/** Where surfaces are marked as steep, in one item: of two runs in the manner of each line. */
+function steepItems(drawn: Drawn[]): Item[] {
+  const marked = drawn.filter(({ run }) => run.description!.repose !== null);
+  if (!marked.length) return [];
   const pair = drawn.length > 1;
-  const names = drawn.map(({ run }, at) => (pair ? nameBeside(run, drawn[1 - at]!.run) : ""));
-  const lines = drawn.map(({ run }, at) => ({ swatches: [swatch(sideOf(run), "line")], text: names[at]! }));
-  const shadows = drawn.map(({ run }, at) => ({ swatches: [swatch(sideOf(run), "shadow")], text: pair ? `shadow zone of ${names[at]}` : "shadow zone" }));
-  return [...(pair ? lines : []), ...shadows.filter((_, at) => drawn[at]!.profile.shadow), ...steepItems(drawn, names)];
-}
-
-/** Where surfaces are marked as steep: of two runs in the manner of each line, in one item where their angle is the same. */
-function steepItems(drawn: Drawn[], names: string[]): Item[] {
-  const texts = drawn.map(({ run }) => steepText(run));
-  const marks = drawn.map(({ run }) => swatch(sideOf(run), drawn.length > 1 ? "steep" : "steep area"));
-  if (texts[0] != null && texts.every((text) => text === texts[0])) return [{ swatches: marks, text: texts[0] }];
-  return texts.flatMap((text, at) => (text === null ? [] : [{ swatches: [marks[at]!], text: `${names[at]}: ${text}` }]));
-}
-
-function steepText(run: Run): string | null {
-  const { repose, repose_slabs: slabs } = run.description!;
-  return repose === null ? null : `near the effective angle of repose, ${repose.toFixed(1)}°${slabs === null ? "" : ` (${short(slabs, 3)} slabs a cell)`}`;
+  const swatches = marked.map(({ run }) => swatch(sideOf(run), pair ? "steep" : "steep area"));
+  const angles = [...new Set(marked.map(({ run }) => `${run.description!.repose!.toFixed(1)}°`))];
+  if (pair) return [{ swatches, text: `near repose, ${angles.join(" and ")}` }];
+  const slabs = marked[0]!.run.description!.repose_slabs;
+  return [{ swatches, text: `near the effective angle of repose, ${angles[0]}${slabs === null ? "" : ` (${short(slabs, 3)} slabs a cell)`}` }];
 }
 
 const swatch = (side: Side, mark: Mark): Swatch => ({ side, mark });

@@ -1,7 +1,7 @@
 """Runs that are saved side by side and opened side by side again."""
 
 import shutil
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -59,36 +59,71 @@ def open_together(
     The run that there is is set aside, as of ``create``. What was ``adopted`` of an earlier studio is left as
     it is where they cannot be opened.
     """
+
+    def settled(begun: bool) -> None:
+        if adopted is None:
+            return
+        if begun:
+            session.autosave.adopt(adopted)
+        else:
+            adopted.release()
+
+    parts: dict[str, Request] = {
+        run: {"command": "open_folder", "folder": str(folder)}
+        for run, folder in zip(RUNS, folders, strict=False)
+    }
+    _begin_together(session, parts, "open", request, settled)
+
+
+def start_together(
+    session: "Session", scenarios: Sequence[dict[str, Any]], running: bool, request: Any
+) -> None:
+    """Start two scenarios side by side; the run that there is is set aside, as of ``create``."""
+
+    def settled(begun: bool) -> None:
+        if begun and running and session.lockstep is not None:
+            session.lockstep.run()
+
+    parts: dict[str, Request] = {
+        run: {"command": "start", "scenario": data, "running": False}
+        for run, data in zip(RUNS, scenarios, strict=True)
+    }
+    _begin_together(session, parts, "create", request, settled)
+
+
+def _begin_together(
+    session: "Session",
+    parts: dict[str, Request],
+    command: str,
+    request: Any,
+    settled: Callable[[bool], None],
+) -> None:
+    """Let each run begin with its part, and all or none; ``settled`` is then told whether they have."""
     first, _ = RUNS
     if first in session.scenarios:
         session.workers[first].send("keep")
     if session.lockstep is not None:
         session.lockstep.pause()
-    if len(folders) > 1:
+    if len(parts) > 1:
         session.end_second()
 
     def done(answers: "Answers") -> None:
-        if adopted is not None:
-            session.autosave.adopt(adopted)
+        settled(True)
         if len(answers) == 1 and session.lockstep is not None:
             session.end_second()
-        told = {key: answers[first][key] for key in ("step", "aside", "ended")}
+        told = {key: answers[first][key] for key in ("step", "aside", "ended") if key in answers[first]}
         session.tell("done", id=request, **told)
 
     def failed(why: str, answers: "Answers") -> None:
-        if adopted is not None:
-            adopted.release()
-        if len(folders) > 1:
+        settled(False)
+        if len(parts) > 1:
             session.end_second()
         if first in answers:
             session.aside.take_back(first)
-        session.tell("refused", id=request, command="open", text=why, problems=[])
+        session.tell("refused", id=request, command=command, text=why, problems=[])
 
-    parts: dict[str, Request] = {
-        run: {"command": "open_folder", "folder": str(folder), "aside": run == first}
-        for run, folder in zip(RUNS, folders, strict=False)
-    }
-    session.joint.ask(parts, done, failed, request=request, send=session.start_run)
+    asked: dict[str, Request] = {run: {**part, "aside": run == first} for run, part in parts.items()}
+    session.joint.ask(asked, done, failed, request=request, send=session.start_run)
     if len(parts) > 1:
         session.lead(Lockstep(session.workers, session.on_lockstep))
         session.report_runs()

@@ -8,7 +8,7 @@ from barchan.models import models
 from barchan.scenario import validate
 from barchan.studio.commands import Handlers
 from barchan.studio.protocol import Request
-from barchan.studio.server.pairs import RUNS, open_together, save_together
+from barchan.studio.server.pairs import RUNS, open_together, save_together, start_together
 from barchan.studio.server.together import is_together, read_together
 
 if TYPE_CHECKING:
@@ -31,10 +31,15 @@ def create(session: "Session", request: Request) -> None:
 
     With ``aside`` the run that there is is set aside, to be taken back by ``alone``: of two that are compared
     the one that was set aside for them, with the left one as a branch of it.
+
+    Another scenario ``beside`` starts as the right one of two that run together.
     """
-    session.workspace.check(request["scenario"])
-    data = validate(request["scenario"]).seeded().data()
+    data = _checked(session, request["scenario"])
     changed, running = bool(request.get("changed")), bool(request.get("running", True))
+    if request.get("beside") is not None:
+        beside = _checked(session, request["beside"])
+        start_together(session, (data, beside), running, request.get("id"))
+        return
     if changed and session.lockstep is not None:
         name = SECOND if request.get("run") == SECOND else FIRST
         other = FIRST if name == SECOND else SECOND
@@ -220,6 +225,12 @@ def with_value(scenario: dict[str, Any], key: str, value: Any) -> dict[str, Any]
     if not isinstance(group, dict):
         raise BarchanError(f"'{first}' of the scenario has no '{rest}'")
     return {**scenario, first: with_value(group, rest, value)}
+
+
+def _checked(session: "Session", scenario: Any) -> dict[str, Any]:
+    """Data of a scenario that may be started; raises ScenarioError for any other."""
+    session.workspace.check(scenario)
+    return validate(scenario).seeded().data()
 
 
 def _id_of(request: Request) -> Request:

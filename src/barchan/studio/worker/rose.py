@@ -14,6 +14,7 @@ from barchan.theory.crests import gross_transport
 from barchan.theory.drift import Drift
 from barchan.theory.roses import sand_rose, sector_sums, speed_limits, wind_rose
 from barchan.theory.wind_report import Subject, of_winds
+from barchan.theory.wind_table import plain_rows, weather_rows
 from barchan.wind.clock import DAY
 from barchan.wind.records import WindRecord
 
@@ -22,14 +23,25 @@ def rose_of(simulation: Simulation) -> dict[str, Any]:
     """How often the wind blows from each side, how much sand it moves, and the table and remarks of it.
 
     Of a record that is all that was measured, of any other wind the scenario's run. Classes of speed (m/s)
-    and days are known of winds in m/s alone.
+    and days are known of winds in m/s alone. Over snow nothing is told that holds for dry sand only.
     """
     scenario = simulation.scenario_in_force
     supply = float(simulation.bed.depth.mean())
     told = of_winds(scenario, supply)
     record = stated_winds(scenario) if told.record is None else told.measured
     time = _of_steps(scenario) if record is None else _of_record(record, told.sand)
+    if told.over_snow:
+        return {**time, "sand": None, "toward": None, "steadiness": None, "crest": None, **_over_snow(told)}
     return {**time, **_of_drift(told.found.drift), **_in_words(told, supply)}
+
+
+def _over_snow(told: Subject) -> dict[str, Any]:
+    """Rows and warnings of a record itself, and a remark on what is left out."""
+    record = told.measured
+    if record is None:
+        return {"rows": [], "warnings": (), "remarks": told.remarks}
+    rows = [(name, value) for name, value, _ in (*plain_rows(record, told.sand), *weather_rows(record))]
+    return {"rows": rows, "warnings": record.warnings, "remarks": told.remarks}
 
 
 def _in_words(told: Subject, supply: float) -> dict[str, Any]:
