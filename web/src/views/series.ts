@@ -56,7 +56,7 @@ export class SeriesView {
     return this.app.current?.description?.measures ?? [];
   }
 
-  /** Save the measures of all runs at every fixed step; those that are not measured yet are waited for. */
+  /** Save the measures of all runs at every fixed step and where they rest; those that are not measured yet are waited for. */
   private async save(): Promise<void> {
     const { runs } = this.app;
     const answers = await Promise.all(runs.map((run) => this.app.ask({ command: "measured", run: run.name })));
