@@ -95,6 +95,13 @@ export function duration(seconds: number): string {
   return days < 1000 ? `${days} d ${clock}` : `${(days / 365.2425).toFixed(1)} years`;
 }
 
+const TIMES: [string, number][] = [["years", 31_557_600], ["days", 86_400], ["h", 3600], ["min", 60]];
+
+/** The unit for durations up to one (s), and how many seconds it has; as the pictures that are saved have it. */
+export function timeUnit(seconds: number): [string, number] {
+  return TIMES.find(([, length]) => seconds >= length) ?? ["s", 1];
+}
+
 /** Give a text to the user as a file. */
 export function download(name: string, content: Blob | string): void {
   const blob = typeof content === "string" ? new Blob([content], { type: "text/plain" }) : content;
