@@ -286,7 +286,9 @@ def test_time_is_that_of_the_clock_where_there_is_one():
 
 
 def test_a_long_title_does_not_run_into_the_words_for_the_wind():
-    scenario = tiny(title="A form like a dune on which a title of a paper stands in its full length, and more")
+    scenario = tiny(
+        title="A form like a dune on which a title of a paper stands in its full length, and more"
+    )
     dataset = simulate(scenario)
     for figure in (space_time(dataset, scenario), profile(dataset.isel(step=-1), scenario)):
         figure.draw_without_rendering()
