@@ -56,6 +56,11 @@ export function short(value: number | null | undefined, digits = 4): string {
   return String(Number(value.toPrecision(digits)));
 }
 
+/** A count with its noun, in the plural unless it is one. */
+export function counted(count: number, noun: string): string {
+  return `${short(count, 9)} ${noun}${Math.abs(count) === 1 ? "" : "s"}`;
+}
+
 /** Below this (m) lengths are given in millimetres. */
 const SMALL = 0.1;
 

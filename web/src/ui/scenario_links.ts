@@ -7,7 +7,7 @@ import { namesOf } from "../core/run";
 import { holdsScenario, scenarioIn, scenarioLink } from "../core/scenario_link";
 import { copyRow } from "./copy_row";
 import { dialog, formDialog } from "./dialog";
-import { h, short } from "./dom";
+import { counted, h } from "./dom";
 import type { Files } from "./files";
 
 /** Where a page without a token hands its link on to a window of the studio that is open. */
@@ -54,7 +54,7 @@ function show(app: App, scenario: JsonObject): void {
   const model = String((scenario.model as JsonObject).name);
   const cells = rows === undefined ? `lattice ${String(kind)}` : `${String(columns)} × ${String(rows)} cells`;
   const { steps, seed } = scenario.run as { steps: number; seed: number | null };
-  const facts = [valueLabel(model, models), cells, `${short(steps, 9)} steps`, seed === null ? "no seed" : `seed ${seed}`];
+  const facts = [valueLabel(model, models), cells, counted(steps, "step"), seed === null ? "no seed" : `seed ${seed}`];
   const start = async () => {
     sheet.close();
     if (await app.create(scenario)) app.note("info", `Started ${title}, from a link.`);

@@ -43,7 +43,7 @@ function steepItems(drawn: Drawn[], names: string[]): Item[] {
 
 function steepText(run: Run): string | null {
   const { repose, repose_slabs: slabs } = run.description!;
-  return repose === null ? null : `near the effective angle of repose, ${repose.toFixed(1)}°${slabs === null ? "" : ` (${short(slabs, 3)} slabs a cell)`}`;
+  return repose === null ? null : `near the effective angle of repose, ${repose.toFixed(1)}°${slabs === null ? "" : ` (${short(slabs, 3)} ${slabs === 1 ? "slab" : "slabs"} a cell)`}`;
 }
 
 const swatch = (side: Side, mark: Mark): Swatch => ({ side, mark });

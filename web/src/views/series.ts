@@ -69,7 +69,7 @@ export class SeriesView {
   private intervals(): void {
     const { measured_every: every = 0, measured_rows: rows = 0 } = this.app.current?.description ?? {};
     const from = every * rows;
-    this.when.textContent = every ? `every ${every} steps; from step ${short(from, 9)} fewer` : "";
+    this.when.textContent = every ? `every ${every === 1 ? "step" : `${every} steps`}; from step ${short(from, 9)} fewer` : "";
     this.when.title = every ? `From step ${short(from, 9)} every ${2 * every} steps, from ${short(2 * from, 9)} every ${4 * every}, and so on` : "";
   }
 

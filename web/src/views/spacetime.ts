@@ -3,7 +3,7 @@
 import type { App } from "../core/app";
 import { type Run, nameBeside } from "../core/run";
 import type { RunName } from "../core/protocol";
-import { button, fitCanvas, h, lengthUnit, short } from "../ui/dom";
+import { button, counted, fitCanvas, h, lengthUnit, short } from "../ui/dom";
 import { fetchFile } from "../ui/exports";
 import { sideOf } from "../ui/sides";
 import { Bands } from "./bands";
@@ -131,7 +131,7 @@ export class SpaceTimeView {
       width,
       height,
     );
-    const what = this.runs.length > 1 ? "one scale:" : `${panels[0]!.bands.rows.length} sections,`;
+    const what = this.runs.length > 1 ? "one scale:" : `${counted(panels[0]!.bands.rows.length, "section")},`;
     const [unit, factor] = lengthUnit(Math.max(Math.abs(low), Math.abs(high)));
     this.readout.textContent = `${what} ${short(factor * low)} to ${short(factor * high)} ${unit}`;
   }
