@@ -46,6 +46,7 @@ ABOUT = {
     "kernels": "compiled loops, by subject",
     "image_files": "images, judged before they are unpacked",
     "udunits": "units in the words of CF",
+    "words": "counts and names",
     "directions": "",
     "version": "",
     "errors": "",

@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from barchan.errors import FieldError
+from barchan.words import counted
 
 
 def checked(values: ArrayLike, shape: tuple[int, ...], dtype: DTypeLike, name: str) -> NDArray:
@@ -42,5 +43,5 @@ def _refuse(wrong: NDArray[np.bool_], array: NDArray, name: str, allowed: str) -
     if count:
         first = tuple(int(index) for index in np.argwhere(wrong)[0])
         place = ", ".join(f"{word} {index}" for word, index in zip(("row", "column"), first, strict=False))
-        more = f" and {count - 1} more cells" if count > 1 else ""
+        more = f" and {counted(count - 1, 'more cell')}" if count > 1 else ""
         raise FieldError(f"{name} is {array[first]} at {place}{more}; allowed: {allowed}")

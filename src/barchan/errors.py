@@ -2,6 +2,8 @@
 
 from dataclasses import dataclass
 
+from barchan.words import counted
+
 
 class BarchanError(Exception):
     """Base of all errors that a user can cause and mend; the message says how."""
@@ -44,11 +46,10 @@ class _ListedError(BarchanError):
 
     def __str__(self) -> str:
         problems, title = self.args
-        count = "1 problem" if len(problems) == 1 else f"{len(problems)} problems"
         lines = [f"  {problem}" for problem in problems[:MOST_PROBLEMS]]
         if len(problems) > MOST_PROBLEMS:
             lines.append(f"  and {len(problems) - MOST_PROBLEMS:,} more")
-        return "\n".join([f"{title}: {count}", *lines])
+        return "\n".join([f"{title}: {counted(len(problems), 'problem')}", *lines])
 
 
 class ScenarioError(_ListedError):

@@ -15,11 +15,11 @@ class ImageError(BarchanError):
 
 
 def image_in(file: IO[bytes], formats: tuple[str, ...], most: int) -> "ImageFile":
-    """The image in an open file, of one of Pillow's ``formats``, with ``most`` pixels at most; not unpacked.
+    """The image in an open file, of one of Pillow's ``formats``, with ``most`` pixels at most.
 
-    Raises ImageError for anything else.
+    It stands upright as its EXIF data say, as those of photographs do. Raises ImageError for anything else.
     """
-    from PIL import Image, UnidentifiedImageError
+    from PIL import Image, ImageOps, UnidentifiedImageError
 
     side = math.isqrt(most)
     allowed = f"allowed: as many as {side} × {side}"
@@ -36,4 +36,8 @@ def image_in(file: IO[bytes], formats: tuple[str, ...], most: int) -> "ImageFile
         raise ImageError(f"cannot be read as an image: {error}") from None
     if image.width * image.height > most:
         raise ImageError(f"has {image.width} × {image.height} pixels; {allowed}")
+    try:
+        ImageOps.exif_transpose(image, in_place=True)
+    except (OSError, ValueError, SyntaxError) as error:
+        raise ImageError(f"cannot be read as an image: {error}") from None
     return image

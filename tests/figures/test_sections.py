@@ -283,3 +283,16 @@ def test_time_is_that_of_the_clock_where_there_is_one():
     assert axes.get_ylabel() == "time (days)"
     (mesh,) = axes.collections
     np.testing.assert_allclose(mesh.get_coordinates()[:, 0, 1], [-1.25, 1.25, 3.75, 6.25, 8.75, 11.25])
+
+
+def test_a_long_title_does_not_run_into_the_words_for_the_wind():
+    scenario = tiny(
+        title="A form like a dune on which a title of a paper stands in its full length, and more"
+    )
+    dataset = simulate(scenario)
+    for figure in (space_time(dataset, scenario), profile(dataset.isel(step=-1), scenario)):
+        figure.draw_without_rendering()
+        axes = figure.axes[0]
+        (wind,) = axes.texts
+        assert axes.title.get_text() == ""
+        assert axes._left_title.get_window_extent().x1 < wind.get_window_extent().x0

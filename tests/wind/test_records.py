@@ -144,7 +144,7 @@ def test_a_row_stands_until_the_next_one_but_not_across_a_gap(tmp_path):
     [
         ("", "is empty"),
         ("time,speed (m/s),direction\n", "holds 0 winds"),
-        (PLAIN.rsplit("\n", 3)[0], "holds 1 winds; allowed: two or more"),
+        (PLAIN.rsplit("\n", 3)[0], "holds 1 wind; allowed: two or more"),
         (
             PLAIN.replace("T02:00", "T02:00+01:00"),
             "row 4, column 'time': .* states the zone [+]01:00 unlike the rows",

@@ -14,6 +14,7 @@ from barchan.archive.reading import open_run, run_info
 from barchan.archive.running import Outcome, Progress, remark_on, run
 from barchan.errors import ArchiveError
 from barchan.simulation import Record, Simulation, State
+from barchan.words import counted
 
 
 @dataclass(frozen=True)
@@ -54,7 +55,7 @@ def branch(path: str | Path, at: int | None = None, *, stop: Callable[[], bool] 
     done = known.last_step if known.checkpoint is None else known.checkpoint
     at = done if at is None else at
     if not 0 <= at <= done:
-        raise ArchiveError(f"{path} has done {done} steps; a branch cannot begin at step {at}")
+        raise ArchiveError(f"{path} has done {counted(done, 'step')}; a branch cannot begin at step {at}")
     if known.checkpoint == at:
         state = read_checkpoint(path / CHECKPOINT)
         simulation = Simulation.from_state(State({**state.data, "framed": -1}, state.arrays))

@@ -13,6 +13,7 @@ from cyclopts import Parameter
 from barchan.cli.ensembles import Varied
 from barchan.cli.overrides import Tokens, pairs
 from barchan.errors import BarchanError
+from barchan.words import counted
 
 if TYPE_CHECKING:
     from barchan.comparison.comparing import Comparison
@@ -121,9 +122,8 @@ def _comparison(
         overrides=overrides,
     )
     run = partial(compare_plan, plan, steps=step or ())
-    return _Task(
-        run, f"{len(plan.points)} variants, {len(plan.members)} runs", f"{Path(scenario).stem}-compared"
-    )
+    size = f"{counted(len(plan.points), 'variant')}, {counted(len(plan.members), 'run')}"
+    return _Task(run, size, f"{Path(scenario).stem}-compared")
 
 
 def _reproduction(name: str, seeds: int, first_seed: int) -> _Task:
@@ -131,7 +131,7 @@ def _reproduction(name: str, seeds: int, first_seed: int) -> _Task:
     from barchan.comparison.published.results import load_set
 
     chosen = load_set(name)
-    size = f"{len(chosen.experiments)} figures and sections, {len(chosen.cases) * seeds} runs"
+    size = f"{len(chosen.experiments)} figures and sections, {counted(len(chosen.cases) * seeds, 'run')}"
     return _Task(partial(reproduce, chosen, seeds=seeds, first_seed=first_seed), size, name)
 
 

@@ -9,6 +9,7 @@ from cyclopts import Parameter
 
 from barchan.cli import FAILED, INTERRUPTED
 from barchan.cli.terminal import LOG_EVERY, console, print_warning
+from barchan.words import counted
 
 if TYPE_CHECKING:
     from barchan.ensembles.running import EnsembleOutcome
@@ -57,7 +58,7 @@ class MemberReporter:
         self.last = now
         left = (now - self.began) / self.ran * (total - count)
         more = f", {left:.0f} s left" if count < total else f" after {now - self.began:.0f} s"
-        console.print(f"{count} of {total} runs{more}")
+        console.print(f"{count} of {counted(total, 'run')}{more}")
 
 
 def exit_code(outcome: "EnsembleOutcome", command: str, folder: Path) -> int:

@@ -66,9 +66,11 @@ def export(
         A saved step, several as 100,200, all or last. Without it formats of a series (.vtkhdf, .pvd, .nc,
         measures, layers, films) have all frames, the others the last.
     fields
-        Names of fields with commas between, or all: layers, fields of the model, or derived ones such as
-        slope, depth, shadow. Without it the elevation, and in formats of several fields ground, depth and
-        what the frames keep.
+        Names of fields with commas between, as in elevation,slope,shadow, or all. Every run has elevation,
+        ground, depth, slope and its layers, such as sand; the others depend on its model and stand under
+        Fields on the model's page of the documentation. An unknown name is answered with all that the run
+        has. Without it the elevation, and in formats of several fields ground, depth and what the frames
+        keep.
     format
         Name of the format where a suffix has several: geotiff or tiff32 (.tif), png16 or picture (.png),
         measures, section or layers (.csv).

@@ -1,5 +1,7 @@
 """``barchan presets``: the scenarios that ship with Barchan."""
 
+from barchan.words import counted
+
 
 def presets(name: str | None = None, /) -> None:
     """List the scenarios that ship with Barchan by their models, or print one as a scenario file.
@@ -32,7 +34,7 @@ def presets(name: str | None = None, /) -> None:
         for preset, scenario in of_model.items():
             lattice, steps = scenario.lattice, scenario.run.steps
             time = spoken_estimate(expected_seconds(scenario))
-            facts = f"{lattice.columns} × {lattice.rows} cells, {steps} steps, {time}"
+            facts = f"{lattice.columns} × {lattice.rows} cells, {counted(steps, 'step')}, {time}"
             source = f"; {scenario.citation}" if scenario.citation else ""
             console.print(Text.assemble("  ", (f"{preset:{width}}", "cyan"), f"  {scenario.title}"))
             console.print(Text.assemble(f"      {facts}", (source, "dim")))

@@ -16,6 +16,7 @@ from barchan.cli.terminal import console, print_note
 from barchan.scenario.cost import spoken_time
 from barchan.scenario.summary import field_size
 from barchan.simulation import Simulation
+from barchan.words import counted
 
 if TYPE_CHECKING:
     from barchan.analysis.declared_measures import Value
@@ -32,7 +33,7 @@ def print_facts(simulation: Simulation, random_seed: bool) -> None:
     if scenario.look_for:
         console.print(f"look for: {scenario.look_for}")
     seed = f"seed {scenario.run.seed}" + (" (random)" if random_seed else "")
-    console.print(f"{field_size(scenario)}, {scenario.run.steps} steps, {seed}")
+    console.print(f"{field_size(scenario)}, {counted(scenario.run.steps, 'step')}, {seed}")
     console.print(f"expected time: {spoken_time(scenario)}")
     for name, fact in {**scenario.facts(), **scenario.forecast()}.items():
         console.print(f"{name}: {fact}")
@@ -56,7 +57,7 @@ def print_outcome(outcome: Outcome, quiet: bool, picture: bool) -> None:
     if tally.capped:
         console.print(f"{tally.capped} {slabs} never settled and were put down")
     if tally.exhausted:
-        console.print(f"{tally.exhausted} steps ended early because no cell could erode")
+        console.print(f"{counted(tally.exhausted, 'step')} ended early because no cell could erode")
     if tally.fallen:
         console.print(f"balance: {balance_now(outcome.simulation).text()}")
     console.print(f"run: {outcome.path}")

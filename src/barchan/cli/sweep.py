@@ -9,6 +9,7 @@ from cyclopts import Parameter
 from barchan.cli.ensembles import Varied
 from barchan.cli.overrides import Tokens, pairs
 from barchan.errors import BarchanError
+from barchan.words import counted
 
 if TYPE_CHECKING:
     from barchan.ensembles.plan import Plan
@@ -85,7 +86,8 @@ def sweep(
     _check_measures(plan, measure or [])
     hands = workers_of(workers, scheduler)
     if not quiet:
-        console.print(f"{len(plan.points)} points, {len(plan.members)} runs, {hands.name}: {folder}")
+        size = f"{counted(len(plan.points), 'point')}, {counted(len(plan.members), 'run')}"
+        console.print(f"{size}, {hands.name}: {folder}")
     states = tuple(State) if only is None else (State(only),)
     with Interrupts().watched() as stop:
         outcome = run_ensemble(plan, folder, hands, only=states, told=MemberReporter(quiet), stop=stop)

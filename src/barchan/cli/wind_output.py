@@ -8,6 +8,7 @@ from barchan.analysis.declared_measures import Value
 from barchan.cli import measure_table
 from barchan.cli.terminal import console, print_note, print_warning
 from barchan.errors import BarchanError
+from barchan.words import counted
 
 if TYPE_CHECKING:
     from barchan.theory.wind_report import Subject
@@ -66,7 +67,7 @@ def save_record(record: "WindRecord | None", path: Path, source: str, quiet: boo
         raise BarchanError(f"--save-record: the wind of {source} is neither a record nor made-up storms")
     write_record(record, path)
     if not quiet:
-        print_note(f"{len(record)} rows written to {path}")
+        print_note(f"{counted(len(record), 'row')} written to {path}")
 
 
 def save_rose(subject: "Subject", path: Path, sectors: int, quiet: bool) -> None:

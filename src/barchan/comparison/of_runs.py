@@ -1,7 +1,6 @@
 """The report on runs that exist already, as those of the studio: they are measured and drawn, not run."""
 
 import math
-import re
 import time
 from collections.abc import Callable, Sequence
 from concurrent.futures import Executor, Future
@@ -19,6 +18,7 @@ from barchan.ensembles.plan import Member
 from barchan.ensembles.reports import MEMBERS, report_on
 from barchan.errors import ArchiveError
 from barchan.replacing import replacing
+from barchan.words import spoken_name
 
 Count = Callable[[int, int], None]
 """Takes how much is done, and of how much; what it raises ends the work."""
@@ -93,13 +93,8 @@ def _name(variants: Sequence[Variant]) -> None:
         return
     differing = list(differing_keys(variants).items())[:MOST_NAMED]
     for number, variant in enumerate(variants):
-        told = [f"{_title(key)} {_short(values[number])}" for key, values in differing]
+        told = [f"{spoken_name(key)} {_short(values[number])}" for key, values in differing]
         variant.label = ", ".join(told) or f"run {variant.label.upper()}"
-
-
-def _title(key: str) -> str:
-    """The last name of a key in words, short symbols as they are: hop length, p_s."""
-    return re.sub(r"_(?=[a-z0-9]{3})", " ", key.rpartition(".")[2])
 
 
 def _short(value: object) -> str:

@@ -11,6 +11,7 @@ from barchan.comparison.statistics import LEAST, TURNS, Difference, spread
 from barchan.comparison.variants import Variant, shared_measures
 from barchan.comparison.words import listed, named, number, probability, spread_text
 from barchan.scenario.summary import field_size
+from barchan.words import counted
 
 REPORT = "report.html"
 
@@ -64,8 +65,9 @@ def report_of(contents: Contents) -> str:
     scenario = reference.scenario
     seeds = list(reference.reports)
     lead = (
-        f"{len(contents.variants)} variants, {len(seeds)} seed{'s' * (len(seeds) > 1)} each, on the same "
-        f"{field_size(scenario)}, {scenario.run.steps} steps, with the same ground, wind and random numbers."
+        f"{counted(len(contents.variants), 'variant')}, {counted(len(seeds), 'seed')} each, on the same "
+        f"{field_size(scenario)}, {counted(scenario.run.steps, 'step')}, with the same ground, wind and "
+        "random numbers."
     )
     changed = contents.changed and f"Changed from the scenario: {contents.changed}."
     links = ("overview", "measures", "differences", "time", "slopes", "maps", "variants", "runs", "method")

@@ -15,6 +15,7 @@ from barchan.scenario import Scenario, load_scenario
 from barchan.scenario.definition import LARGEST_SEED
 from barchan.scenario.listing import all_keys
 from barchan.scenario.overrides import Override
+from barchan.words import counted
 
 PLAN = "ensemble.json"
 
@@ -159,7 +160,7 @@ def make_plan(
             continue
         members += [_member(scenario, number, point, k, chosen.of(number, k)) for k in range(seeds)]
     if problems:
-        raise ScenarioError(list(dict.fromkeys(problems)), f"{len(points)} points of the ensemble")
+        raise ScenarioError(list(dict.fromkeys(problems)), f"{counted(len(points), 'point')} of the ensemble")
     return Plan(base.title, tuple(axes), design, chosen, tuple(members))
 
 

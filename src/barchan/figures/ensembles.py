@@ -11,6 +11,7 @@ from barchan.errors import BarchanError
 from barchan.figures.maps import elevation_range, shaded
 from barchan.figures.style import CURVE, SHADOW, SMOOTHING, extent, heading, new_figure
 from barchan.scenario import Scenario
+from barchan.words import spoken_name
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -95,7 +96,7 @@ def phase_diagram(table: "pd.DataFrame", measure: str, unit: str, over: Sequence
     )
     figure = new_figure(6.2, 4.6)
     axes = figure.add_subplot()
-    label = measure.replace("_", " ") + ("" if unit in ("-", "") else f" ({unit})")
+    label = spoken_name(measure) + ("" if unit in ("-", "") else f" ({unit})")
     if len(over) == 1:
         _line(axes, means, over[0], label)
     elif _is_grid(means, over):

@@ -15,6 +15,7 @@ from barchan.figures.section_lines import section_along_wind
 from barchan.figures.sections import draw_ground, draw_sand, section_heading, shown_heights
 from barchan.figures.style import CURVE, SAND, SMOOTHING, extent, heading, new_figure, title
 from barchan.scenario import Scenario
+from barchan.words import counted
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -38,9 +39,8 @@ def path_view(frame: "xr.Dataset", scenario: Scenario, paths: list[NDArray[np.fl
     side = figure.add_subplot(3, 1, 3)
     _draw_solid(solid, frame, scenario, paths)
     place = _draw_side(side, frame, scenario, paths)
-    text = (
-        f"{title(scenario, int(frame['step']))}, {len(paths)} grains\nfrom the side: sand {place}, all grains"
-    )
+    shown = f"{title(scenario, int(frame['step']))}, {counted(len(paths), 'grain')}"
+    text = f"{shown}\nfrom the side: sand {place}, all grains"
     heading(figure, text)
     return figure
 
@@ -113,6 +113,7 @@ def hop_histograms(frame: "xr.Dataset", scenario: Scenario, paths: list[NDArray[
         axes.set_xlabel(name)
         axes.set_title(f"mean {values.mean():.3g}", loc="right", fontsize=9)
     figure.axes[0].set_ylabel("hops")
-    text = f"{title(scenario, int(frame['step']))}: {len(hops)} hops of {len(paths)} grains"
+    size = f"{counted(len(hops), 'hop')} of {counted(len(paths), 'grain')}"
+    text = f"{title(scenario, int(frame['step']))}: {size}"
     heading(figure, text)
     return figure

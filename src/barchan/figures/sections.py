@@ -16,6 +16,7 @@ from barchan.figures.style import (
     SAND,
     SHADOW,
     TITLE,
+    in_lines,
     label_of,
     new_figure,
     smooth,
@@ -36,6 +37,9 @@ HALF = 0.5
 
 LONG, HIGH = 7.6, 2.2
 """Length and height (inches) of a section, about."""
+
+WIND = 1.4
+"""Width (inches) of the words that say where the wind comes from, with room before them."""
 
 EXAGGERATIONS = (1, 1.5, 2, 3, 5, 7, 10, 15, 20, 30, 50, 70, 100, 150, 200, 300, 500, 700, 1000)
 """Vertical exaggerations of sections."""
@@ -96,9 +100,12 @@ def profile(
     return figure
 
 
-def section_heading(axes: "Axes", text: str, direction: float) -> None:
-    """A title above a section, the wind at its right end, and names of its colours beside."""
-    axes.set_title(text, loc="left", fontsize=TITLE)
+def section_heading(axes: "Axes", text: str, direction: float, width: float = LONG) -> None:
+    """A title above a section, the wind at its right end, and names of its colours beside.
+
+    ``width`` (inches) is about that of the axes; lines that would run into the wind are broken.
+    """
+    axes.set_title(in_lines(text, width - WIND), loc="left", fontsize=TITLE)
     wind = f"wind from {direction:.4g}° →"
     axes.annotate(
         wind, (1, 1), (0, 19), xycoords="axes fraction", textcoords="offset points", ha="right", fontsize=9

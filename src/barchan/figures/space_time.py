@@ -8,13 +8,17 @@ from numpy.typing import NDArray
 from barchan.analysis.on_squares import field_on_squares, on_squares
 from barchan.figures.section_lines import section_along_wind, through_highest
 from barchan.figures.sections import section_heading
-from barchan.figures.style import TITLE, Colours, colour_map, material_of, new_figure
+from barchan.figures.style import TITLE, Colours, colour_map, in_lines, material_of, new_figure
 from barchan.scenario import Scenario
 from barchan.wind.clock import suited_unit
 
 if TYPE_CHECKING:
     import xarray as xr
     from matplotlib.figure import Figure
+
+
+WIDTH, TITLED, SECTION = 7.2, 6.5, 5.5
+"""Widths (inches) of the figure, of what a title may take of it, and of the section by itself, about."""
 
 
 def space_time(
@@ -38,7 +42,7 @@ def space_time(
     figure = section_over_time(edges, times_of(dataset), surface, scenario, text, colours)
     axes = figure.axes[0]
     axes.set_xlabel("distance downwind (m)")
-    section_heading(axes, text, direction)
+    section_heading(axes, text, direction, SECTION)
     return figure
 
 
@@ -57,7 +61,7 @@ def section_over_time(
     Colours reach from the lowest to the highest elevation, or from one of the ``limits`` (m) to the other.
     """
     moments, label = times
-    figure = new_figure(7.2, 5.0)
+    figure = new_figure(WIDTH, 5.0)
     axes = figure.add_subplot()
     image = axes.pcolormesh(
         edges, _between(moments), surface, cmap=colour_map(colours, material_of(scenario))
@@ -68,7 +72,7 @@ def section_over_time(
     axes.set_ylabel(label)
     if len(moments) == 1:
         axes.set_yticks(moments, [f"{moments[0]:g}"])
-    axes.set_title(text, loc="left", fontsize=TITLE)
+    axes.set_title(in_lines(text, TITLED), loc="left", fontsize=TITLE)
     figure.colorbar(image, ax=axes, label="elevation (m)")
     return figure
 

@@ -99,6 +99,10 @@ TITLE = 10.0
 
 def heading(figure: "Figure", text: str) -> None:
     """A title at the upper left of the whole figure, in lines that it is wide enough for."""
-    letters = max(16, int(figure.get_figwidth() * 72 / (0.56 * TITLE)) - 2)
-    lines = "\n".join(textwrap.fill(line, letters) for line in text.splitlines())
-    figure.suptitle(lines, x=0.01, ha="left", fontsize=TITLE)
+    figure.suptitle(in_lines(text, figure.get_figwidth()), x=0.01, ha="left", fontsize=TITLE)
+
+
+def in_lines(text: str, width: float) -> str:
+    """A title in lines that fit into a width (inches)."""
+    letters = max(16, int(width * 72 / (0.56 * TITLE)) - 2)
+    return "\n".join(textwrap.fill(line, letters) for line in text.splitlines())

@@ -12,6 +12,7 @@ from barchan.ground.netcdf_grid import read_netcdf
 from barchan.ground.raster import Hints, Raster, UnreadableError
 from barchan.ground.text_grids import read_ascii_grid, read_points
 from barchan.image_files import ImageError, image_in
+from barchan.words import counted
 
 if TYPE_CHECKING:
     from PIL.Image import Image
@@ -87,11 +88,10 @@ def _image(path: Path, _hints: Hints) -> Raster:
 def _refuse_transparency(image: "Image") -> None:
     if image.mode == "L" or not image.has_transparency_data:
         return
-    found = np.count_nonzero(np.asarray(image.convert("RGBA").getchannel("A")) < OPAQUE)
+    found = int(np.count_nonzero(np.asarray(image.convert("RGBA").getchannel("A")) < OPAQUE))
     if found:
-        raise UnreadableError(
-            f"has {found} transparent pixels, which stand for no height; allowed: opaque ones"
-        )
+        pixels = counted(found, "transparent pixel")
+        raise UnreadableError(f"has {pixels} without a height; allowed: opaque ones")
 
 
 def _has_colours(image: "Image") -> bool:

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from barchan.ground.raster import Hints, Raster, UnreadableError, placed
 from barchan.ground.reference import reference_of, stated
 from barchan.missing import marked
+from barchan.words import counted
 
 NEEDED = ("ncols", "nrows")
 KNOWN = (*NEEDED, "xllcorner", "yllcorner", "xllcenter", "yllcenter", "cellsize", "dx", "dy", "nodata_value")
@@ -66,7 +67,8 @@ def read_points(path: Path, hints: Hints) -> Raster:
     values[row, column] = points[:, 2]
     repeated = len(points) - len(np.unique(row * columns + column))
     if repeated:
-        raise UnreadableError(f"has {repeated} points in cells that have one already; allowed: one a cell")
+        more = counted(repeated, "point")
+        raise UnreadableError(f"has {more} in cells that have one already; allowed: one a cell")
     transform = (width, 0.0, west, 0.0, height, south)
     return Raster(*placed(values, transform, stated(None, hints)))
 

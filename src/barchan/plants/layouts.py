@@ -15,6 +15,7 @@ from barchan.lattice import Lattice
 from barchan.parameters import Parameters, parameter
 from barchan.plants.species import LEAST, MOST, SPECIES
 from barchan.streams import Stream, high
+from barchan.words import counted
 
 TABLES = "Prague thesis, Tables 6.4-6.6"
 OWN = "ours"
@@ -163,7 +164,8 @@ class MappedPlants(Layout):
         if share.shape != lattice.shape:
             message = f"has {share.shape} rows and columns; allowed: the lattice's {lattice.shape}"
         elif not np.isfinite(share).all():
-            message = f"has {np.count_nonzero(~np.isfinite(share))} cells without a value; allowed: none"
+            without = int(np.count_nonzero(~np.isfinite(share)))
+            message = f"has {counted(without, 'cell')} without a value; allowed: none"
         elif share.min() < 0 or share.max() > 1:
             message = f"has shares from {share.min():g} to {share.max():g}; allowed: 0 to 1"
         if message:

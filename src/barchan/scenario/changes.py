@@ -7,6 +7,9 @@ from typing import Any
 from barchan.scenario.definition import Scenario
 from barchan.scenario.source_map import Path, dotted
 
+UNTITLED = "Untitled scenario"
+"""Names a scenario without a title once it was changed."""
+
 _CHANGED = "changed: "
 
 _CUT = "…"
@@ -51,13 +54,14 @@ def changed_from(scenario: Scenario, before: Scenario) -> Scenario:
     """The scenario with the words of ``before``, and every value in which it differs told in them.
 
     Where those name changes already, each key stands once, with the value in force. Without a difference
-    the words are those of ``before``. Empty words stay empty.
+    the words are those of ``before``. An empty title becomes that of an untitled scenario that was changed;
+    other empty words stay empty.
     """
     told = _listed(scenario, _different(scenario.data(), before.data()))
     words = {
         name: _longer(own, told, separator, limit, scenario) if told else own
         for name, separator, limit in _WORDS
-        if (own := getattr(before, name))
+        if (own := getattr(before, name) or (UNTITLED if told and name == "title" else ""))
     }
     question = before.question if scenario.model.name == before.model.name else ""
     named = scenario.model_copy(update={**words, "look_for": before.look_for, "question": question})

@@ -8,6 +8,7 @@ import numpy as np
 from barchan.wind import SeriesWind
 from barchan.wind.clock import spoken
 from barchan.wind.regimes import Regimes
+from barchan.words import counted
 
 if TYPE_CHECKING:
     from barchan.scenario.definition import Scenario
@@ -43,7 +44,9 @@ def wind_length_facts(scenario: "Scenario") -> dict[str, str]:
     if steps is None or not math.isfinite(steps):
         return {}
     whole, seconds = math.ceil(steps - ROUNDED), scenario.step_seconds
-    lasts = f"{whole} steps" if seconds is None else f"{spoken(steps * seconds)}, {whole} steps"
+    lasts = counted(whole, "step")
+    if seconds is not None:
+        lasts = f"{spoken(steps * seconds)}, {lasts}"
     share = scenario.run.steps / steps
     compared = f"{share:.3g} times that" if share > 1 else f"its first {100 * share:.2g} %"
     if abs(share - 1.0) < ALIKE:

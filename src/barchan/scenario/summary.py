@@ -4,6 +4,7 @@ from html import escape
 from typing import TYPE_CHECKING
 
 from barchan.wind.blowing import speed_in_words
+from barchan.words import counted
 
 if TYPE_CHECKING:
     from barchan.scenario.definition import Scenario
@@ -46,7 +47,7 @@ def summary(scenario: "Scenario") -> dict[str, str]:
     """The parts of a scenario, a few words each."""
     seed = scenario.run.seed
     seconds = scenario.step_seconds
-    length = f"{scenario.run.steps} steps" + (f" of {seconds:.3g} s" if seconds is not None else "")
+    length = counted(scenario.run.steps, "step") + (f" of {seconds:.3g} s" if seconds is not None else "")
     return {
         "model": scenario.model.name,
         "lattice": field_size(scenario),

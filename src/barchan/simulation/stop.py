@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from barchan.model import Tally
 from barchan.scenario import Scenario
+from barchan.words import counted
 
 if TYPE_CHECKING:
     from barchan.simulation.core import Simulation
@@ -45,7 +46,7 @@ class IdleSteps:
     def check(self, _simulation: "Simulation", tally: Tally) -> str | None:
         """Count a step."""
         self.idle = self.idle + tally.steps if tally.idle else 0
-        return f"nothing moved for {self.idle} steps" if self.idle >= self.limit else None
+        return f"nothing moved for {counted(self.idle, 'step')}" if self.idle >= self.limit else None
 
     def state(self) -> dict[str, Any]:
         """The steps counted."""

@@ -16,6 +16,7 @@ from barchan.models import Model
 from barchan.parameters import parameter
 from barchan.scenario import nearest
 from barchan.simulation.change import Change
+from barchan.words import counted
 
 if TYPE_CHECKING:
     from barchan.simulation.core import Simulation
@@ -113,7 +114,7 @@ class Stroke(UnitStroke):
 
     def painted(self) -> str:
         """What is painted, and how much of it."""
-        return f"sand {self.amount:+d} slabs"
+        return f"sand {counted(self.amount, 'slab', form='+d')}"
 
 
 class SnowfallStroke(UnitStroke):
@@ -130,7 +131,7 @@ class SnowfallStroke(UnitStroke):
 
     def painted(self) -> str:
         """What is painted, and how much of it."""
-        return f"fresh snow {self.amount:+d} quanta of {self.density:g} kg/m³"
+        return f"fresh snow {counted(self.amount, 'quantum', 'quanta', '+d')} of {self.density:g} kg/m³"
 
     def change(self, bed: Bed, model: Model) -> NDArray:
         """Quanta added to each cell; raises ScenarioError for a model that keeps no densities of snow."""
@@ -170,7 +171,7 @@ class RockStroke(GroundStroke):
 
     def painted(self) -> str:
         """What is painted, and how much of it."""
-        return f"ground {self.amount:+d} slabs"
+        return f"ground {counted(self.amount, 'slab', form='+d')}"
 
     def change(self, bed: Bed, model: Model) -> NDArray:  # noqa: ARG002
         """Rise of the ground on each cell (m), in whole slabs, never below the lowest ground."""

@@ -28,6 +28,7 @@ from barchan.slabs.transport import Transport
 from barchan.streams import Stream, derive
 from barchan.wind.frame import WindFrame
 from barchan.wind.segment import Segment
+from barchan.words import counted
 
 SHORT = 500_000
 """Hops that take so short that no signal need interrupt them: some tens of milliseconds."""
@@ -285,8 +286,9 @@ class SlabModel(Model):
         face, corner = self.parameters.effective_angles(self.lattice, angle)
         face_limit, corner_limit = self.parameters.limits(self.lattice, angle)
         faces = "all six neighbours" if self.lattice.hexagonal else "faces"
-        text = f"{face:.1f}° towards {faces} ({face_limit} slabs)"
-        return text if corner is None else f"{text}, {corner:.1f}° towards corners ({corner_limit} slabs)"
+        text = f"{face:.1f}° towards {faces} ({counted(face_limit, 'slab')})"
+        corners = counted(corner_limit, "slab")
+        return text if corner is None else f"{text}, {corner:.1f}° towards corners ({corners})"
 
     def remarks(self, hop_length: float | None, direction: float) -> list[str]:
         """Warn of hops that the field's edges dominate."""

@@ -74,7 +74,7 @@ COMMANDS = _table(
     Command("bookmark", "worker", "Set bookmarks, or name known ones otherwise.", pair="meeting"),
     Command("unbookmark", "worker", "Remove a bookmark."),
     Command("visit", "worker", "Look at a bookmark's moment, on the branch that holds it.", pair="pause"),
-    Command("measured", "worker", "Ask for the measures at every fixed step up to now."),
+    Command("measured", "worker", "Ask for the measures at every fixed step, and where the run rests."),
     Command("space_time", "worker", "Ask for the section along a line over the whole run."),
     Command("overlay", "worker", "Compare the surface with the terrain in a file; without a path with none."),
     Command("inspect", "worker", "Ask what a file of the session's folder holds: heights, or a record."),

@@ -14,6 +14,7 @@ from barchan.wind.interval import FOR_EVER, StepClock, WindInterval
 from barchan.wind.ramps import AnyRamp, Linear
 from barchan.wind.weather import SNOWFALL, TEMPERATURE, Weather
 from barchan.wind.weather_course import snowfall_change, temperature_change
+from barchan.words import counted
 
 FINENESS = 0.01
 """Change of speed from one slice of a step to the next, over the greater of a regime's speeds."""
@@ -116,7 +117,9 @@ class Regime(Blowing):
         return f" {speed_in_words(self.unit, self.speed, self.final_speed)}"
 
     def _duration_in_words(self) -> str:
-        return f"{self.steps} steps" if self.seconds is None else spoken(self.seconds)
+        if self.seconds is not None:
+            return spoken(self.seconds)
+        return counted(self.steps or 0, "step")
 
     @property
     def longest_hop(self) -> float | None:

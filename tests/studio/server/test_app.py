@@ -1,3 +1,4 @@
+import json
 import os
 import signal
 import time
@@ -158,6 +159,18 @@ def test_what_cannot_change_is_refused_and_the_run_goes_on(served):
         browser.send("set", key="lattice.rows", value=64, id=3, run="a")
         assert "cannot change" in browser.until_message("refused", id=3)["text"]
         browser.until_frame(lambda status: status["step"] > step)
+
+
+def test_a_file_that_is_refused_is_named_as_its_user_knows_it(served):
+    uploads = served.folder / "studio-uploads"
+    uploads.mkdir(parents=True, exist_ok=True)
+    (uploads / "hill.png").write_bytes(b"no picture")
+    with served.browser() as browser:
+        content = {**small().data(), "ground": {"kind": "file", "path": str(uploads / "hill.png")}}
+        browser.send("create", scenario=content, run="a", id=5)
+        refused = browser.until_message("refused", id=5)
+        assert "'hill.png': cannot be read" in refused["problems"][0]["message"]
+        assert str(served.folder) not in json.dumps(refused)
 
 
 def test_nonsense_is_answered_and_harms_nothing(served):

@@ -60,3 +60,11 @@ def test_an_uploaded_file_gets_a_plain_name(tmp_path, given, kept):
 def test_a_file_that_is_neither_heights_nor_winds_is_not_kept(tmp_path):
     with pytest.raises(BarchanError, match=r"run\.exe.*allowed: \.npy"):
         Workspace(tmp_path).keep("run.exe", b"x")
+
+
+def test_a_refusal_names_an_upload_without_the_folders_of_the_server(tmp_path):
+    workspace = Workspace(tmp_path)
+    said = f"'{workspace.keep('hill.png', b'x')}': cannot be read as an image"
+    text, (problem,) = workspace.plainly(said, [{"key": "ground.path", "message": said, "place": ""}])
+    assert text == problem["message"] == "'hill.png': cannot be read as an image"
+    assert problem["key"] == "ground.path"

@@ -8,6 +8,7 @@ import pytest
 from barchan.studio.worker.background import AllMeasured, Background, BrokenOffError, Reading
 from barchan.studio.worker.owed import OwedAnswers
 from barchan.studio.worker.run import started
+from tests.studio.worker.test_run import run_to
 
 
 def finished(later):
@@ -69,3 +70,21 @@ def test_a_reading_that_is_broken_off_is_answered_at_once():
     with pytest.raises(BrokenOffError):
         reading.result()
     go_on.set()
+
+
+def test_the_table_of_measures_ends_with_the_state_where_the_run_rests(scenario):
+    """Not of a run that goes on: where that is depends on the machine."""
+    run = started(scenario)
+    run_to(run, 13)
+    assert table_steps(run) == ["0", "10", "13"]
+    run_to(run, 20)
+    assert table_steps(run) == ["0", "10", "20"]
+    run.run()
+    run.live.advance(3)
+    assert table_steps(run) == ["0", "10", "20"]
+    run.pause()
+    assert table_steps(run) == ["0", "10", "20", "23"]
+
+
+def table_steps(run):
+    return [row[0] for row in AllMeasured(lambda: run).result()["rows"]]

@@ -41,7 +41,7 @@ export type CommandName =
   | "unbookmark"
   /** Look at a bookmark's moment, on the branch that holds it. */
   | "visit"
-  /** Ask for the measures at every fixed step up to now. */
+  /** Ask for the measures at every fixed step, and where the run rests. */
   | "measured"
   /** Ask for the section along a line over the whole run. */
   | "space_time"

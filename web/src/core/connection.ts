@@ -95,10 +95,6 @@ export abstract class Connection {
   }
 }
 
-/** Folders before the name of a file that its user sent: the server's, which nobody on the page knows. */
-const UPLOADED = /(?<=')[^']*[/\\]studio-uploads[/\\](?=[^'/\\]+')/g;
-
 function refusal({ text, problems }: Message): Refused {
-  const plain = (said: string) => said.replaceAll(UPLOADED, "");
-  return new Refused(plain(String(text)), ((problems ?? []) as unknown as Problem[]).map((one) => ({ ...one, message: plain(one.message) })));
+  return new Refused(String(text), (problems ?? []) as unknown as Problem[]);
 }

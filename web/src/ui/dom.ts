@@ -56,6 +56,11 @@ export function short(value: number | null | undefined, digits = 4): string {
   return String(Number(value.toPrecision(digits)));
 }
 
+/** A count with its noun, in the plural unless it is one. */
+export function counted(count: number, noun: string): string {
+  return `${short(count, 9)} ${noun}${Math.abs(count) === 1 ? "" : "s"}`;
+}
+
 /** Below this (m) lengths are given in millimetres. */
 const SMALL = 0.1;
 
@@ -93,6 +98,13 @@ export function duration(seconds: number): string {
   if (seconds < 7200) return `${Math.floor(seconds / 60)} min ${two(seconds % 60)} s`;
   if (days < 1) return `${clock} h`;
   return days < 1000 ? `${days} d ${clock}` : `${(days / 365.2425).toFixed(1)} years`;
+}
+
+const TIMES: [string, number][] = [["years", 31_557_600], ["days", 86_400], ["h", 3600], ["min", 60]];
+
+/** The unit for durations up to one (s), and how many seconds it has; as the pictures that are saved have it. */
+export function timeUnit(seconds: number): [string, number] {
+  return TIMES.find(([, length]) => seconds >= length) ?? ["s", 1];
 }
 
 /** Give a text to the user as a file. */

@@ -9,7 +9,7 @@ import { problemText } from "../core/notices";
 import type { JsonObject, Problem } from "../core/protocol";
 import type { Stage } from "../scene/stage";
 import { type Submit, dialog, formDialog, working } from "./dialog";
-import { download, h } from "./dom";
+import { counted, download, h } from "./dom";
 import { exportRun, reportSheet } from "./exports";
 import { filmSheet } from "./film";
 import { type ImageChoice, beginOn, groundSheet } from "./ground_file";
@@ -114,7 +114,7 @@ export class Files {
       if (await this.app.create(scenario!)) this.app.note("warning", [`Loaded ${name} without what was wrong`, ...changes].join("; ") + ".");
     };
     const sheet: HTMLDialogElement = dialog(
-      `${name}: ${problems.length === 1 ? "1 problem" : `${problems.length} problems`}`,
+      `${name}: ${counted(problems.length, "problem")}`,
       "small",
       h("ul", { className: "problems" }, ...problems.map((problem) => h("li", {}, problemText(problem)))),
       scenario !== null && changes.length > 0 && h("p", {}, "Loaded without what is wrong, the scenario is another one than the file says:"),
@@ -181,7 +181,7 @@ export class Files {
     const pair = this.app.runs.length > 1;
     const save: Submit = async (progress, signal) => {
       const answer = await this.app.connection.ask({ command: "save", name: name.value }, progress, signal);
-      this.app.notices.confirm(`Saved ${answer.frames} frames up to step ${answer.step} in the folder “${name.value}”.`);
+      this.app.notices.confirm(`Saved ${counted(Number(answer.frames), "frame")} up to step ${answer.step} in the folder “${name.value}”.`);
     };
     formDialog(
       "Save the run",

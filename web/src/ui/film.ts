@@ -4,7 +4,7 @@ import type { App } from "../core/app";
 import { shownSteps } from "../core/run";
 import type { Stage } from "../scene/stage";
 import { type Submit, formDialog } from "./dialog";
-import { h, short } from "./dom";
+import { counted, h, short } from "./dom";
 import type { Format } from "./exports";
 import { fetchFile, nameField } from "./exports";
 import { filmOfStates } from "./scene_film";
@@ -54,7 +54,7 @@ export async function filmSheet(app: App, stage: Stage): Promise<void> {
 
   const show = () => {
     const [shown, scene] = [Number(states.value), view.value === "scene"];
-    count.textContent = `${shown} states`;
+    count.textContent = counted(shown, "state");
     const long = rate.number === null ? "" : `: a film of ${short(shown / rate.number, 2)} s`;
     told.textContent = `From step ${short(steps.at(-shown), 9)} to ${short(steps.at(-1), 9)}${long}.`;
     for (const one of ofScene) one.hidden = !scene;

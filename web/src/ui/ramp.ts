@@ -3,7 +3,7 @@
 import type { Json, JsonObject } from "../core/protocol";
 import type { Entry } from "../core/schema";
 import { CurveEditor, type Ramp, STRAIGHT } from "./curve";
-import { h } from "./dom";
+import { counted, h } from "./dom";
 import { labelOf } from "../core/labels";
 
 const SUFFIX = "_ramp";
@@ -37,5 +37,6 @@ export function rampEditor(name: string, values: JsonObject, unit: string, take:
 /** How long a change takes. */
 export function lasting(values: JsonObject): string {
   const { seconds, steps } = values;
-  return seconds === null || seconds === undefined ? `${steps ?? "some"} steps` : `${seconds} s`;
+  if (seconds !== null && seconds !== undefined) return `${seconds} s`;
+  return typeof steps === "number" ? counted(steps, "step") : "some steps";
 }

@@ -8,7 +8,7 @@ import { namesOf } from "../core/run";
 import { holdsScenario, scenarioLink, scenariosIn } from "../core/scenario_link";
 import { copyRow } from "./copy_row";
 import { dialog, formDialog } from "./dialog";
-import { h, short } from "./dom";
+import { counted, h } from "./dom";
 import type { Files } from "./files";
 
 /** Where a page without a token hands its link on to a window of the studio that is open. */
@@ -69,7 +69,7 @@ function told(app: App, scenario: JsonObject, looks: boolean): HTMLElement {
   const model = String((scenario.model as JsonObject).name);
   const cells = rows === undefined ? `lattice ${String(kind)}` : `${String(columns)} × ${String(rows)} cells`;
   const { steps, seed } = scenario.run as { steps: number; seed: number | null };
-  const facts = [valueLabel(model, app.current?.description?.models), cells, `${short(steps, 9)} steps`, seed === null ? "no seed" : `seed ${seed}`];
+  const facts = [valueLabel(model, app.current?.description?.models), cells, counted(steps, "step"), seed === null ? "no seed" : `seed ${seed}`];
   return h(
     "div",
     {},

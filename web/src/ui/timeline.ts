@@ -2,7 +2,7 @@
 
 import type { App } from "../core/app";
 import { commonHistory, shownSteps } from "../core/run";
-import { button, h, isActive, short } from "./dom";
+import { button, counted, h, isActive, short } from "./dom";
 
 const PLAY_PAUSE = 90;
 
@@ -108,7 +108,7 @@ export class Timeline {
     }
     this.slider.setAttribute("aria-valuetext", `step ${status.step}`);
     const kept = shownSteps(this.app.runs).length; // the present one as well
-    this.label.textContent = status.looking ? `step ${short(status.step, 9)} of ${short(status.live, 9)}` : kept === 1 ? "1 state kept" : `${kept} states kept`;
+    this.label.textContent = status.looking ? `step ${short(status.step, 9)} of ${short(status.live, 9)}` : `${counted(kept, "state")} kept`;
     this.element.classList.toggle("looking", status.looking);
     this.now.hidden = !status.looking;
     this.branch.hidden = !status.looking;

@@ -52,7 +52,7 @@ function steepItems(drawn: Drawn[]): Item[] {
   const angles = [...new Set(marked.map(({ run }) => `${run.description!.repose!.toFixed(1)}°`))];
   if (pair) return [{ swatches, text: `near repose, ${angles.join(" and ")}` }];
   const slabs = marked[0]!.run.description!.repose_slabs;
-  return [{ swatches, text: `near the effective angle of repose, ${angles[0]}${slabs === null ? "" : ` (${short(slabs, 3)} slabs a cell)`}` }];
+  return [{ swatches, text: `near the effective angle of repose, ${angles[0]}${slabs === null ? "" : ` (${short(slabs, 3)} ${slabs === 1 ? "slab" : "slabs"} a cell)`}` }];
 }
 
 const swatch = (side: Side, mark: Mark): Swatch => ({ side, mark });

@@ -56,7 +56,7 @@ export class SeriesView {
     return this.app.current?.description?.measures ?? [];
   }
 
-  /** Save the measures of all runs at every fixed step; those that are not measured yet are waited for. */
+  /** Save the measures of all runs at every fixed step and where they rest; those that are not measured yet are waited for. */
   private async save(): Promise<void> {
     const { runs } = this.app;
     const answers = await Promise.all(runs.map((run) => this.app.ask({ command: "measured", run: run.name })));
@@ -69,7 +69,7 @@ export class SeriesView {
   private intervals(): void {
     const { measured_every: every = 0, measured_rows: rows = 0 } = this.app.current?.description ?? {};
     const from = every * rows;
-    this.when.textContent = every ? `every ${every} steps; from step ${short(from, 9)} fewer` : "";
+    this.when.textContent = every ? `every ${every === 1 ? "step" : `${every} steps`}; from step ${short(from, 9)} fewer` : "";
     this.when.title = every ? `From step ${short(from, 9)} every ${2 * every} steps, from ${short(2 * from, 9)} every ${4 * every}, and so on` : "";
   }
 

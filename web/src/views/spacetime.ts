@@ -3,7 +3,7 @@
 import type { App } from "../core/app";
 import { type Run, nameBeside } from "../core/run";
 import type { RunName } from "../core/protocol";
-import { button, fitCanvas, h, metres } from "../ui/dom";
+import { button, counted, fitCanvas, h, lengthUnit, short } from "../ui/dom";
 import { fetchFile } from "../ui/exports";
 import { sideOf } from "../ui/sides";
 import { Bands } from "./bands";
@@ -117,7 +117,7 @@ export class SpaceTimeView {
   private draw(): void {
     if (!this.visible || !this.canvas.clientWidth) return;
     const runs = this.runs.filter((run) => this.bands[run.name].rows.length);
-    const panels: Panel[] = this.chosen().filter((run) => runs.includes(run)).map((run) => ({ name: this.name(run), colour: sideOf(run).colour, bands: this.bands[run.name] }));
+    const panels: Panel[] = this.chosen().filter((run) => runs.includes(run)).map((run) => ({ name: this.name(run), colour: sideOf(run).colour, bands: this.bands[run.name], stepSeconds: run.description!.step_seconds }));
     if (!panels.length) return;
     const all = runs.flatMap((run) => this.bands[run.name].rows);
     const steps = all.map(({ step }) => step);
@@ -131,8 +131,9 @@ export class SpaceTimeView {
       width,
       height,
     );
-    const what = this.runs.length > 1 ? "one scale:" : `${panels[0]!.bands.rows.length} sections,`;
-    this.readout.textContent = `${what} ${metres(low)} to ${metres(high)}`;
+    const what = this.runs.length > 1 ? "one scale:" : `${counted(panels[0]!.bands.rows.length, "section")},`;
+    const [unit, factor] = lengthUnit(Math.max(Math.abs(low), Math.abs(high)));
+    this.readout.textContent = `${what} ${short(factor * low)} to ${short(factor * high)} ${unit}`;
   }
 
   /** Lowest and highest elevation (m) of all runs, whichever are shown. */

@@ -1,12 +1,11 @@
 /** Draws sections over time: a panel for each run, on one scale of colours and of steps. */
 
-import { lengthUnit, short, themeColour, ticks } from "../ui/dom";
+import { lengthUnit, short, themeColour, ticks, timeUnit } from "../ui/dom";
 import { drawBar } from "../ui/legend";
 import { type Bands, COLUMNS } from "./bands";
 
-const MARGIN = { left: 62, right: 84, top: 8, bottom: 28, between: 14 };
-/** Of the line with the name of a run above its panel (pixels). */
-const NAME = 16;
+/** Above a panel is a line with the unit of its time and the name of its run. */
+const MARGIN = { left: 62, right: 84, top: 22, bottom: 28, between: 14 };
 /** Of the colour bar: its distance from the picture, and its width (pixels). */
 const BAR = { gap: 14, width: 12 };
 /** Rows of pixels of a panel at most. */
@@ -18,6 +17,8 @@ export interface Panel {
   /** The colour of the theme of its run. */
   colour: string;
   bands: Bands;
+  /** Duration of a step (s), where it is known. */
+  stepSeconds: number | null;
 }
 
 /** What all panels have in common. */
@@ -41,18 +42,27 @@ interface Box {
 export function drawPanels(c: CanvasRenderingContext2D, panels: Panel[], scales: Scales, width: number, height: number): void {
   c.font = "11px system-ui, sans-serif";
   c.imageSmoothingEnabled = true;
-  const top = MARGIN.top + (panels.some(({ name }) => name) ? NAME : 0);
+  const { top } = MARGIN;
   const each = (width - MARGIN.right + MARGIN.between) / panels.length;
-  panels.forEach(({ name, colour, bands }, at) => {
+  panels.forEach(({ name, colour, bands, stepSeconds }, at) => {
     const box = { x: at * each + MARGIN.left, y: top, w: each - MARGIN.left - MARGIN.between, d: height - top - MARGIN.bottom };
     drawBands(c, bands, scales, box);
-    drawAxes(c, scales, box, height);
+    const [label, step] = timeScale(scales.steps[1], stepSeconds);
+    drawAxes(c, scales, step, box, height);
     c.textAlign = "left";
-    c.fillText("step", at * each + 4, top + 6);
+    c.fillText(label, at * each + 4, top - 10);
     c.fillStyle = themeColour(colour);
-    c.fillText(name, box.x, top - 5, box.w);
+    c.textAlign = "right";
+    c.fillText(name, box.x + box.w, top - 8, box.w - 20);
   });
-  drawColourBar(c, scales, { x: width - MARGIN.right + BAR.gap, y: top, w: BAR.width, d: height - top - MARGIN.bottom });
+  drawColourBar(c, scales, { x: width - MARGIN.right + BAR.gap, y: top, w: BAR.width, d: height - top - MARGIN.bottom }, width, height);
+}
+
+/** What stands above an axis of time whose last step is known, and how much of that a step is. */
+function timeScale(last: number, stepSeconds: number | null): [string, number] {
+  if (stepSeconds === null) return ["step", 1];
+  const [unit, length] = timeUnit(last * stepSeconds);
+  return [`time (${unit})`, stepSeconds / length];
 }
 
 /** The sections from the first to the last step of a run; what is later of the other one is left out. */
@@ -77,16 +87,17 @@ function drawBands(c: CanvasRenderingContext2D, { rows: bands }: Bands, { colour
   c.drawImage(picture, x, y, w, d);
 }
 
-function drawAxes(c: CanvasRenderingContext2D, { steps: [first, last], length }: Scales, { x, y, w, d }: Box, height: number): void {
+function drawAxes(c: CanvasRenderingContext2D, { steps, length }: Scales, step: number, { x, y, w, d }: Box, height: number): void {
+  const [first, last] = steps.map((one) => one * step) as [number, number];
   c.fillStyle = themeColour("faint");
   c.textAlign = "right";
-  for (const tick of ticks(first, last, d / 36)) c.fillText(short(tick), x - 6, y + d - ((tick - first) / Math.max(last - first, 1)) * d + 4);
-  c.fillText("distance (m)", x + w, height - 2);
+  for (const tick of ticks(first, last, d / 36)) c.fillText(short(tick), x - 6, y + d - ((tick - first) / (last - first || 1)) * d + 4);
   c.textAlign = "center";
+  c.fillText("distance (m)", x + w / 2, height - 2);
   for (const tick of ticks(0, length, w / 100)) c.fillText(short(tick), x + (tick / length) * w, height - MARGIN.bottom + 15);
 }
 
-function drawColourBar(c: CanvasRenderingContext2D, { colours, ends: [low, high] }: Scales, { x, y, w, d }: Box): void {
+function drawColourBar(c: CanvasRenderingContext2D, { colours, ends: [low, high] }: Scales, { x, y, w, d }: Box, width: number, height: number): void {
   const [unit, factor] = lengthUnit(Math.max(Math.abs(low), Math.abs(high)));
   drawBar(c, colours, x, y, w, d);
   c.fillStyle = themeColour("faint");
@@ -95,5 +106,6 @@ function drawColourBar(c: CanvasRenderingContext2D, { colours, ends: [low, high]
     const at = y + d * (1 - (tick - low) / (high - low || 1));
     c.fillText(short(factor * tick, 3), x + w + 4, Math.min(Math.max(at + 4, y + 9), y + d));
   }
-  c.fillText(`elevation (${unit})`, x - BAR.gap + 4, y + d + 15);
+  c.textAlign = "right";
+  c.fillText(`elevation (${unit})`, width - 2, height - 2);
 }

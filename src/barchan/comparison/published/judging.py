@@ -11,6 +11,7 @@ from barchan.comparison.published.results import Claim
 from barchan.comparison.statistics import CONFIDENCE, LEAST, SIGNIFICANT, paired_difference
 from barchan.comparison.variants import Variant
 from barchan.survey.measuring import measure as survey
+from barchan.words import counted
 
 Result = Literal["agrees", "differs", "undecided", "for the eye"]
 
@@ -74,7 +75,7 @@ def _form(claim: Claim, variant: Variant) -> Verdict:
     fits = [(name in claim.forms) != claim.none for name in found]
     told = ", ".join(f"{name} in {found.count(name)}" for name in dict.fromkeys(found))
     result: Result = "agrees" if all(fits) else "undecided" if any(fits) else "differs"
-    return Verdict(claim, f"{told} of {len(found)} seeds", result)
+    return Verdict(claim, f"{told} of {counted(len(found), 'seed')}", result)
 
 
 def _finished(variant: Variant) -> list:

@@ -12,6 +12,7 @@ from barchan.comparison.statistics import spread
 from barchan.comparison.variants import Variant
 from barchan.comparison.words import spread_text
 from barchan.scenario.summary import field_size
+from barchan.words import counted
 
 METHOD = """
 A reported number comes of one run whose random numbers are not known. It agrees where it lies in the
@@ -60,8 +61,9 @@ def report_of(contents: Contents) -> str:
     chosen = contents.chosen
     seeds = max(len(variant.reports) for variant in contents.variants)
     lead = (
-        f"Set up again: {len(contents.sections)} figures and sections, {len(contents.variants)} runs of "
-        f"{seeds} seed{'s' * (seeds > 1)} each. Reported by: {chosen.source}."
+        f"Set up again: {len(contents.sections)} figures and sections, "
+        f"{counted(len(contents.variants), 'run')} of {counted(seeds, 'seed')} each. "
+        f"Reported by: {chosen.source}."
     )
     parts = [
         f"<h1>{text(chosen.title)}</h1>",
@@ -134,7 +136,7 @@ def _cases(cases: Sequence[Variant]) -> str:
     for variant in cases:
         file = f"{SCENARIOS}/{variant.name}.json"
         link = Markup(f'<a href="{text(file)}">{text(variant.label)}</a>')
-        size = f"{field_size(variant.scenario)}; {variant.scenario.run.steps} steps"
+        size = f"{field_size(variant.scenario)}; {counted(variant.scenario.run.steps, 'step')}"
         rows.append([link, size, *(_final(variant, name) for name in _MEASURES)])
     report = next(iter(cases[0].reports.values()))
     heads = [f"{report.titles[name]} ({report.units[name]})" for name in _MEASURES]

@@ -32,9 +32,12 @@ class BrowserRequests:
             else:
                 self._do(request)
         except ScenarioError as error:
-            viewer.refuse(request, str(error), [vars(problem) for problem in error.problems])
+            self._refuse(viewer, request, str(error), [vars(problem) for problem in error.problems])
         except ANSWERED as error:
-            viewer.refuse(request, str(error) or type(error).__name__, [])
+            self._refuse(viewer, request, str(error) or type(error).__name__, [])
+
+    def _refuse(self, viewer: Viewer, request: Request, text: str, problems: list[dict[str, Any]]) -> None:
+        viewer.refuse(request, *self.session.workspace.plainly(text, problems))
 
     def _confirm(self, viewer: Viewer, run: Any) -> None:
         """A browser has drawn a frame; workers make the next ones at the pace of the fastest browser."""

@@ -31,6 +31,10 @@ class WorkerMessages:
             session.audience.on_frame(worker.name, data)
             return
         content = json.loads(data)
+        if content["type"] == "refused":
+            said = session.workspace.plainly(content["text"], content["problems"])
+            content["text"], content["problems"] = said
+            data = message("refused", **{name: one for name, one in content.items() if name != "type"})
         if content["type"] == "begun":
             self._on_begun(worker.name, content)
             return

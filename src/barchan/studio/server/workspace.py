@@ -1,5 +1,6 @@
 """The session's folder: saved runs, and uploaded files."""
 
+import os
 import re
 import unicodedata
 from pathlib import Path
@@ -86,6 +87,15 @@ class Workspace:
         if path in self._new:
             self._new.remove(path)
             path.unlink(missing_ok=True)
+
+    def plainly(self, text: str, problems: list[dict[str, Any]]) -> tuple[str, list[dict[str, Any]]]:
+        """A refusal as those on the page read it: uploads are named without the server's folders."""
+        folder = f"{self.folder / UPLOADS}{os.sep}"
+        plain = [
+            {name: said.replace(folder, "") if isinstance(said, str) else said for name, said in one.items()}
+            for one in problems
+        ]
+        return text.replace(folder, ""), plain
 
     def run(self, name: str) -> Path:
         """The folder of the run of that name; raises BarchanError for any other than a plain name."""

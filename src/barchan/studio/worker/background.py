@@ -35,13 +35,21 @@ class BrokenOffError(BarchanError):
 
 
 class AllMeasured:
-    """The rows of a run at all fixed steps up to now, as soon as every one of them is measured."""
+    """The rows of a run at all fixed steps up to now, as soon as every one of them is measured.
+
+    Of a run that rests the last row is that of its newest state, at whatever step. A run that goes on is at
+    a step that depends on the machine, so its table ends at a fixed one.
+    """
 
     def __init__(self, current: Callable[[], StudioRun]) -> None:
         """Wait for the measures that the current run has now."""
         self.done, self.of = 0, 1
-        self._current, self._measures = current, current().measures
-        self._last = self._measures.newest
+        run = current()
+        self._current, self._measures = current, run.measures
+        self._last = run.measures.newest
+        if run.rests:
+            run.measures.take_extra(run.live)
+            self._last = run.live.steps_done
         self._broken = False
 
     def break_off(self) -> None:
@@ -54,7 +62,7 @@ class AllMeasured:
             raise BrokenOffError
         if self._current().measures is not self._measures:
             raise BarchanError("another run or branch was begun before all steps were measured")
-        rows = self._measures.up_to(self._last)
+        rows = self._measures.ending_at(self._last)
         self.done, self.of = len(rows), max(len(rows) + self._current().desk.pending, 1)
         return measures_table(self._current().live.scenario, rows) if self._measures.has(self._last) else None
 

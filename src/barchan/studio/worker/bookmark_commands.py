@@ -7,6 +7,7 @@ from barchan.errors import BarchanError
 from barchan.studio.protocol import Request
 from barchan.studio.worker.bookmarks import bookmark_from
 from barchan.studio.worker.handlers import WORKER, Answer
+from barchan.words import counted
 
 if TYPE_CHECKING:
     from barchan.studio.worker.commands import RunCommands
@@ -48,7 +49,9 @@ def visit(commands: "RunCommands", request: Request) -> Answer:
         commands.announce()
     if chosen.step > run.live.steps_done:
         done = run.live.steps_done
-        raise BarchanError(f"'{chosen.name}' is at step {chosen.step}; the run has done {done} steps")
+        raise BarchanError(
+            f"'{chosen.name}' is at step {chosen.step}; the run has done {counted(done, 'step')}"
+        )
     if chosen.step == run.live.steps_done:
         run.pause()
         run.look_now()

@@ -50,6 +50,8 @@ class LiveMeasures:
         self.newest = -1
         """The last of the fixed steps so far."""
         self._last = -1
+        self._resting: Row | None = None
+        """The row of the state at which it was paused last, at whatever step."""
 
     def take(self, simulation: Simulation) -> None:
         """Measure a simulation where its step is one of the fixed ones."""
@@ -80,17 +82,26 @@ class LiveMeasures:
         self._desk.submit(Job(self.number, state, past, extra), self._on_row)
 
     def _on_row(self, row: Row) -> None:
-        if "extra" not in row:
+        if "extra" in row:
+            self._resting = row
+        else:
             self.rows.append(row)
         self._unsent.append(row)
 
     def has(self, step: int) -> bool:
         """Whether the state after a step, and so every one before it, is measured."""
-        return bool(self.rows) and self.rows[-1]["step"] >= step
+        newest = [*self.rows[-1:], *([self._resting] if self._resting else [])]
+        return any(row["step"] >= step for row in newest)
 
     def up_to(self, step: int) -> list[Row]:
-        """The rows up to a step."""
+        """The rows at the fixed steps up to a step."""
         return [row for row in self.rows if row["step"] <= step]
+
+    def ending_at(self, step: int) -> list[Row]:
+        """The rows up to a step, with that of the step itself where the run was paused there."""
+        rows, last = self.up_to(step), self._resting
+        beyond = last is not None and last["step"] == step and not (rows and rows[-1]["step"] == step)
+        return [*rows, last] if last is not None and beyond else rows
 
     def unsent(self) -> dict[str, Any]:
         """What the browser does not have yet: rows, and whether they replace all others."""

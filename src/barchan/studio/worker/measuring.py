@@ -66,7 +66,8 @@ class Measuring:
         try:
             return self.row(job)
         except (BarchanError, ArithmeticError, LookupError, MemoryError, TypeError, ValueError) as error:
-            return {"step": job.state.step, "values": {}, "doubts": {}, "failed": str(error)}
+            extra = {"extra": True} if job.extra else {}
+            return {"step": job.state.step, "values": {}, "doubts": {}, "failed": str(error), **extra}
 
 
 def _looking_back(simulation: Simulation, past: tuple[State, ...]) -> FrameMeasurer:

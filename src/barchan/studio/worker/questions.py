@@ -168,9 +168,10 @@ def _written(folder: Path, write: Callable[[Count], dict[str, Any]]) -> Backgrou
 
 @WORKER.handles("measured")
 def measured(commands: "RunCommands", _: Request) -> Answer:
-    """The rows at all fixed steps up to now, as soon as every one of them is measured."""
+    """The rows at all fixed steps up to now and of the state where it rests, once all are measured."""
+    answer = AllMeasured(lambda: commands.current)
     commands.desk.wake()
-    return AllMeasured(lambda: commands.current)
+    return answer
 
 
 @WORKER.handles("rose")

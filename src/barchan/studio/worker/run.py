@@ -80,6 +80,11 @@ class StudioRun:
         return self.running and self.continues and self.live.finished is None
 
     @property
+    def rests(self) -> bool:
+        """Whether it stays at its newest state until it is told to go on."""
+        return not self.running and not self.brief
+
+    @property
     def end(self) -> int:
         """The step at which it stops by itself."""
         return last_step(self.live)
@@ -144,7 +149,7 @@ class StudioRun:
         arrived = self.target is not None and self.live.steps_done >= self.target
         if self.live.finished or arrived:
             self.running = False
-        if not self.running and not self.brief:
+        if self.rests:
             self.measures.take_extra(self.live)
         return not self.running and self.target is not None
 

@@ -10,6 +10,7 @@ from barchan.wind.records.directionless import direction_before, undirected_rema
 from barchan.wind.records.durations import durations
 from barchan.wind.records.plausibility import direction_width, lasting_doubts, stuck, warnings_of
 from barchan.wind.records.record import Rows, WindlessRows, WindRecord
+from barchan.words import counted
 
 FASTEST = 150.0
 """Speed (m/s) that no wind near the ground exceeds: more is a wrong unit, or a code for a missing value."""
@@ -23,7 +24,7 @@ def checked(rows: Rows) -> WindRecord:
     """The record that rows make; raises RecordError with the first mistake of each kind."""
     problems = _value_problems(rows)
     if len(rows.time) < 2:
-        problems.insert(0, Problem("", f"holds {len(rows.time)} winds; allowed: two or more"))
+        problems.insert(0, Problem("", f"holds {counted(len(rows.time), 'wind')}; allowed: two or more"))
     if problems:
         raise RecordError(problems, rows.source)
     rows, ordered = _in_order(rows)

@@ -8,6 +8,7 @@ from barchan.wind.records.claims import Documented, Stated
 from barchan.wind.records.format import RecordFormat
 from barchan.wind.records.layout import Layout
 from barchan.wind.records.providers import Provider
+from barchan.words import counted
 
 SMET, NEAD = "SMET", "NEAD"
 
@@ -136,7 +137,9 @@ def _words(text: str, header: _Header) -> list[str]:
 def _values(words: list[str], fields: _Fields, at: int, source: str) -> list[str]:
     """The words of a row in documented units; empty where the header's number for no data stands."""
     if len(words) != len(fields.names):
-        message = f"has {len(words)} values; allowed: {len(fields.names)}, one for each of the fields"
+        message = (
+            f"has {counted(len(words), 'value')}; allowed: {len(fields.names)}, one for each of the fields"
+        )
         raise RecordError([Problem(f"row {at}", message)], source)
     found = []
     for word, name, factor, offset in zip(words, fields.names, fields.factors, fields.offsets, strict=True):
@@ -159,7 +162,7 @@ def _per_field(
         return [neutral] * len(names)
     numbers = [_number(word) for word in _words(header.keys[stated], header)]
     if len(numbers) != len(names):
-        message = f"has {len(numbers)} values; allowed: {len(names)}, one for each of the fields"
+        message = f"has {counted(len(numbers), 'value')}; allowed: {len(names)}, one for each of the fields"
         raise RecordError([Problem(stated, message)], source)
     return [neutral if value is None else value for value in numbers]
 

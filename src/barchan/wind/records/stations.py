@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from barchan.errors import Problem, RecordError
 from barchan.wind.records.format import RecordFormat
 from barchan.wind.records.layout import Layout
+from barchan.words import counted
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -71,7 +72,9 @@ def _of_point(table: "pd.DataFrame", form: RecordFormat, source: str) -> NDArray
     if form.latitude is None or form.longitude is None:
         if len(points) <= 1:
             return everywhere
-        raise RecordError([Problem("", f"holds {len(points)} points; state latitude and longitude")], source)
+        raise RecordError(
+            [Problem("", f"holds {counted(len(points), 'point')}; state latitude and longitude")], source
+        )
     turned = np.abs((points.to_numpy()[:, 1] - form.longitude + 180.0) % 360.0 - 180.0)
     away = np.hypot(points.to_numpy()[:, 0] - form.latitude, turned)
     nearest = points.iloc[int(np.argmin(away))]

@@ -7,6 +7,7 @@ from barchan.wind.clock import DAY
 from barchan.wind.records.gaps import all_rows
 from barchan.wind.records.record import WindRecord
 from barchan.wind.records.snowfall import HOUR
+from barchan.words import counted
 
 
 def record_facts(record: WindRecord, assumed: float) -> dict[str, str]:
@@ -88,7 +89,7 @@ def _snow_facts(rows: WindRecord, rate: NDArray[np.float64]) -> dict[str, str]:
 def _gaps(record: WindRecord) -> str:
     if not record.gaps:
         return "no gaps"
-    return "1 gap" if record.gaps == 1 else f"{record.gaps} gaps"
+    return counted(record.gaps, "gap")
 
 
 def _span(record: WindRecord) -> str:
