@@ -9,11 +9,12 @@ from barchan.simulation import Simulation, Stroke
 from tests.contract.test_every_model import BOUNDARIES, grounds_and_winds, scenario
 
 SMALL = {"kind": "hex", "rows": 18, "columns": 23}
+RARE = ("nield_baas", "bishop", "snow_werner")
 ON_HEXAGONS = pytest.mark.parametrize(
     "name",
     [
-        # its kernels take longest to compile, and plants do the same on squares
-        pytest.param(name, marks=[pytest.mark.extended] if name == "nield_baas" else [])
+        # kernels that take long to compile, for rules that do the same on squares
+        pytest.param(name, marks=[pytest.mark.extended] if name in RARE else [])
         for name in models()
         if "hex" in models()[name].lattices
     ],

@@ -29,7 +29,7 @@ WINDS = [270.0, 240.0, 300.0, 210.0, 262.0, 225.0, 200.0, 330.0, 181.0, 359.0, 3
 @pytest.mark.parametrize(
     "number",
     [
-        pytest.param(number, marks=pytest.mark.extended if number % 4 else ())
+        pytest.param(number, marks=pytest.mark.extended if number % 8 else ())
         for number in range(0, len(EVERY_COMBINATION), 3)
     ],
 )
