@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 from cyclopts import Parameter
 
 from barchan.errors import BarchanError
+from barchan.words import counted
 
 if TYPE_CHECKING:
     from barchan.archive import RunInfo
@@ -114,7 +115,7 @@ def _changes(events: Sequence["Record"]) -> list[tuple[str, str]]:
     """What was changed during a run, the last of it where there is much."""
     earlier = len(events) - MOST_EVENTS
     rows = [("changed", str(event)) for event in events[-MOST_EVENTS:]]
-    return [("changed", f"{earlier} times before"), *rows] if earlier > 0 else rows
+    return [("changed", f"{counted(earlier, 'time')} before"), *rows] if earlier > 0 else rows
 
 
 def _frames(known: "RunInfo") -> str:

@@ -14,6 +14,7 @@ from barchan.export.sidecar import sidecar_of, write_sidecar
 from barchan.export.source import Source
 from barchan.replacing import replacing
 from barchan.scenario import Scenario, nearest
+from barchan.words import counted
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -106,7 +107,7 @@ def chosen_steps(dataset: "xr.Dataset", wanted: Steps) -> tuple[int, ...]:
     for step in several:
         if step not in saved:
             near = sorted(sorted(saved, key=lambda one: abs(one - int(step)))[:NEAR])
-            count = f"{len(saved)} frames from step {saved[0]} to {saved[-1]}"
+            count = f"{counted(len(saved), 'frame')} from step {saved[0]} to {saved[-1]}"
             raise ExportError(f"step {step} was not saved; near it are {_and(near)} ({count})")
     return tuple(int(step) for step in several)
 

@@ -5,6 +5,7 @@ import numpy as np
 from barchan.theory.drift import HIGHEST, KNOT, undirected_share
 from barchan.wind.clock import DAY, spoken
 from barchan.wind.records import WindRecord
+from barchan.words import counted
 
 SHORTEST_YEAR = 350.0
 """Days from which on a record counts as annual."""
@@ -45,9 +46,9 @@ def undirected_drift_remarks(record: WindRecord, threshold: float) -> list[str]:
         return ["rows without a direction stay below the threshold: time without drift"]
     return [
         (
-            f"{np.count_nonzero(above & which)} rows without a direction exceed the threshold: their "
-            f"{100 * undirected_share(record, threshold):.2g} % of the drift potential is shared over all "
-            "directions as the rest is"
+            f"in {counted(np.count_nonzero(above & which), 'row')} without a direction the speed exceeds "
+            f"the threshold: {100 * undirected_share(record, threshold):.2g} % of the drift potential, "
+            "shared over all directions as the rest is"
         )
     ]
 

@@ -41,7 +41,7 @@ def test_light_winds_without_a_direction_are_neither_missing_nor_calm(read):
     np.testing.assert_array_equal(record.without_direction, [False, True, False, True])
     assert record.calm_share == pytest.approx(1 / 4)
     assert any(
-        "2 rows (50.0 % of the time) state a speed, up to 2.6 m/s, and no" in r for r in record.remarks
+        "in 2 rows (50.0 % of the time) there is a speed, up to 2.6 m/s, and no" in r for r in record.remarks
     )
 
 
@@ -51,7 +51,9 @@ def test_the_drift_of_strong_winds_without_a_direction_is_shared_as_that_of_the_
     assert found.potential.total == pytest.approx(2400.0)
     assert found.potential.steadiness == pytest.approx(math.sqrt(0.5))
     assert found.potential.toward == pytest.approx(135.0)
-    assert any("1 rows without a direction exceed the threshold: their 33 % of" in r for r in found.remarks)
+    assert any(
+        "in 1 row without a direction the speed exceeds the threshold: 33 % of" in r for r in found.remarks
+    )
 
 
 def test_months_and_roses_count_winds_without_a_direction(read):

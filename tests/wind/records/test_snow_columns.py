@@ -101,8 +101,8 @@ def test_a_boom_that_snow_comes_near_to_measures_less_wind(path):
     np.testing.assert_allclose(found.speed, 6.0 * np.array(factors))
     assert (found.height, found.missing) == (10.0, 1)
     told = next(remark for remark in found.remarks if "z_boom_u" in remark)
-    assert "1 heights are missing" in told
-    assert "1 rows with the boom below 0.2 m have no wind" in told
+    assert "in 1 row the height is missing" in told
+    assert "in 1 row with the boom below 0.2 m there is no wind" in told
 
 
 def test_a_stated_height_holds_against_the_boom(path):

@@ -6,6 +6,7 @@ from numpy.typing import NDArray
 from barchan.aeolian.wall import REFERENCE_HEIGHT
 from barchan.errors import Problem, RecordError
 from barchan.wind.records.format import RecordFormat
+from barchan.words import counted
 
 BOOMS = {
     "wspd_u": "z_boom_u",
@@ -73,7 +74,9 @@ def brought_to_ten_metres(
         f"{tall.min():.3g} to {tall.max():.3g} m), over a roughness of {ROUGHNESS:g} m"
     )
     if not known.all():
-        told += f"; {np.count_nonzero(~known)} heights are missing and taken between their neighbours"
+        rows = counted(np.count_nonzero(~known), "row")
+        told += f"; in {rows} the height is missing and taken between its neighbours"
     if buried.any():
-        told += f"; {np.count_nonzero(buried)} rows with the boom below {BURIED:g} m have no wind"
+        rows = counted(np.count_nonzero(buried), "row")
+        told += f"; in {rows} with the boom below {BURIED:g} m there is no wind"
     return np.where(buried, np.nan, speed * factor), told

@@ -5,6 +5,7 @@ from numpy.typing import NDArray
 
 from barchan.wind.clock import DAY, spoken
 from barchan.wind.records.record import WindRecord
+from barchan.words import counted
 
 
 def direction_before(direction: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -26,8 +27,8 @@ def undirected_remarks(record: WindRecord) -> list[str]:
     long = f", for up to {spoken(longest)} on end" if longest > DAY else ""
     return [
         (
-            f"{np.count_nonzero(which)} rows ({100 * share:.1f} % of the time) state a speed, up to "
-            f"{record.speed[which].max():.1f} m/s, and no direction{long}; in a run they blow from the "
-            "direction before"
+            f"in {counted(np.count_nonzero(which), 'row')} ({100 * share:.1f} % of the time) there is a "
+            f"speed, up to {record.speed[which].max():.1f} m/s, and no direction{long}; in a run the wind "
+            "blows from the direction before"
         )
     ]
