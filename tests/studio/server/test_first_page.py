@@ -1,6 +1,7 @@
 """What a page gets first: quickly, compressed, and with headers that keep other sites away."""
 
 import gzip
+import io
 import json
 import re
 import subprocess
@@ -9,9 +10,12 @@ import sys
 import httpx
 import numpy as np
 import pytest
+from PIL import Image
 
 from barchan.errors import BarchanError
+from barchan.scenario import preset_names
 from barchan.studio.colours import TABLE, drawn
+from barchan.studio.pictures import HEIGHT, WIDTH
 from barchan.studio.server import gallery, launch, workspace
 from barchan.studio.server.app import CLIENT
 from barchan.studio.server.security import HEADERS
@@ -111,3 +115,11 @@ def test_every_preset_stands_under_one_landform():
     listed = [name for names in gallery.landforms().values() for name in names]
     assert sorted(listed) == sorted(name for names in gallery.groups().values() for name in names)
     assert "Dunes" not in gallery.landforms()
+
+
+@pytest.mark.parametrize("name", preset_names())
+def test_every_preset_has_a_picture_for_the_gallery(name):
+    picture = gallery.thumbnail(name)
+    assert picture is not None, "python -m barchan.studio.pictures draws it"
+    with Image.open(io.BytesIO(picture)) as drawn_picture:
+        assert drawn_picture.size == (WIDTH, HEIGHT)
