@@ -56,7 +56,7 @@ def test_a_remark_is_said_in_words_of_the_page():
     data = {**TINY, "lattice": {**TINY["lattice"], "boundary_x": "open"}}
     simulation = Simulation(validate(data))
     said = " ".join(description(simulation, simulation.scenario)["remarks"])
-    assert "switch Influx on in the panel" in said
+    assert "choose what enters under Influx in the panel" in said
     assert_of_the_page(said)
     assert 'with "influx"' in " ".join(simulation.scenario.remarks())
 

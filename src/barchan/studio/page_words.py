@@ -11,7 +11,7 @@ _SPOKEN: tuple[tuple[re.Pattern[str], str], ...] = (
     ),
     (
         re.compile(r'state what enters with "influx", for instance \{[^}]*\}'),
-        "switch Influx on in the panel, for instance of the kind saturation with a share of 0.2",
+        "choose what enters under Influx in the panel, for instance the kind saturation with a share of 0.2",
     ),
     (re.compile(r'\("unit": "(\w+)"\)'), r"(unit \1)"),
     (
