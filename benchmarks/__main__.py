@@ -6,7 +6,7 @@ import statistics
 from collections.abc import Iterator
 from pathlib import Path
 
-from benchmarks import exports, grains, kernel, measures, plain, program, threads, trials, watched
+from benchmarks import exports, grains, kernel, measures, plain, program, shown, threads, trials, watched
 
 PAGE = Path(__file__).parents[1] / "docs" / "benchmarks.md"
 NOTES = Path(__file__).with_name("notes.md")
@@ -85,8 +85,9 @@ def report(only: str) -> Iterator[str]:
 
 
 def _of_frames(only: str) -> Iterator[str]:
-    """Tables of what is done with single frames, and of a run that is watched."""
-    for name, case in (("export", exports), ("measures", measures), ("watched", watched)):
+    """Tables of what is done with single frames, and of a run that is watched and shown."""
+    cases = {"export": exports, "measures": measures, "watched": watched, "shown": shown}
+    for name, case in cases.items():
         if not only or name.startswith(only):
             yield from case.report()
 

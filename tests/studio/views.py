@@ -14,6 +14,7 @@ from PIL import Image
 
 from barchan.studio.pictures import RUN, studio_page, wait_for
 from tests.studio.browser.test_access import SHEETS
+from tests.studio.browser.test_connection import NO_WEBGL
 
 SIZES = ((1280, 720), (1600, 1000), (1024, 700))
 THEMES = ("light", "dark")
@@ -21,6 +22,9 @@ APP = "window.barchan.app"
 FIELD = """{ barchan: 5, title: 'Barchans in an oblique wind', lattice: { rows: 96, columns: 96 },
     sand: { kind: 'flat', mean: 3 }, wind: { kind: 'steady', direction: 285 },
     model: { name: 'momiji' }, run: { steps: 300, seed: 1 } }"""
+SNOW, SNOW_STEPS = "snow-growth", 4000
+CHAINS = ("pair", "snow")
+"""Beginnings of the names of views each of which needs the one before it."""
 PATIENCE = 90.0
 SETTLE = 400
 """Milliseconds in which a page takes its new size or theme."""
@@ -30,7 +34,8 @@ class Walk:
     """A page, and how each view is reached from the scene of a paused run with nothing open."""
 
     def __init__(self, page) -> None:
-        self.page = page
+        self.page = self.shown = page
+        """The page that commands, and the one of which pictures are drawn."""
 
     def begin(self) -> None:
         self.page.evaluate(f"void {APP}.create({FIELD}, true, false)")
@@ -58,6 +63,40 @@ class Walk:
     def alone(self) -> None:
         self.page.evaluate(f"{APP}.send({{ command: 'alone' }})")
         wait_for(self.page, f"{APP}.runs.length === 1", PATIENCE)
+
+    def snow(self) -> None:
+        self.page.evaluate(
+            f"""{APP}.ask({{ command: 'preset', name: '{SNOW}' }}).then(({{ scenario }}) =>
+            {APP}.create({{ ...scenario, run: {{ ...scenario.run, steps: {SNOW_STEPS} }} }}, true, false))"""
+        )
+        wait_for(self.page, f"{RUN}.description?.scenario.model.name === 'snow'", PATIENCE)
+        self.page.evaluate(f"{APP}.send({{ command: 'limit', rate: null }})")
+        wait_for(self.page, f"{RUN}.status?.step >= {SNOW_STEPS} && !{APP}.running", PATIENCE)
+
+    def lose(self, lost: bool) -> None:
+        """Let the page believe that the process of its run has ended, or that it is there again."""
+        self.page.evaluate(f"{RUN}.lost = {str(lost).lower()}; {APP}.kept = 300; {APP}.changed.send()")
+
+    def window(self, key: str, token: str, script: str = "") -> None:
+        """Open a window of its own with a token, and show that one."""
+        self.shown = self.page.context.browser.new_page()
+        self.shown.add_init_script(script)
+        self.shown.goto(f"{self.page.url.partition('?')[0].partition('#')[0]}?{key}={token}")
+        wait_for(self.shown, f"window.barchan && {RUN}?.ready", PATIENCE)
+
+    def watching(self) -> None:
+        self.sheet("Let others watch")
+        link = self.page.get_by_label("Link to watch", exact=True).input_value()
+        self.close()
+        self.window("watch", link.partition("watch=")[2])
+
+    def without_webgl(self) -> None:
+        """It takes the run over, so no view of the first page follows."""
+        self.window("token", self.page.evaluate("sessionStorage['barchan-token']"), NO_WEBGL)
+
+    def back(self) -> None:
+        self.shown.close()
+        self.shown = self.page
 
     def close(self) -> None:
         """Close what is open over the page."""
@@ -100,6 +139,16 @@ class Walk:
             )
         for name in SHEETS:
             found[f"sheet-{name}"] = (lambda name=name: self.sheet(name), self.close)
+        for name, ask in (("ground", "askForGround"), ("record", "askForWind")):
+            found[f"sheet-{name}"] = (
+                lambda ask=ask: (
+                    page.evaluate(f"void window.barchan.files.{ask}()"),
+                    page.locator("dialog[open]").wait_for(),
+                ),
+                self.close,
+            )
+        found["lost"] = (lambda: self.lose(True), lambda: self.lose(False))
+        found["watching"] = (self.watching, self.back)
         found["pair"] = (self.pair, lambda: None)
         for key, view in enumerate(("section", "measures", "space-time"), 1):
             found[f"pair-{view}"] = (
@@ -107,6 +156,9 @@ class Walk:
                 lambda key=key: self.press(str(key)),
             )
         found["pair-report"] = (lambda: self.sheet("Comparison report"), lambda: (self.close(), self.alone()))
+        found["snow"] = (self.snow, lambda: None)
+        found["snow-section"] = (lambda: self.press("1"), lambda: self.press("1"))
+        found["no-webgl"] = (self.without_webgl, self.back)
         return found
 
 
@@ -136,12 +188,12 @@ def main() -> None:
         walk = Walk(page)
         walk.begin()
         for name, (reach, leave) in walk.views().items():
-            pair = name.startswith("pair")
-            if wanted and name not in wanted and not (pair and any(one.startswith("pair") for one in wanted)):
+            chain = next((one for one in CHAINS if name.startswith(one)), name)
+            if wanted and not any(one.startswith(chain) for one in wanted):
                 continue
             reach()
             page.wait_for_timeout(SETTLE)
-            sheet_of(page).save(Path(folder) / f"{name}.png")
+            sheet_of(walk.shown).save(Path(folder) / f"{name}.png")
             sys.stdout.write(f"{name}\n")
             sys.stdout.flush()
             leave()

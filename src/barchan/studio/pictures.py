@@ -56,17 +56,25 @@ TITLE = {"width": 3840, "height": 2160}
 
 @contextmanager
 def studio_page(folder: Path) -> Iterator["Page"]:
-    """The page of a studio of its own, which opens the runs in a folder."""
+    """The page of a studio of its own, which opens the runs in a folder, as soon as it shows one."""
+    with opened(folder) as (page, _):
+        wait_for(page, f"window.barchan && {RUN}?.ready", 60.0)
+        page.evaluate("window.barchan.app.view.set({ turning: false, theme: 'light' })")
+        yield page
+
+
+@contextmanager
+def opened(folder: Path) -> Iterator[tuple["Page", float]]:
+    """The page of a studio of its own, which shows nothing yet, and the moment when it was opened."""
     from playwright.sync_api import sync_playwright
 
     with tempfile.TemporaryDirectory() as data, _server(folder, data) as address, sync_playwright() as engine:
         path = shutil.which("chromium") or shutil.which("google-chrome")
         browser = engine.chromium.launch(executable_path=path, args=FLAGS)
         page = browser.new_page(viewport={"width": 320, "height": 240})
+        began = time.perf_counter()
         page.goto(address)
-        wait_for(page, f"window.barchan && {RUN}?.ready", 60.0)
-        page.evaluate("window.barchan.app.view.set({ turning: false, theme: 'light' })")
-        yield page
+        yield page, began
         browser.close()
 
 

@@ -1,16 +1,23 @@
 """What a page gets first: quickly, compressed, and with headers that keep other sites away."""
 
+import gzip
+import io
 import json
+import re
 import subprocess
 import sys
 
 import httpx
 import numpy as np
 import pytest
+from PIL import Image
 
 from barchan.errors import BarchanError
+from barchan.scenario import preset_names
 from barchan.studio.colours import TABLE, drawn
+from barchan.studio.pictures import HEIGHT, WIDTH
 from barchan.studio.server import gallery, launch, workspace
+from barchan.studio.server.app import CLIENT
 from barchan.studio.server.security import HEADERS
 from barchan.studio.server.workspace import Workspace
 
@@ -47,13 +54,27 @@ def test_the_colours_that_are_shipped_are_those_of_the_figures():
         assert np.abs(np.subtract(shipped[name], colours)).max() <= 1, name
 
 
-def test_long_answers_are_sent_compressed(served):
-    def size(encoding: str) -> int:
-        headers = {"x-barchan-token": served.guard.token, "accept-encoding": encoding}
-        with httpx.stream("GET", f"{served.address}/api/schema", headers=headers) as answer:
-            return sum(len(part) for part in answer.iter_raw())
+def sent(served, path: str, encoding: str) -> bytes:
+    """The bytes of an answer as they come over the line."""
+    headers = {"x-barchan-token": served.guard.token, "accept-encoding": encoding}
+    with httpx.stream("GET", f"{served.address}{path}", headers=headers) as answer:
+        assert answer.headers.get("content-encoding", "identity") == encoding
+        return b"".join(answer.iter_raw())
 
-    assert size("gzip") < size("identity") / 4
+
+def test_long_answers_are_sent_compressed(served):
+    assert len(sent(served, "/api/schema", "gzip")) < len(sent(served, "/api/schema", "identity")) / 4
+
+
+@pytest.mark.skipif(not (CLIENT / "index.html").is_file(), reason="the client is not built")
+def test_script_and_styles_of_the_page_are_sent_compressed(served):
+    page = httpx.get(served.address).text
+    names = re.findall(r'(?:src|href)="\.?(/assets/[^"]+\.(?:js|css))"', page)
+    assert {name.rpartition(".")[2] for name in names} == {"js", "css"}
+    for name in names:
+        whole, packed = sent(served, name, "identity"), sent(served, name, "gzip")
+        assert gzip.decompress(packed) == whole
+        assert len(packed) < len(whole) / 3
 
 
 def test_pages_of_others_can_neither_open_the_studio_nor_be_reached_by_it(served):
@@ -94,3 +115,11 @@ def test_every_preset_stands_under_one_landform():
     listed = [name for names in gallery.landforms().values() for name in names]
     assert sorted(listed) == sorted(name for names in gallery.groups().values() for name in names)
     assert "Dunes" not in gallery.landforms()
+
+
+@pytest.mark.parametrize("name", preset_names())
+def test_every_preset_has_a_picture_for_the_gallery(name):
+    picture = gallery.thumbnail(name)
+    assert picture is not None, "python -m barchan.studio.pictures draws it"
+    with Image.open(io.BytesIO(picture)) as drawn_picture:
+        assert drawn_picture.size == (WIDTH, HEIGHT)

@@ -1,5 +1,7 @@
 """A run is seen before its first steps, and its frames say whose they are."""
 
+from multiprocessing import Pipe
+
 import pytest
 
 from barchan.studio.protocol import is_frame
@@ -49,3 +51,25 @@ def test_frames_name_the_start_that_loaded_their_scenario_as_its_description_doe
         shown.append(frames(bench)[-1]["loaded"])
         assert described == shown[-1]
     assert shown == [1, 1, 1, 3, 1]
+
+
+def test_the_picture_of_a_pause_does_not_wait_for_its_measures(scenario):
+    """Not even where the process that measures has begun and never answers."""
+    measurer, theirs = Pipe()
+    bench = Bench(theirs)
+    bench.send("attach")
+    bench.send("start", scenario=scenario.data(), number=1, running=True)
+    measurer.send_bytes(b"ready")
+    run = bench.worker.commands.current
+    while run.live.steps_done < 13:
+        bench.worker.work()
+    frames(bench)
+    bench.send("pause")
+    bench.send("confirm")
+    bench.worker.frames.send_if_due = bench.worker.frames.send  # whatever the time since the last frame
+    bench.worker.work()
+    (shown,) = frames(bench)
+    assert not shown["status"]["running"]
+    assert shown["status"]["step"] == run.live.steps_done
+    assert bench.worker.desk.pending > 1
+    assert run.measures.rows == []

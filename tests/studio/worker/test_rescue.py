@@ -2,6 +2,7 @@
 
 import json
 from multiprocessing import Pipe
+from multiprocessing.connection import Connection
 
 import numpy as np
 import pytest
@@ -18,9 +19,9 @@ from tests.studio.worker.test_run import run_to
 class Bench:
     """A worker in this process, and the server's end of its pipe."""
 
-    def __init__(self) -> None:
+    def __init__(self, measurer: Connection | None = None) -> None:
         self.ours, theirs = Pipe()
-        self.worker = Worker(theirs, "a")
+        self.worker = Worker(theirs, "a", measurer)
 
     def send(self, command: str, **content) -> None:
         self.worker.on_data(json.dumps({"command": command, **content}).encode())

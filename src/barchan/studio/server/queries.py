@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from typing import Any
 
-from barchan.errors import BarchanError, ScenarioError
+from barchan.errors import BarchanError, Problem, ScenarioError
 from barchan.scenario import FORMAT, load_scenario, preset_names, validate
 from barchan.scenario.partial import changes, salvage
 from barchan.scenario.source_map import parse
@@ -22,12 +22,16 @@ def check(workspace: Workspace, request: Request) -> dict[str, Any]:
         workspace.check(parse(text, name)[0])  # a lattice may be taken from the ground's file
         scenario, problems = salvage(text, name)
     except ScenarioError as error:
-        return {"scenario": None, "problems": [vars(problem) for problem in error.problems]}
+        return {"scenario": None, "problems": _plain(workspace, error.problems)}
     return {
         "scenario": scenario.data(),
-        "problems": [vars(problem) for problem in problems],
+        "problems": _plain(workspace, problems),
         "changes": changes(text, name, scenario) if problems else [],
     }
+
+
+def _plain(workspace: Workspace, problems: list[Problem]) -> list[dict[str, Any]]:
+    return workspace.plainly("", [vars(problem) for problem in problems])[1]
 
 
 @QUERIES.handles("preset")

@@ -8,6 +8,7 @@ from typing import Any
 
 from barchan.errors import BarchanError, Problem, ScenarioError
 from barchan.ground.reading import READERS
+from barchan.studio.page_words import page_words
 from barchan.studio.server.security import is_plain_name, is_reserved
 from barchan.studio.server.together import is_together
 from barchan.wind.records.reading import SUFFIXES
@@ -89,13 +90,13 @@ class Workspace:
             path.unlink(missing_ok=True)
 
     def plainly(self, text: str, problems: list[dict[str, Any]]) -> tuple[str, list[dict[str, Any]]]:
-        """A refusal as those on the page read it: uploads are named without the server's folders."""
+        """A refusal in the words of the page; uploads are named without the server's folders."""
         folder = f"{self.folder / UPLOADS}{os.sep}"
-        plain = [
-            {name: said.replace(folder, "") if isinstance(said, str) else said for name, said in one.items()}
-            for one in problems
-        ]
-        return text.replace(folder, ""), plain
+
+        def plain(said: Any) -> Any:
+            return page_words(said.replace(folder, "")) if isinstance(said, str) else said
+
+        return plain(text), [{name: plain(said) for name, said in one.items()} for one in problems]
 
     def run(self, name: str) -> Path:
         """The folder of the run of that name; raises BarchanError for any other than a plain name."""
