@@ -44,9 +44,10 @@ def undirected_drift_remarks(record: WindRecord, threshold: float) -> list[str]:
     above = record.speed > threshold * KNOT
     if not above[which].any():
         return ["rows without a direction stay below the threshold: time without drift"]
+    rows = counted(int(np.count_nonzero(above & which)), "row")
     return [
         (
-            f"in {counted(np.count_nonzero(above & which), 'row')} without a direction the speed exceeds "
+            f"in {rows} without a direction the speed exceeds "
             f"the threshold: {100 * undirected_share(record, threshold):.2g} % of the drift potential, "
             "shared over all directions as the rest is"
         )

@@ -74,9 +74,9 @@ def brought_to_ten_metres(
         f"{tall.min():.3g} to {tall.max():.3g} m), over a roughness of {ROUGHNESS:g} m"
     )
     if not known.all():
-        rows = counted(np.count_nonzero(~known), "row")
-        told += f"; in {rows} the height is missing and taken between its neighbours"
+        some = counted(int(np.count_nonzero(~known)), "row")
+        told += f"; in {some} the height is missing and taken between its neighbours"
     if buried.any():
-        rows = counted(np.count_nonzero(buried), "row")
-        told += f"; in {rows} with the boom below {BURIED:g} m there is no wind"
+        some = counted(int(np.count_nonzero(buried)), "row")
+        told += f"; in {some} with the boom below {BURIED:g} m there is no wind"
     return np.where(buried, np.nan, speed * factor), told

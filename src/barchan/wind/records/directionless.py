@@ -27,7 +27,7 @@ def undirected_remarks(record: WindRecord) -> list[str]:
     long = f", for up to {spoken(longest)} on end" if longest > DAY else ""
     return [
         (
-            f"in {counted(np.count_nonzero(which), 'row')} ({100 * share:.1f} % of the time) there is a "
+            f"in {counted(int(np.count_nonzero(which)), 'row')} ({100 * share:.1f} % of the time) there is a "
             f"speed, up to {record.speed[which].max():.1f} m/s, and no direction{long}; in a run the wind "
             "blows from the direction before"
         )
