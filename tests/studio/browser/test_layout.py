@@ -1,4 +1,4 @@
-"""The page in windows of every size, and by keys: nothing is cut off, nothing covers what is being looked at."""
+"""The page in windows of every size, and by keys: nothing is cut off, nothing covers what is looked at."""
 
 import pytest
 
