@@ -4,6 +4,7 @@ import type { Json, JsonObject } from "../core/protocol";
 import { otherValue } from "../core/beside";
 import { type Entry, type Schema, allowedIn, entryOf, initial } from "../core/schema";
 import { h, id, short } from "./dom";
+import { explanation } from "./explained";
 import { numberIn } from "../core/number_text";
 import { numberControl } from "./number";
 import { icon } from "./icons";
@@ -161,12 +162,15 @@ function row(context: FormContext, name: string, given: Schema, value: Json, pat
     },
     icon("back"),
   );
+  const said = explained(schema, live);
+  const meaning = explanation(path.join("."), labelOf(name), said, controls.find((one) => one.id === label));
   return h(
     "div",
-    { className: "row", title: explained(schema, live) },
-    h("label", { for: label }, labelOf(name), unit && h("span", { className: "unit" }, unit), !live && restartMark()),
+    { className: "row", title: said },
+    h("div", { className: "named" }, h("label", { for: label }, labelOf(name), unit && h("span", { className: "unit" }, unit), !live && restartMark()), meaning.button),
     h("div", { className: "control" }, ...controls, reset, besideButton(context, entry, name, value, path)),
     trouble(context, path),
+    meaning.text,
   );
 }
 
