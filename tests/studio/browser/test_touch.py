@@ -37,6 +37,10 @@ def test_a_tap_beside_the_name_of_a_row_shows_what_it_means(tablet):
     assert button.get_attribute("aria-expanded") == "true"  # also after the form was drawn anew
     button.tap()
     assert page.locator(".explained:visible").count() == 0
+    page.get_by_role("tab", name="Wind").tap()
+    page.get_by_role("button", name="What gusts means").tap()  # of a group that may be left out
+    assert len(page.locator(".explained:visible").inner_text()) > 10
+    page.screenshot(path=tablet.folder / "explained-group.png")
 
 
 def drag_fingers(page, *paths):

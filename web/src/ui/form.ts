@@ -106,7 +106,9 @@ function optionalGroup(context: FormContext, name: string, schema: Schema, value
     onchange: () => context.change(path, box.checked ? initial(filled, context.root) : null, false),
   });
   const rows = value === null ? [] : group(context, schema, value, path);
-  const head = h("div", { className: "row" }, h("label", { for: box.id, title: schema.description ?? "" }, labelOf(name)), box);
+  const said = schema.description ?? "";
+  const meaning = said ? explanation(path.join("."), labelOf(name), said, box) : null;
+  const head = h("div", { className: "row" }, h("div", { className: "named" }, h("label", { for: box.id, title: said }, labelOf(name)), meaning?.button), box, meaning?.text);
   return h("div", {}, head, ...rows);
 }
 
