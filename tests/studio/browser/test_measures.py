@@ -14,6 +14,19 @@ def saved(studio, label: str) -> list[dict[str, str]]:
     return list(csv.DictReader(io.StringIO(download.value.path().read_text("utf-8"))))
 
 
+def test_tables_are_named_by_the_title_of_the_run(studio):
+    page = studio.page
+    names = []
+    studio.pause()
+    for view, what in (("1", "section"), ("2", "measures")):
+        page.keyboard.press(view)
+        with page.expect_download() as download:
+            page.get_by_role("button", name=f"save CSV: Save the {what} as CSV").click()
+        names.append(download.value.suggested_filename)
+    page.keyboard.press("2")
+    assert names == [f"barchans-section-{studio.status()['step']}.csv", "barchans-measures.csv"]
+
+
 @pytest.mark.extended
 def test_the_measures_of_both_runs_are_saved_at_the_same_fixed_steps(studio):
     page = studio.page

@@ -100,6 +100,20 @@ def test_a_file_that_waits_for_the_compiling_of_a_model_says_so(studio):
     studio.page.get_by_role("dialog").get_by_text("waits until the model is compiled").wait_for()
 
 
+def test_translating_a_model_is_said_in_the_same_words_over_the_scene_and_in_the_log(studio):
+    studio.ask(
+        """(() => {
+            const { app } = window.barchan;
+            app.together.take = () => {}; // no frame ends it
+            app.handlers.compiling({ functions: 0 });
+        })()"""
+    )
+    words = "Translating the model into machine code, once, for it is kept"
+    assert studio.page.locator(".notice").inner_text() == f"{words} …"
+    assert studio.ask("window.barchan.app.notices.log.at(-1).text") == f"{words}."
+    assert studio.page.locator("[role=status].unseen").inner_text() == f"{words}."
+
+
 def test_refusals_of_one_field_do_not_pile_up_and_go_with_a_value_that_is_taken(studio):
     """The last one is refused for a reason that names no key."""
     fill(studio, "model.p_s", "5")

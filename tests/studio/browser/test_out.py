@@ -219,13 +219,22 @@ def test_the_report_of_two_runs_is_broken_off_and_written(studio):
 
 
 @pytest.mark.extended
-def test_charts_are_tall_enough_to_read(studio):
+def test_charts_are_tall_enough_to_read_also_of_two_runs(studio):
+    """What is below the drawer's edge is scrolled to."""
     studio.pause()
     studio.page.set_viewport_size({"width": 1280, "height": 720})
     studio.page.keyboard.press("2")
-    studio.until("document.querySelectorAll('.u-over').length >= 5")
-    heights = studio.ask("[...document.querySelectorAll('.u-over')].map((plot) => plot.clientHeight)")
-    assert min(heights) >= 90
+    heights = "[...document.querySelectorAll('.u-over')].map((plot) => plot.clientHeight)"
+    studio.until(f"{heights}.length >= 5")
+    assert min(studio.ask(heights)) >= 90
+    studio.ask("window.barchan.app.send({ command: 'compare', model: 'momiji' })")
+    studio.until("window.barchan.app.runs.length === 2 && window.barchan.app.runs[1].ready")
+    studio.until("document.querySelectorAll('.run-names > span').length === 2")
+    assert min(studio.ask(heights)) >= 90
+    studio.page.screenshot(path=studio.folder / "charts-of-two.png")
+    studio.ask("window.barchan.app.send({ command: 'alone' })")
+    studio.until("window.barchan.app.runs.length === 1")
+    studio.page.keyboard.press("2")
 
 
 @pytest.mark.extended

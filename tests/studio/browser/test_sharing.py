@@ -13,7 +13,7 @@ from tests.studio.browser.conftest import NOTICE, SMALL, running, says, until
 from tests.studio.conftest import serving, small
 
 RUN = "window.barchan.app.runs[0]"
-CONTROLS = "aside :is(input, select, textarea, button):not(.tabs *)"
+CONTROLS = "aside :is(input, select, textarea, button):not(.tabs *, .explain)"
 
 
 def token_of(address: str) -> str:

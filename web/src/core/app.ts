@@ -2,7 +2,7 @@
 
 import type { MessageType } from "./commands";
 import { Connection, type ConnectionState, Refused } from "./connection";
-import { type Level, Notices, problemText } from "./notices";
+import { COMPILING, type Level, Notices, problemText } from "./notices";
 import { Overlay } from "./overlay";
 import { type Command, type Description, type JsonObject, type Message, type RunName, readFrame, type Frame } from "./protocol";
 import type { Restart } from "./restarts";
@@ -195,7 +195,7 @@ export class App {
     compiling: (message) => {
       const functions = Number(message.functions);
       this.compiles = true;
-      if (functions === 0) this.note("info", "Compiling kernels; only the first run of a model does.");
+      if (functions === 0) this.note("info", `${COMPILING}.`);
       this.compiling.send(functions);
     },
     scenario: (message, run) => {

@@ -27,6 +27,8 @@ export interface Way {
 const SEEN = 6000;
 /** Entries of the log that are kept. */
 const MOST = 1000;
+/** Said while kernels are compiled: those of a model at first, or what a change of wind or a brush needs. */
+export const COMPILING = "Translating the model into machine code, once, for it is kept";
 
 export class Notices {
   readonly log: Entry[] = [];

@@ -32,7 +32,7 @@ interface Map {
 /** What the page asks of its scene; answered as ``Stage`` does. */
 export class FlatStage {
   readonly canvas = document.createElement("canvas");
-  readonly controls = { enabled: true };
+  readonly controls = { enabled: true, touches: {} };
   readonly painted = new Signal<void>();
   steady = false;
   readonly fits = false;

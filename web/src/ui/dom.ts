@@ -42,9 +42,11 @@ export function id(prefix: string): string {
   return `${prefix}-${++numbered}`;
 }
 
-/** A button that shows a sign or a word and is called by its label. */
+/** A button that shows a sign or a word and is called by its label, after the word where the label lacks it. */
 export function button(label: string, sign: Child, action: () => void, props: Props = {}): HTMLButtonElement {
-  return h("button", { type: "button", title: label, "aria-label": label, onclick: action, ...props }, sign);
+  const lacks = typeof sign === "string" && !label.toLowerCase().includes(sign.toLowerCase());
+  const name = lacks ? `${sign}: ${label}` : label; // who speaks to the page says what is seen
+  return h("button", { type: "button", title: label, "aria-label": name, onclick: action, ...props }, sign);
 }
 
 /** A number in few digits. */

@@ -4,6 +4,7 @@ import type { Json, JsonObject } from "../core/protocol";
 import { otherValue } from "../core/beside";
 import { type Entry, type Schema, allowedIn, entryOf, initial } from "../core/schema";
 import { h, id, short } from "./dom";
+import { explanation } from "./explained";
 import { numberIn } from "../core/number_text";
 import { numberControl } from "./number";
 import { icon } from "./icons";
@@ -105,7 +106,9 @@ function optionalGroup(context: FormContext, name: string, schema: Schema, value
     onchange: () => context.change(path, box.checked ? initial(filled, context.root) : null, false),
   });
   const rows = value === null ? [] : group(context, schema, value, path);
-  const head = h("div", { className: "row" }, h("label", { for: box.id, title: schema.description ?? "" }, labelOf(name)), box);
+  const said = schema.description ?? "";
+  const meaning = said ? explanation(path.join("."), labelOf(name), said, box) : null;
+  const head = h("div", { className: "row" }, h("div", { className: "named" }, h("label", { for: box.id, title: said }, labelOf(name)), meaning?.button), box, meaning?.text);
   return h("div", {}, head, ...rows);
 }
 
@@ -161,12 +164,15 @@ function row(context: FormContext, name: string, given: Schema, value: Json, pat
     },
     icon("back"),
   );
+  const said = explained(schema, live);
+  const meaning = explanation(path.join("."), labelOf(name), said, controls.find((one) => one.id === label));
   return h(
     "div",
-    { className: "row", title: explained(schema, live) },
-    h("label", { for: label }, labelOf(name), unit && h("span", { className: "unit" }, unit), !live && restartMark()),
+    { className: "row", title: said },
+    h("div", { className: "named" }, h("label", { for: label }, labelOf(name), unit && h("span", { className: "unit" }, unit), !live && restartMark()), meaning.button),
     h("div", { className: "control" }, ...controls, reset, besideButton(context, entry, name, value, path)),
     trouble(context, path),
+    meaning.text,
   );
 }
 

@@ -76,7 +76,7 @@ export class Paint {
       this.note,
       row("falloff", falloff),
       h("div", { className: "buttons" }, this.undo, this.redo),
-      h("p", { className: "hint" }, "Draw over the surface, while it runs or paused. [ and ] change the radius; hold Alt to turn the view."),
+      h("p", { className: "hint" }, "Draw over the surface, while it runs or paused. [ and ] change the radius; hold Alt, or use two fingers, to turn the view."),
     );
     app.framed.watch(() => this.show());
     app.described.watch((run) => {
@@ -125,6 +125,13 @@ export class Paint {
   release(): void {
     if (this.pressed) this.app.send({ command: "stroke", end: true });
     this.pressed = null;
+  }
+
+  /** End a stroke as if it had not been begun. */
+  takeBack(): void {
+    if (!this.pressed) return;
+    this.release();
+    this.app.send({ command: "undo" });
   }
 
   private get brush(): Brush | undefined {

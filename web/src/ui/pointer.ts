@@ -1,5 +1,6 @@
-/** The mouse over the scene: turns the view, paints, draws the line of a section, or measures. */
+/** The mouse, or fingers, over the scene: they turn the view, paint, draw the line of a section, or measure. */
 
+import { TOUCH } from "three";
 import type { SectionLine } from "../core/section";
 import type { Stage } from "../scene/stage";
 import type { Hud } from "./hud";
@@ -18,6 +19,8 @@ export class Pointer {
   private trail: PointerEvent[] = [];
   /** Where the ruler was pressed on, on the page; null while nothing is pressed. */
   private pressed: PointerEvent | null = null;
+  /** The finger that paints, as it was put down. */
+  private finger: PointerEvent | null = null;
 
   constructor(
     private readonly stage: Stage,
@@ -55,22 +58,36 @@ export class Pointer {
 
   private refresh(): void {
     this.stage.canvas.classList.toggle("painting", this.paint.active);
+    this.stage.controls.touches.TWO = this.paint.active ? TOUCH.DOLLY_ROTATE : TOUCH.DOLLY_PAN; // where none paints one finger turns
     this.stage.canvas.classList.toggle("drawing", this.drawing || this.ruler.active);
     if (!this.paint.active) this.stage.showBrush(0, 0, 0);
   }
 
   private press(event: PointerEvent): void {
+    if (!event.isPrimary) return this.finger ? this.turnInstead(this.finger) : undefined; // further fingers are the camera's
     if (event.button !== 0 || event.altKey || !(this.paint.active || this.drawing || this.ruler.active)) return;
     const found = this.stage.pick(event);
     if (!found) return;
     this.stage.controls.enabled = false;
     this.stage.canvas.setPointerCapture(event.pointerId);
-    if (this.paint.active) this.paint.press(found.run, found.place);
-    else if (this.drawing) this.from = [found.place.x, found.place.y];
+    if (this.paint.active) {
+      if (event.pointerType === "touch") this.finger = event;
+      this.paint.press(found.run, found.place);
+    } else if (this.drawing) this.from = [found.place.x, found.place.y];
     else {
       this.pressed = event;
       this.ruler.press(found.place.x, found.place.y);
     }
+  }
+
+  /** A second finger was put down: with the first one it turns the view, and what that has painted is taken back. */
+  private turnInstead(first: PointerEvent): void {
+    this.finger = null;
+    this.trail = [];
+    this.paint.takeBack();
+    this.stage.controls.enabled = true;
+    const { pointerId, pointerType, clientX, clientY } = first;
+    this.stage.canvas.dispatchEvent(new PointerEvent("pointerdown", { pointerId, pointerType, clientX, clientY })); // the camera was not told of it
   }
 
   private move(event: PointerEvent): void {
@@ -100,6 +117,7 @@ export class Pointer {
 
   private release(event: PointerEvent): void {
     this.stage.controls.enabled = true;
+    this.finger = null;
     this.follow();
     if (this.paint.active) this.paint.release();
     if (this.pressed) {

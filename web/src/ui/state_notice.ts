@@ -2,6 +2,7 @@
 
 import { type App, PREPARING } from "../core/app";
 import type { ConnectionState } from "../core/connection";
+import { COMPILING } from "../core/notices";
 import { titleOf } from "../core/run";
 import { queryIn } from "../core/token";
 import { h, short } from "./dom";
@@ -87,7 +88,7 @@ export class StateNotice {
     const title = coming ? `“${titleOf(coming.description)}” is being prepared. ` : "";
     if (this.compiling !== null) {
       const done = this.compiling > 1 ? `: ${this.compiling} functions so far` : "";
-      return { text: `${title}Translating the model into machine code, once, for it is kept${done} …`, calm: true };
+      return { text: `${title}${COMPILING}${done} …`, calm: true };
     }
     if (title) return { text: title.trim(), calm: true };
     if (!runs.some((run) => run.ready)) return { text: "Starting …", calm: true };

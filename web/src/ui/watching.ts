@@ -58,7 +58,7 @@ export function watchingNote(): HTMLElement {
 export function readOnly(element: HTMLElement): void {
   const disable = () => {
     for (const control of element.querySelectorAll<HTMLInputElement>("input, select, textarea, button")) {
-      if (!control.closest(".whose, .tabs")) control.disabled = true;
+      if (!control.closest(".whose, .tabs, .explain")) control.disabled = true;
     }
   };
   new MutationObserver(disable).observe(element, { childList: true, subtree: true });

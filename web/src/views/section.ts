@@ -1,6 +1,7 @@
 /** The cross-section along a line: profile, shadow zones, slopes; it follows the run. */
 
 import type { App } from "../core/app";
+import { nameOfRun } from "../core/file_name";
 import type { Run } from "../core/run";
 import { type Profile, ends, nearest, profile } from "../core/profile";
 import { type SectionLine, alongWind } from "../core/section";
@@ -110,7 +111,7 @@ export class SectionView {
     const run = this.app.current;
     if (!run?.ready) return;
     const line = this.current(run);
-    download(`section-${run.status!.step}.csv`, sectionCsv(run, profile(run, line), secondProfile(this.app, run, line)));
+    download(`${nameOfRun(run)}-section-${run.status!.step}.csv`, sectionCsv(run, profile(run, line), secondProfile(this.app, run, line)));
   }
 
   private draw(): void {

@@ -50,7 +50,7 @@ function steepItems(drawn: Drawn[]): Item[] {
   const pair = drawn.length > 1;
   const swatches = marked.map(({ run }) => swatch(sideOf(run), pair ? "steep" : "steep area"));
   const angles = [...new Set(marked.map(({ run }) => `${run.description!.repose!.toFixed(1)}°`))];
-  if (pair) return [{ swatches, text: `near repose, ${angles.join(" and ")}` }];
+  if (pair) return [{ swatches, text: `near the effective repose, ${angles.join(" and ")}` }];
   const slabs = marked[0]!.run.description!.repose_slabs;
   return [{ swatches, text: `near the effective angle of repose, ${angles[0]}${slabs === null ? "" : ` (${short(slabs, 3)} ${slabs === 1 ? "slab" : "slabs"} a cell)`}` }];
 }

@@ -4,6 +4,7 @@ import uPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
 import type { App } from "../core/app";
 import { centreOf, crestMarks, named, nearest, reachOf } from "../core/crests";
+import { nameOfRun } from "../core/file_name";
 import { type MeasuresTable, measuresCsv } from "../core/measures_csv";
 import type { Measure } from "../core/protocol";
 import { type Run, namesOf } from "../core/run";
@@ -62,7 +63,7 @@ export class SeriesView {
     const answers = await Promise.all(runs.map((run) => this.app.ask({ command: "measured", run: run.name })));
     if (answers.includes(null)) return;
     const tables = answers.map((answer, at) => ({ ...(answer as unknown as Omit<MeasuresTable, "run">), run: runs[at]! }));
-    download("measures.csv", measuresCsv(tables));
+    download(`${nameOfRun(this.app.current)}-measures.csv`, measuresCsv(tables));
   }
 
   /** At which steps the measures are taken: in short, and in full where one points at it. */
