@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 
-NUMBER = int(os.environ.get("BARCHAN_RANDOM_RUNS", "10"))
+NUMBER = int(os.environ.get("BARCHAN_RANDOM_RUNS", "6"))
 
 ROOT = Path(__file__).parents[2]
 

@@ -78,7 +78,7 @@ FLIGHTS = st.tuples(
         pytest.param([], "faster", marks=pytest.mark.extended),
     ],
 )
-@settings(max_examples=12, deadline=None, phases=[Phase.explicit, Phase.generate])
+@settings(max_examples=6, deadline=None, phases=[Phase.explicit, Phase.generate])
 @given(FLIGHTS)
 def test_kernels_equal_the_obvious_flight_bit_for_bit(plants, bent, drawn):
     seed, direction, boundary, uneven, lee, scheme, drag, footprint, lifted = drawn

@@ -32,9 +32,9 @@ def test_every_format_is_offered_and_the_file_is_downloaded(studio):
     ("title", "name"),
     [
         ("Dünen am Océan: 1/2", "dunen-am-ocean-1-2"),
-        ("Star dunes, changed: wind.speed 9", "star-dunes"),
-        ("砂丘", "run"),
-        ("a" * 30 + " " + "b" * 30, "a" * 30),
+        pytest.param("Star dunes, changed: wind.speed 9", "star-dunes", marks=pytest.mark.extended),
+        pytest.param("砂丘", "run", marks=pytest.mark.extended),
+        pytest.param("a" * 30 + " " + "b" * 30, "a" * 30, marks=pytest.mark.extended),
     ],
 )
 def test_files_are_named_by_the_title_of_the_run_as_every_system_takes_it(studio, title, name):

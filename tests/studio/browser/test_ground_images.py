@@ -48,6 +48,7 @@ def test_an_image_that_fits_the_field_is_told_nothing_of_and_is_not_compared_wit
     assert not sheet.get_by_text("32 × 24 pixels").is_visible()
     sheet.get_by_role("button", name="use it").click()
     studio.until(f"{SCENARIO}.ground.highest === 7")
+    studio.step_beyond(0)
     studio.pause()
     studio.page.locator("summary", has_text="File").first.click()
     studio.page.get_by_role("menuitem", name="Compare with a terrain").click()

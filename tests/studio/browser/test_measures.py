@@ -14,6 +14,7 @@ def saved(studio, label: str) -> list[dict[str, str]]:
     return list(csv.DictReader(io.StringIO(download.value.path().read_text("utf-8"))))
 
 
+@pytest.mark.extended
 def test_tables_are_named_by_the_title_of_the_run(studio):
     page = studio.page
     names = []

@@ -37,6 +37,7 @@ def test_a_moment_and_a_saved_run_are_confirmed_over_the_scene(studio):
     said.filter(has_text="in the folder “confirmed”").wait_for()
 
 
+@pytest.mark.extended
 def test_messages_stand_below_the_names_of_two_runs(studio):
     page = studio.page
     page.set_viewport_size({"width": 1280, "height": 720})

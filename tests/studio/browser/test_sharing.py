@@ -39,6 +39,7 @@ def others(chromium, studio, server):
     assert errors == []
 
 
+@pytest.mark.extended
 def test_the_bar_keeps_to_one_row_with_a_count_of_watchers(studio):
     studio.pause()
     studio.ask("(({ app }) => { app.sharing.watchers = 1; app.changed.send(); })(window.barchan)")
