@@ -88,28 +88,31 @@ def nearest(azimuth, crests):
     return min((difference(azimuth, crest) for crest in crests), key=abs)
 
 
-def run(model, divergence, ratio, bisector, seed):
-    """Measures of one run."""
-    return measured(Case(VARIANTS[model], winds(divergence, ratio, bisector), seed))
+def grown(variants, bisectors, seeds):
+    """Measures of all runs of some variants, by variant, pair of winds and bisector."""
+    return {
+        (name, *case, bisector): [measured(Case(variant, winds(*case, bisector), seed)) for seed in seeds]
+        for name, variant in variants.items()
+        for bisector in bisectors
+        for case in CASES
+    }
+
+
+def rows_of(found, variants, bisectors):
+    """Errors case by case, with the bisector off the axes and along one, then over all cases."""
+    for name in variants:
+        for case in CASES:
+            yield _row(name, case, found, bisectors)
+    for name in variants:
+        for ratio in RATIOS:
+            yield _summary(f"{name}, {ratio}:1", {k: v for k, v in found.items() if k[:3:2] == (name, ratio)})
+        yield _summary(f"**{name}**", {k: v for k, v in found.items() if k[0] == name})
 
 
 def rows():
-    found = {
-        (model, *case, bisector): [run(model, *case, bisector, seed) for seed in SEEDS]
-        for model in VARIANTS
-        for bisector in BISECTORS
-        for case in CASES
-    }
+    found = grown(VARIANTS, BISECTORS, SEEDS)
     draw(found).savefig(FIGURE)
-    for model in VARIANTS:
-        for case in CASES:
-            yield _row(model, case, found)
-    for model in VARIANTS:
-        for ratio in RATIOS:
-            yield _summary(
-                f"{model}, {ratio}:1", {k: v for k, v in found.items() if k[:3:2] == (model, ratio)}
-            )
-        yield _summary(f"**{model}**", {k: v for k, v in found.items() if k[0] == model})
+    yield from rows_of(found, VARIANTS, BISECTORS)
     for model in VARIANTS:
         for flux_up in FLUX_UP:
             yield _flux_up_row(
@@ -175,14 +178,15 @@ def _errors(results, divergence, ratio, bisector):
     )
 
 
-def _row(model, case, found):
-    off, along = (found[model, *case, bisector] for bisector in BISECTORS)
+def _row(name, case, found, bisectors):
+    oblique, straight = bisectors
+    off, along = (found[name, *case, bisector] for bisector in bisectors)
     coherence = np.mean([result["coherence"] for result in (*off, *along)])
     return Row(
-        f"{model}, {case[1]}:1, {case[0]}° apart",
+        f"{name}, {case[1]}:1, {case[0]}° apart",
         _theory(*case),
-        f"along an axis: {_errors(along, *case, 270.0)}; coherence {coherence:.2f}",
-        f"off the axes: {_errors(off, *case, 250.0)}",
+        f"along an axis: {_errors(along, *case, straight)}; coherence {coherence:.2f}",
+        f"off the axes: {_errors(off, *case, oblique)}",
     )
 
 

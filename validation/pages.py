@@ -90,7 +90,8 @@ THEMES = (
         "Artefacts of the lattice",
         "Effects of the lattice: its axes, its neighbourhoods, and the order in which cells are polled.",
         (
-            *("isotropy", "isotropy_hexagons", "isotropy_pairs", "direction_quality"),
+            *("isotropy", "isotropy_hexagons", "isotropy_pairs", "isotropy_pairs_hexagons"),
+            "direction_quality",
             *("horn_symmetry", "heap_horns", "heap_horns_hexagons", "bands"),
         ),
     ),
