@@ -58,7 +58,7 @@ GROUND = FieldInfo("ground", "float64", "m", "elevation of the non-erodible grou
 SAND = LayerInfo("sand", "int32", "slabs", "slabs of sand on the ground")
 
 
-def counted(layers: Iterable[LayerInfo]) -> list[str]:
+def count_names(layers: Iterable[LayerInfo]) -> list[str]:
     """Names of the fields that hold how much of each layer lies on a cell, and how thick."""
     return [name for layer in layers for name in (layer.name, layer.height_field) if name]
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from barchan.bed import Bed
-from barchan.fields import counted
+from barchan.fields import count_names
 from barchan.models import models
 from barchan.parameters import declarations
 from barchan.scenario import Scenario, validate
@@ -167,7 +167,7 @@ def test_a_model_says_what_it_is(name):
 def test_a_model_declares_its_fields_on_the_bed(name):
     simulation = Simulation(scenario(name))
     model = simulation.model
-    declared = {"ground", *counted(model.layers)} | {field.name for field in model.fields}
+    declared = {"ground", *count_names(model.layers)} | {field.name for field in model.fields}
     assert set(simulation.bed.arrays) == declared
     assert isinstance(simulation.bed, Bed)
     for field in simulation.bed.declared.values():

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from xarray.backends import BackendArray
 from xarray.core import indexing
 
-from barchan.fields import GROUND, LayerInfo, counted, depth_of
+from barchan.fields import GROUND, LayerInfo, count_names, depth_of
 
 
 class LazyElevation(BackendArray):
@@ -17,7 +17,7 @@ class LazyElevation(BackendArray):
     def __init__(self, frames: Any, layers: Sequence[LayerInfo], slab_height: float) -> None:
         """Compute from the ground and the layers of a dataset of ``frames``; ``slab_height`` is in m."""
         self.layers, self.slab_height = tuple(layers), slab_height
-        self.variables = {name: frames[name].variable for name in (GROUND.name, *counted(layers))}
+        self.variables = {name: frames[name].variable for name in (GROUND.name, *count_names(layers))}
         self.shape = self.variables[GROUND.name].shape
         self.dtype = np.dtype("float64")
 

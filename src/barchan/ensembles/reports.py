@@ -14,7 +14,7 @@ from typing import Any
 from barchan.archive import open_run
 from barchan.archive.folder import CHECKPOINT, SCENARIO, writer_of
 from barchan.archive.reading import stopped
-from barchan.fields import counted
+from barchan.fields import count_names
 from barchan.replacing import replacing
 from barchan.scenario import Scenario
 from barchan.version import __version__
@@ -137,7 +137,9 @@ def report_on(
     with open_run(path) as run:
         measured = measure_series(run, scenario, told=told)
         last = run.isel(step=-1)
-        digest = hashlib.sha256(b"".join(last[name].values.tobytes() for name in counted(scenario.layers)))
+        digest = hashlib.sha256(
+            b"".join(last[name].values.tobytes() for name in count_names(scenario.layers))
+        )
         steps = [int(step) for step in run["step"].values]
     names = [str(name) for name in measured.data_vars]
     earlier = read_report(folder, member)

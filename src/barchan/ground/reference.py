@@ -146,4 +146,4 @@ def _advice(longitude: float, latitude: float, on_earth: bool = True) -> str:
     if abs(latitude) > 80:
         code = 3413 if latitude > 0 else 3031
         name = f"EPSG:{code} (polar stereographic)"
-    return f"for instance {name}: rio warp FILE new.tif --dst-crs EPSG:{code} --resampling bilinear"
+    return f"for instance {name}, to which a GIS or Rasterio's warp brings it"

@@ -90,7 +90,7 @@ def _hops_problems(scenario: "Scenario", model: Model) -> list[Found]:
     if model.takes_hops:
         return []
     text = f"is a hop length in cells, which {model.title} does not use"
-    hint = 'state the speed in m/s (with "unit": "m/s") or leave it out and set model.wind_speed'
+    hint = "state the speed in m/s (unit m/s), or leave it out and set the wind speed of the model"
     parts = scenario.wind.placed_parts()
     return [(("wind", *path, "speed"), f"{text}; {hint}") for path, part in parts if part.longest_hop]
 
@@ -123,7 +123,7 @@ def starved_edges(scenario: "Scenario") -> list[str]:
     sides = " and ".join(edges)
     plural = "edges are" if len(edges) > 1 else "edge is"
     text = f"the {sides} {plural} open and nothing enters there: the wind will empty the field"
-    return [f'{text}; state what enters with "influx", for instance {{"kind": "saturation", "share": 0.2}}']
+    return [f"{text}; state what enters, for instance an influx of kind saturation with a share of 0.2"]
 
 
 def broken_edges(scenario: "Scenario", ground: NDArray[np.float64] | None) -> list[str]:
@@ -147,7 +147,7 @@ def _unclocked(scenario: "Scenario", model: Model) -> list[Found]:
         return found
     for path, seconds in _durations(scenario):
         text = f"is {seconds:g} s, which needs a clock"
-        found.append((path, f"{text}; give the scenario a clock (key clock), or state it in steps"))
+        found.append((path, f"{text}; give the scenario a clock, or state it in steps"))
     return found
 
 
@@ -158,10 +158,8 @@ def _unclocked_speeds(scenario: "Scenario", model: Model, own_steps: bool) -> It
         series, speed = f"whose winds {text}", f"is m/s; speeds {text}"
     else:
         needs = "a clock for its number of polls"
-        series = "whose winds need a clock for their number of polls; give the scenario a clock (key clock)"
-        speed = (
-            f"is m/s, which needs {needs}; give the scenario a clock (key clock), or state the speed in cells"
-        )
+        series = "whose winds need a clock for their number of polls; give the scenario a clock"
+        speed = f"is m/s, which needs {needs}; give the scenario a clock, or state the speed in cells"
     if isinstance(scenario.wind, SeriesWind):
         kind = "a record" if isinstance(scenario.wind, Recorded) else scenario.wind.kind
         yield ("wind", "kind"), f"is {kind}, {series}"

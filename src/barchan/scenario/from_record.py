@@ -33,7 +33,7 @@ def as_long_as_record(scenario: Scenario) -> Scenario:
             _refuse("but the record starts over at its end and so has none; set wind.repeat to false")
         steps = wind_steps(scenario)
         if steps is None:
-            _refuse("which needs steps of a known duration; give the scenario a clock (key clock)")
+            _refuse("which needs steps of a known duration; give the scenario a clock")
         whole = max(math.ceil(steps - ROUNDED), 1)
         if whole > MOST_STEPS:
             _refuse(f"which comes to {whole} steps; allowed: ≤ {MOST_STEPS}")

@@ -24,7 +24,7 @@ def too_fast(speed: float) -> str:
     """What is wrong with a speed (m/s) above ``FASTEST``."""
     return (
         f"is {speed:g} m/s, faster than any wind; allowed: up to {FASTEST:g} m/s. Is it in another unit: "
-        'cm/s, or a hop length ("unit": "cells")?'
+        "cm/s, or a hop length (unit cells)?"
     )
 
 

@@ -2,7 +2,7 @@
 
 import { differences } from "./beside";
 import { commonTitle, readable } from "./labels";
-import type { Description, Frame, Row, RunName, Status } from "./protocol";
+import type { Description, Frame, JsonObject, Row, RunName, Status } from "./protocol";
 
 export class Run {
   description: Description | null = null;
@@ -75,7 +75,7 @@ export class Run {
 }
 
 /** The title of a scenario as the page shows it. */
-export function titleOf({ scenario, models }: Description): string {
+export function titleOf({ scenario, models }: { scenario: JsonObject; models: Description["models"] | undefined }): string {
   return readable(String(scenario.title || "Untitled scenario"), models);
 }
 

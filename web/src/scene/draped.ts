@@ -42,12 +42,9 @@ export async function photograph(file: Blob): Promise<HTMLCanvasElement> {
   return image;
 }
 
-/** The heights (m) between which the colours of a terrain's map lie. */
-export const heightsBetween = (heights: Float32Array): [number, number] => ends(heights);
-
 /** Heights (m) of a run's lattice as a shaded map in the colours of elevation. */
 export function shadedMap(app: App, run: Run, heights: Float32Array): HTMLCanvasElement {
-  const limits = heightsBetween(heights);
+  const limits = ends(heights);
   const colours = { values: heights, limits, map: "perceptual", title: "", unit: "m", natural: false, choice: false, everywhere: true };
   const across = Math.max(run.columns, run.rows) * run.description!.lattice.cell_size;
   const steep = Math.max((STEEP * across) / Math.max(limits[1] - limits[0], 1e-9) / 4, 1);

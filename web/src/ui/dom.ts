@@ -102,7 +102,7 @@ export function duration(seconds: number): string {
   return days < 1000 ? `${days} d ${clock}` : `${(days / 365.2425).toFixed(1)} years`;
 }
 
-const TIMES: [string, number][] = [["years", 31_557_600], ["days", 86_400], ["h", 3600], ["min", 60]];
+const TIMES: [string, number][] = [["years", 31_557_600], ["days", 86_400], ["hours", 3600], ["minutes", 60]];
 
 /** The unit for durations up to one (s), and how many seconds it has; as the pictures that are saved have it. */
 export function timeUnit(seconds: number): [string, number] {

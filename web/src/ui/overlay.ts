@@ -5,8 +5,9 @@ import type { Progress } from "../core/connection";
 import { isImage } from "../core/image_ground";
 import { withKeptFile } from "../core/kept_file";
 import { ABOVE, OVERLAY } from "../core/overlay";
+import { ends } from "../core/profile";
 import type { Json } from "../core/protocol";
-import { heightsBetween, photograph, shadedMap } from "../scene/draped";
+import { photograph, shadedMap } from "../scene/draped";
 import { type Submit, formDialog } from "./dialog";
 import { h } from "./dom";
 import { HeightEnds, sheetRow } from "./height_ends";
@@ -65,7 +66,7 @@ export class OverlayPanel {
     const { overlay, current } = this.app;
     const heights = current?.ready && overlay.terrain && !overlay.image ? current.fields.get(OVERLAY) : undefined;
     if (!heights) return;
-    overlay.set({ image: shadedMap(this.app, current!, heights), limits: heightsBetween(heights) });
+    overlay.set({ image: shadedMap(this.app, current!, heights), limits: ends(heights) });
     this.app.view.need(OVERLAY, false);
   }
 

@@ -3,8 +3,8 @@
 import type { App } from "../core/app";
 import { Refused } from "../core/connection";
 import type { Command, JsonObject, Problem } from "../core/protocol";
-import { readable, valueLabel } from "../core/labels";
-import { namesOf } from "../core/run";
+import { valueLabel } from "../core/labels";
+import { namesOf, titleOf } from "../core/run";
 import { holdsScenario, scenarioLink, scenariosIn } from "../core/scenario_link";
 import { copyRow } from "./copy_row";
 import { dialog, formDialog } from "./dialog";
@@ -60,7 +60,7 @@ async function offer(app: App, files: Files, link: string): Promise<void> {
 }
 
 function titleIn(app: App, scenario: JsonObject): string {
-  return readable(String(scenario.title || "Untitled scenario"), app.current?.description?.models);
+  return titleOf({ scenario, models: app.current?.description?.models });
 }
 
 /** Title and facts of a scenario, and what to look for. */

@@ -8,7 +8,6 @@ from typing import Any
 
 from barchan.errors import BarchanError, Problem, ScenarioError
 from barchan.ground.reading import READERS
-from barchan.studio.page_words import page_words
 from barchan.studio.server.security import is_plain_name, is_reserved
 from barchan.studio.server.together import is_together
 from barchan.wind.records.reading import SUFFIXES
@@ -90,11 +89,11 @@ class Workspace:
             path.unlink(missing_ok=True)
 
     def plainly(self, text: str, problems: list[dict[str, Any]]) -> tuple[str, list[dict[str, Any]]]:
-        """A refusal in the words of the page; uploads are named without the server's folders."""
+        """A refusal as the page tells it: uploads are named without the server's folders."""
         folder = f"{self.folder / UPLOADS}{os.sep}"
 
         def plain(said: Any) -> Any:
-            return page_words(said.replace(folder, "")) if isinstance(said, str) else said
+            return said.replace(folder, "") if isinstance(said, str) else said
 
         return plain(text), [{name: plain(said) for name, said in one.items()} for one in problems]
 

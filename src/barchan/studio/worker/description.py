@@ -9,7 +9,6 @@ from barchan.scenario import Scenario, validate
 from barchan.scenario.changes import changed_from
 from barchan.simulation import Simulation
 from barchan.squares import Squares
-from barchan.studio.page_words import all_page_words
 from barchan.studio.worker.bookmarks import identity
 from barchan.studio.worker.brushes import brushes
 from barchan.studio.worker.changes import changes_of
@@ -62,7 +61,7 @@ def description(simulation: Simulation, origin: Scenario) -> dict[str, Any]:
         "repose": math.degrees(math.atan(limits[0] * lattice.aspect)) if limits else None,
         "repose_slabs": float(limits[0]) if limits else None,
         "facts": {**scenario.facts(), **scenario.forecast()},
-        "remarks": all_page_words(scenario.remarks(simulation.bed.ground)),
+        "remarks": scenario.remarks(simulation.bed.ground),
         "events": len(simulation.events),
         "identity": identity(simulation),
         "changes": changes_of(simulation),

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from barchan.errors import BarchanError
-from barchan.fields import GROUND, LayerInfo, counted, depth_of
+from barchan.fields import GROUND, LayerInfo, count_names, depth_of
 from barchan.lattice import Lattice
 from barchan.simulation import Simulation, State
 from barchan.squares import Squares
@@ -89,7 +89,7 @@ class _Sampler:
 
     def section(self, state: State) -> NDArray[np.float64]:
         """Elevation (m) at each place."""
-        names = (GROUND.name, *counted(self._layers))
+        names = (GROUND.name, *count_names(self._layers))
         arrays = {name: state.arrays[f"bed/{name}"] for name in names}
         if self._squares.true.hexagonal:
             arrays = {name: self._squares.between(one.astype(np.float64)) for name, one in arrays.items()}
