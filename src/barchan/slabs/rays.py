@@ -25,7 +25,7 @@ class _Crossings(NamedTuple):
     """Rows from the sheltered cell to the crossing."""
     rows: NDArray[np.int64]
     cols: NDArray[np.int64]
-    """Of hexagons: column by row parity of the sheltered cell, and by crossing."""
+    """Column by row parity of the sheltered cell (of squares there is one), and by crossing."""
     weights: NDArray[np.float64]
     """Share of the second cell in the height at the crossing."""
     second: tuple[int, int]
@@ -41,6 +41,7 @@ def ray_shadow(
     """
     found = _over_hexagons(grid, angle) if grid.hexagonal else _over_squares(grid, angle)
     rows, cols = found.rows, found.cols
+    cells, inside = _cells_about(found, grid)
     if grid.wrap_across:
         rows = rows % grid.rows
     if grid.wrap_along:
@@ -48,7 +49,7 @@ def ray_shadow(
     falls = (found.distance - start) * fall
     away = np.ceil(np.abs(found.rows_away) - _ROUNDING)
     near = np.searchsorted(away, np.arange(grid.rows), side="right").astype(np.int64)
-    memory = rows, found.weights, falls, near, np.ascontiguousarray(cols)
+    memory = rows, found.weights, falls, near, np.ascontiguousarray(cols), cells, inside
     ray = RayShadow(
         rows=memory[0].ctypes.data,
         weights=memory[1].ctypes.data,
@@ -57,11 +58,27 @@ def ray_shadow(
         rises=angle < 0.0,
         size=falls.size,
         width=width,
+        cells=cells.ctypes.data,
+        inside=inside.ctypes.data,
         cols=memory[4].ctypes.data,
         next_row=found.second[0],
         next_col=found.second[1],
     )
     return ray, memory
+
+
+def _cells_about(found: _Crossings, grid: Grid) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """The two cells about each crossing, flat, by row parity of the sheltered cell; and how many crossings lie
+    between the field's first column and its last one, by that cell's column."""
+    odd = (np.arange(len(found.cols))[:, np.newaxis] + found.rows) & 1 & grid.hexagonal
+    beside = found.weights > 0.0
+    rows = np.stack([found.rows, found.rows + beside * found.second[0]], axis=-1)
+    cols = np.stack([found.cols, found.cols + beside * (found.second[1] + (odd & found.second[0]))], axis=-1)
+    west = np.maximum.accumulate(-cols.min(axis=(0, 2)))
+    east = np.maximum.accumulate(cols.max(axis=(0, 2)))
+    col = np.arange(grid.cols)
+    inside = np.minimum(np.searchsorted(west, col, "right"), np.searchsorted(east, grid.cols - 1 - col, "right"))
+    return np.ascontiguousarray(rows * grid.cols + cols), inside.astype(np.int64)
 
 
 def _over_squares(grid: Grid, angle: float) -> _Crossings:
@@ -71,7 +88,7 @@ def _over_squares(grid: Grid, angle: float) -> _Crossings:
     lower = np.floor(offset + _ROUNDING)
     weights = np.maximum(offset - lower, 0.0)
     rows = lower.astype(np.int64)
-    return _Crossings(columns / math.cos(angle), offset, rows, np.zeros((2, 0), np.int64), weights, (1, 0))
+    return _Crossings(columns / math.cos(angle), offset, rows, -columns[np.newaxis], weights, (1, 0))
 
 
 def _over_hexagons(grid: Grid, angle: float) -> _Crossings:

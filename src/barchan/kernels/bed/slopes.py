@@ -72,16 +72,17 @@ def _sorting_key(surface, sand, mobility, cell, here, sign, code, limit):
     return (step << 6) + code
 
 
-@internal()
-def _steepest_of_six(stacks, orders, order, row, col, here, sign, at_rest, grid, repose):
-    """``steepest`` for a hexagon, whose six neighbours lie at one distance and have one limit."""
-    stacks, orders = borrowed((stacks, orders))
-    surface, sand, mobility = stacks.surface, stacks.sand, stacks.mobility
-    rest = at_rest * repose.static_face
-    limit = StepLimit(repose.face_limit + rest, repose.stabilised_face_limit + rest, repose.stabilised_below)
-    north, south, east, west = beside(row, col, grid)
+@internal(forceinline=True)
+def _six_about(row, col, grid):
+    """A hexagon and its neighbours (flat, each pair from the east to the west); itself for one that is missing."""
     odd = row & 1
     itself = np.uint64(row * grid.cols + col)
+    if 0 < row < grid.rows - 1 and 0 < col < grid.cols - 1:
+        to_east = np.uint64(odd)
+        above, below = itself + np.uint64(grid.cols) + to_east, itself - np.uint64(grid.cols) + to_east
+        one = np.uint64(1)
+        return itself, itself + one, itself - one, above, above - one, below, below - one
+    north, south, east, west = beside(row, col, grid)
     no_west = not odd and col == 0 and not grid.wrap_along
     no_east = odd and col + 1 == grid.cols and not grid.wrap_along
     left = col if odd else west
@@ -92,6 +93,17 @@ def _steepest_of_six(stacks, orders, order, row, col, here, sign, at_rest, grid,
     nw = itself if north == row or no_west else np.uint64(north * grid.cols + left)
     se = itself if south == row or no_east else np.uint64(south * grid.cols + right)
     sw = itself if south == row or no_west else np.uint64(south * grid.cols + left)
+    return itself, e, w, ne, nw, se, sw
+
+
+@internal()
+def _steepest_of_six(stacks, orders, order, row, col, here, sign, at_rest, grid, repose):
+    """``steepest`` for a hexagon, whose six neighbours lie at one distance and have one limit."""
+    stacks, orders = borrowed((stacks, orders))
+    surface, sand, mobility = stacks.surface, stacks.sand, stacks.mobility
+    rest = at_rest * repose.static_face
+    limit = StepLimit(repose.face_limit + rest, repose.stabilised_face_limit + rest, repose.stabilised_below)
+    itself, e, w, ne, nw, se, sw = _six_about(row, col, grid)
     highest = max(
         max((np.int64(surface[e]) - here) * sign, (np.int64(surface[w]) - here) * sign),
         max(

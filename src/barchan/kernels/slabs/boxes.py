@@ -65,14 +65,33 @@ def _neighbour(view, place, row, col, middle, grid, width):
     return load_at(_surface(view, place) + (row * grid.cols + col) * width, middle)
 
 
+@internal(forceinline=True)
+def _surface_about(view, place, row, col, grid):
+    """The surface (its address) of a cell and all its neighbours; 0 where they lie at an edge of the field or
+    some are seen as they are now and some as they were."""
+    if row < 1 or row + 1 >= grid.rows or col < 1 or col + 1 >= grid.cols:
+        return np.int64(0)
+    beside, near = place
+    if 0 < beside < near - 1:
+        return np.int64(view.now)
+    return np.int64(view.before) if beside < -1 or beside > near else np.int64(0)
+
+
 @internal(error_model="numpy")
 def _rise_of_square(tops, view, place, row, col, middle, aside, grid, width):
     """How much higher the top of a box is ``aside`` of its middle, to the wind's left, than there."""
-    beside, near = place
-    along = _neighbour(view, place, row, col + 1, middle, grid, width)
-    along -= _neighbour(view, place, row, col - 1, middle, grid, width)
-    across = _neighbour(view, (beside + 1, near), row + 1, col, middle, grid, width)
-    across -= _neighbour(view, (beside - 1, near), row - 1, col, middle, grid, width)
+    surface = _surface_about(view, place, row, col, grid)
+    if surface != 0:
+        cell = surface + (row * grid.cols + col) * width
+        line = grid.cols * width
+        along = load_at(cell + width, middle) - load_at(cell - width, middle)
+        across = load_at(cell + line, middle) - load_at(cell - line, middle)
+    else:
+        beside, near = place
+        along = _neighbour(view, place, row, col + 1, middle, grid, width)
+        along -= _neighbour(view, place, row, col - 1, middle, grid, width)
+        across = _neighbour(view, (beside + 1, near), row + 1, col, middle, grid, width)
+        across -= _neighbour(view, (beside - 1, near), row - 1, col, middle, grid, width)
     slope = 0.5 * (np.float64(along) * tops.along + np.float64(across) * tops.across)
     return min(max(slope, -tops.steepest), tops.steepest) * aside
 
@@ -120,7 +139,10 @@ def _among_squares(faces, tops, view, along, across, here, peak, grid, width):
         above = np.float64(height - here)
         if tops is not None:
             above -= start
-            if above + tops.reach > fall:
+            most = tops.steepest * abs(aside)
+            if above - most > fall:
+                return True
+            if above + most > fall:
                 above += _rise_of_square(tops, view, (beside, near), row, col, height, aside, grid, width)
         if above > fall:
             return True
@@ -135,15 +157,24 @@ def _fall_to(face, along, across):
 @internal(error_model="numpy")
 def _rise_of_hexagon(tops, view, place, row, col, middle, aside, grid, width):
     """How much higher the top of a prism is ``aside`` of its middle, to the wind's left, than there."""
-    beside, near = place
-    above, below = (beside + 1, near), (beside - 1, near)
-    east, west = col + (row & 1), col - 1 + (row & 1)
-    along = _neighbour(view, place, row, col + 1, middle, grid, width)
-    along -= _neighbour(view, place, row, col - 1, middle, grid, width)
-    eastwards = _neighbour(view, above, row + 1, east, middle, grid, width)
-    eastwards -= _neighbour(view, below, row - 1, west, middle, grid, width)
-    westwards = _neighbour(view, above, row + 1, west, middle, grid, width)
-    westwards -= _neighbour(view, below, row - 1, east, middle, grid, width)
+    surface = _surface_about(view, place, row, col, grid)
+    if surface != 0:
+        cell = surface + (row * grid.cols + col) * width
+        northeast = cell + (grid.cols + (row & 1)) * width
+        southeast = cell + ((row & 1) - grid.cols) * width
+        along = load_at(cell + width, middle) - load_at(cell - width, middle)
+        eastwards = load_at(northeast, middle) - load_at(southeast - width, middle)
+        westwards = load_at(northeast - width, middle) - load_at(southeast, middle)
+    else:
+        beside, near = place
+        above, below = (beside + 1, near), (beside - 1, near)
+        east, west = col + (row & 1), col - 1 + (row & 1)
+        along = _neighbour(view, place, row, col + 1, middle, grid, width)
+        along -= _neighbour(view, place, row, col - 1, middle, grid, width)
+        eastwards = _neighbour(view, above, row + 1, east, middle, grid, width)
+        eastwards -= _neighbour(view, below, row - 1, west, middle, grid, width)
+        westwards = _neighbour(view, above, row + 1, west, middle, grid, width)
+        westwards -= _neighbour(view, below, row - 1, east, middle, grid, width)
     slope = np.float64(along) * tops.along
     slope += np.float64(eastwards) * (tops.across + 0.5 * tops.along)
     slope += np.float64(westwards) * (tops.across - 0.5 * tops.along)
@@ -210,7 +241,10 @@ def _among_hexagons(faces, tops, view, along, across, here, peak, grid, width):
         above = np.float64(height - here)
         if tops is not None:
             above -= start
-            if above + tops.reach > fall:
+            most = tops.steepest * abs(aside)
+            if above - most > fall:
+                return True
+            if above + most > fall:
                 above += _rise_of_hexagon(tops, view, (beside, near), row, col, height, aside, grid, width)
         if above > fall:
             return True

@@ -135,11 +135,30 @@ def _crossed_hexagons(row, col, k, weight, grid, ray):
     return (first, second) if second >= 0 else (second, second)
 
 
+@internal(error_model="numpy", forceinline=True)
+def _crossings_inside(row, col, grid, ray):
+    """How many crossings of a ray lie inside the field, before any that lies beyond one of its edges."""
+    to_edge = grid.rows - 1 - row if ray.rises else row
+    across = load_at(ray.near + 8 * to_edge, np.int64(0))
+    return min(across, load_at(ray.inside + 8 * col, np.int64(0)))
+
+
+@internal(error_model="numpy", forceinline=True)
+def _is_above(surface, lower, upper, weight, here, fall, width):
+    """Whether the height between two cells exceeds ``here`` by more than the line has fallen."""
+    below = load_at(surface + lower * width, here)
+    above = load_at(surface + upper * width, here)
+    return np.float64(below) + weight * np.float64(above - below) - np.float64(here) > fall
+
+
 @internal(error_model="numpy")
 def _in_ray_shadow(view, row, col, here, peak, grid, ray):
     rise = np.float64(peak - here)
     surface = view.now
     crossings_near = _crossings_near(view, row, grid, ray)
+    crossings_inside = _crossings_inside(row, col, grid, ray)
+    cell = row * grid.cols + col
+    cells = ray.cells + (16 * ray.size if grid.hexagonal and row & 1 else 0)
     for k in range(ray.size):
         if k == crossings_near:
             surface = view.before
@@ -147,15 +166,16 @@ def _in_ray_shadow(view, row, col, here, peak, grid, ray):
         if fall >= rise:
             return False
         weight = load_at(ray.weights + 8 * k, 0.0)
-        if grid.hexagonal:
+        if k < crossings_inside:
+            lower = cell + load_at(cells + 16 * k, np.int64(0))
+            upper = cell + load_at(cells + 16 * k + 8, np.int64(0))
+        elif grid.hexagonal:
             lower, upper = _crossed_hexagons(row, col, k, weight, grid, ray)
         else:
             lower, upper = _crossed_squares(row, col, k, weight, grid, ray)
         if lower < 0:
             return False
-        below = load_at(surface + lower * ray.width, here)
-        above = load_at(surface + upper * ray.width, here)
-        if np.float64(below) + weight * np.float64(above - below) - np.float64(here) > fall:
+        if _is_above(surface, lower, upper, weight, here, fall, ray.width):
             return True
     return False
 

@@ -92,6 +92,11 @@ class RayShadow(NamedTuple):
     """Whether the ray goes towards growing rows."""
     size: int
     width: int
+    cells: int
+    """Address of the two cells about each crossing, relative to the sheltered one, on the flat lattice (int64);
+    of hexagons first where that lies in an even row, then where it lies in an odd one."""
+    inside: int
+    """Address of how many crossings lie in the field's columns, by the sheltered cell's column (int64)."""
     cols: int = 0
     """Of hexagons: address of the column of that cell, relative to the sheltered one (int64); first where the
     sheltered cell lies in an even row, then where it lies in an odd one."""
