@@ -6,7 +6,19 @@ import statistics
 from collections.abc import Iterator
 from pathlib import Path
 
-from benchmarks import exports, grains, kernel, measures, plain, program, shown, threads, trials, watched
+from benchmarks import (
+    exports,
+    grains,
+    kernel,
+    lattices,
+    measures,
+    plain,
+    program,
+    shown,
+    threads,
+    trials,
+    watched,
+)
 
 PAGE = Path(__file__).parents[1] / "docs" / "benchmarks.md"
 NOTES = Path(__file__).with_name("notes.md")
@@ -55,12 +67,10 @@ def report(only: str) -> Iterator[str]:
             yield f"A poll at 4096² costs {ratio:.2f} times one at 256²{what} (the same 25 steps from flat)."
     if not only or "threads".startswith(only):
         yield from _threads()
-    if not only or "plain".startswith(only):
-        yield ""
-        yield from plain.report()
-    if not only or "trials".startswith(only):
-        yield ""
-        yield from trials.report()
+    for name, tables in {"lattices": lattices, "plain": plain, "trials": trials}.items():
+        if not only or name.startswith(only):
+            yield ""
+            yield from tables.report()
     if not only or "grains".startswith(only):
         yield ""
         yield "| grains in flight | million updates/s, one thread | two | same bits |"

@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from barchan.bed import Bed
-from barchan.ground.brush import brush, brushed, grown, raised
+from barchan.ground.brush import brush, brushed, grown, raised, whole
 from barchan.lattice import Lattice
 
 ROWS, COLUMNS, CELL = 10, 14, 2.0
@@ -46,7 +46,7 @@ def cell_by_cell(bed, *stroke):
 
 
 def stroked(bed, x, y, radius, amount, falloff):
-    return brushed(bed, brush(bed.lattice, x, y, radius, falloff), amount)
+    return brushed(bed, whole(brush(bed.lattice, x, y, radius, falloff), None, amount))
 
 
 boundaries = st.sampled_from(["periodic", "open"])
@@ -102,10 +102,20 @@ def test_ground_changes_by_whole_slabs_and_stays_above_the_lowest():
     bed = bed_of()
     bed.ground[:, 7:] = 2.5
     strength = brush(bed.lattice, 14.0, 10.0, 9.0, "smooth")
-    steps = raised(bed, strength, 6) / bed.lattice.thickness
+    steps = raised(bed, whole(strength, None, 6)) / bed.lattice.thickness
     np.testing.assert_allclose(steps, np.rint(6 * strength))
-    lowered = bed.ground + raised(bed, np.ones(bed.lattice.shape), -100)
+    lowered = bed.ground + raised(bed, np.full(bed.lattice.shape, -100.0))
     assert not lowered.any()
+
+
+@given(st.lists(st.tuples(st.floats(2, 26), st.floats(2, 18)), min_size=1, max_size=6), st.integers(-5, 5))
+def test_stamps_that_know_those_before_them_add_up_to_the_units_of_their_sum(places, amount):
+    lattice = bed_of().lattice
+    shares = [brush(lattice, x, y, 7.0, "smooth") for x, y in places]
+    added = np.zeros(lattice.shape)
+    for number, share in enumerate(shares):
+        added += whole(share, sum(shares[:number], np.zeros(lattice.shape)) if number else None, amount)
+    np.testing.assert_array_equal(added, np.rint(amount * sum(shares)))
 
 
 def test_a_field_is_held_within_its_bounds_and_what_lies_beyond_stays():

@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from barchan.errors import BarchanError, ScenarioError
-from barchan.simulation import PlantStroke, RockStroke, Simulation, Stroke
+from barchan.simulation import PlantStroke, RockStroke, Simulation, Stamp, Stroke
 from tests.tiny import tiny
 
 strokes = st.builds(
@@ -62,6 +62,26 @@ def test_a_stroke_lies_where_it_is_painted():
     simulation = Simulation(tiny(sand={"kind": "flat", "mean": 0}))
     simulation.apply(Stroke(x=20.5, y=3.5, radius=0.7, amount=1, falloff="none"))
     assert np.argwhere(simulation.bed.sand).tolist() == [[3, 20]]
+
+
+def test_a_line_of_stamps_is_as_even_as_its_sum():
+    simulation = Simulation(tiny(sand={"kind": "flat", "mean": 0}))
+    places = [(4.5 + 2.5 * number, 8.0) for number in range(7)]
+    for number, (x, y) in enumerate(places):
+        stamp = Stroke(x=x, y=y, radius=5.0, amount=1, trail=[Stamp(x=x, y=y) for x, y in places[:number]])
+        simulation.apply(stamp)
+    rows, columns = np.mgrid[:16, :24] + 0.5
+    total = 0.0
+    for x, y in places:
+        share = np.minimum(np.hypot(columns - x, rows - y) / 5.0, 1.0)
+        total = total + 0.5 + 0.5 * np.cos(np.pi * share)
+    np.testing.assert_array_equal(simulation.bed.sand, np.rint(total))
+    assert set(simulation.bed.sand[7, 8:16]) == {2}
+
+
+def test_a_stamp_names_at_most_some_of_those_before_it():
+    with pytest.raises(ScenarioError, match="trail"):
+        Stroke(x=1.0, y=1.0, radius=2.0, amount=1, trail=[Stamp(x=1.0, y=1.0)] * 17)
 
 
 def test_a_gentle_heap_is_undone_by_its_opposite():

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from barchan.bed import Bed
-from barchan.ground.places import distances, extent
+from barchan.ground.places import extent, offsets
 from barchan.lattice import Lattice
 
 Falloff = Literal["none", "linear", "smooth"]
@@ -18,28 +18,41 @@ def brush(lattice: Lattice, x: float, y: float, radius: float, falloff: Falloff)
     The patch continues across periodic edges.
     """
     width, height = extent(lattice)
-    share = distances(lattice, x / width, y / height) / radius
+    east, north = offsets(lattice, x / width, y / height)
+    rows = np.flatnonzero(np.abs(north).min(axis=1) < radius)
+    cols = np.flatnonzero(np.abs(east).min(axis=0) < radius)
+    share = np.hypot(east[:, cols] if len(east) == 1 else east[np.ix_(rows, cols)], north[rows]) / radius
     strength = {
         "none": np.ones_like(share),
         "linear": 1.0 - share,
         "smooth": 0.5 * (1.0 + np.cos(np.pi * np.minimum(share, 1.0))),
     }[falloff]
-    return np.where(share < 1.0, strength, 0.0)
+    patch = np.zeros(lattice.shape)
+    patch[np.ix_(rows, cols)] = np.where(share < 1.0, strength, 0.0)
+    return patch
 
 
-def brushed(bed: Bed, strength: NDArray[np.float64], amount: int) -> NDArray[np.int64]:
-    """Units that a brush changes on each cell, ``amount`` at its centre; no cell gives more than it holds."""
-    change = np.rint(amount * strength).astype(np.int64)
-    return np.maximum(change, -bed.stack.astype(np.int64))
+def whole(
+    strength: NDArray[np.float64], before: NDArray[np.float64] | None, amount: float
+) -> NDArray[np.float64]:
+    """Whole units that a stamp of a brush adds to each cell, ``amount`` of them at its centre.
 
-
-def raised(bed: Bed, strength: NDArray[np.float64], amount: int) -> NDArray[np.float64]:
-    """Height (m) by which a brush changes the ground of each cell: whole slabs, ``amount`` at its centre.
-
-    No ground goes below the lowest that there is.
+    ``before`` is the strength of the stamps before it of the same stroke, together: all of them add up to
+    whole units of their sum, so that a stroke is as even as if it had been rounded once.
     """
-    change = np.rint(amount * strength) * bed.lattice.thickness
-    return np.maximum(change, bed.ground.min() - bed.ground)
+    if before is None:
+        return np.rint(amount * strength)
+    return np.rint(amount * (before + strength)) - np.rint(amount * before)
+
+
+def brushed(bed: Bed, units: NDArray[np.float64]) -> NDArray[np.int64]:
+    """The change of each cell by whole ``units``; no cell gives more than it holds."""
+    return np.maximum(units.astype(np.int64), -bed.stack.astype(np.int64))
+
+
+def raised(bed: Bed, slabs: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Height (m) by which whole ``slabs`` raise the ground of each cell, never below the lowest there is."""
+    return np.maximum(slabs * bed.lattice.thickness, bed.ground.min() - bed.ground)
 
 
 def grown(

@@ -16,17 +16,20 @@ from barchan.simulation.state import LOOK_ONLY, State
 from barchan.simulation.step_pacer import StepPacer
 from barchan.simulation.stop import StopCondition
 from barchan.simulation.strokes import (
+    MOST_TRAIL,
     AnyStroke,
     BrushStroke,
     IceStroke,
     PlantStroke,
     RockStroke,
     SnowfallStroke,
+    Stamp,
     Stroke,
 )
 
 __all__ = [
     "LOOK_ONLY",
+    "MOST_TRAIL",
     "AnyEvent",
     "AnyStroke",
     "BrushStroke",
@@ -41,6 +44,7 @@ __all__ = [
     "SetWind",
     "Simulation",
     "SnowfallStroke",
+    "Stamp",
     "State",
     "StepPacer",
     "StopCondition",

@@ -9,11 +9,11 @@ from barchan.aeolian.snow.density import GREATEST_DENSITY, LEAST_DENSITY
 from barchan.bed import Bed
 from barchan.errors import BarchanError, Problem, ScenarioError
 from barchan.fields import GROUND, HEIGHT_UNIT
-from barchan.ground.brush import Falloff, brush, brushed, grown, raised
+from barchan.ground.brush import Falloff, brush, brushed, grown, raised, whole
 from barchan.ground.sand import MOST_SLABS
 from barchan.lattice import Lattice
 from barchan.models import Model
-from barchan.parameters import parameter
+from barchan.parameters import Parameters, parameter
 from barchan.scenario import nearest
 from barchan.simulation.change import Change
 from barchan.words import counted
@@ -29,13 +29,29 @@ MOST_ICE = 100.0
 """Largest rise of the ground by one stroke of ice (m)."""
 
 
-class BrushStroke(Change):
-    """A stroke on a round patch; the kind of stroke decides which field of the bed it changes."""
+MOST_TRAIL = 16
+"""Stamps that a stamp is added up with, at most."""
+
+
+class Stamp(Parameters):
+    """Where a brush is set down."""
 
     x: float = parameter(unit="m", meaning="Centre, from the west edge.")
     y: float = parameter(unit="m", meaning="Centre, from the south edge.")
+
+
+class BrushStroke(Change, Stamp):
+    """A stroke on a round patch; the kind of stroke decides which field of the bed it changes."""
+
     radius: float = parameter(unit="m", gt=0, meaning="Radius of the patch.")
     falloff: Falloff = parameter("smooth", unit="-", meaning="How the amount falls towards the rim.")
+    trail: list[Stamp] = parameter(
+        [],
+        unit="-",
+        max_length=MOST_TRAIL,
+        meaning="Where stamps before it of the same stroke are, alike in all else: whole units count "
+        "for their sum, so that a stroke drawn stamp by stamp is as even as its sum.",
+    )
 
     def painted(self) -> str:
         """What is painted, and how much of it."""
@@ -48,6 +64,12 @@ class BrushStroke(Change):
     def strength(self, lattice: Lattice) -> NDArray[np.float64]:
         """Strength of the brush on each cell, from 0 to 1 at the centre."""
         return brush(lattice, self.x, self.y, self.radius, self.falloff)
+
+    def units(self, lattice: Lattice, amount: float) -> NDArray[np.float64]:
+        """Whole units added to each cell beside those of the stamps before it, ``amount`` at the centre."""
+        stamps = (brush(lattice, stamp.x, stamp.y, self.radius, self.falloff) for stamp in self.trail)
+        before = sum(stamps, np.zeros(lattice.shape)) if self.trail else None
+        return whole(self.strength(lattice), before, amount)
 
     def change(self, bed: Bed, model: Model) -> NDArray:
         """The change that the bed allows on each cell: slabs, metres of ground, or a field's own unit.
@@ -85,11 +107,11 @@ class UnitStroke(BrushStroke):
 
     def change(self, bed: Bed, model: Model) -> NDArray:  # noqa: ARG002
         """Units added to each cell; no more are taken than lie there."""
-        return brushed(bed, self.strength(bed.lattice), self.amount)
+        return brushed(bed, self.requested(bed.lattice))
 
     def requested(self, lattice: Lattice) -> NDArray[np.float64]:
         """Slabs on each cell, whole ones."""
-        return np.rint(self.amount * self.strength(lattice))
+        return self.units(lattice, self.amount)
 
     def _lay(self, change: NDArray, simulation: "Simulation") -> None:
         bed, ledger = simulation.bed, simulation.ledger
@@ -175,11 +197,11 @@ class RockStroke(GroundStroke):
 
     def change(self, bed: Bed, model: Model) -> NDArray:  # noqa: ARG002
         """Rise of the ground on each cell (m), in whole slabs, never below the lowest ground."""
-        return raised(bed, self.strength(bed.lattice), self.amount)
+        return raised(bed, self.units(bed.lattice, self.amount))
 
     def requested(self, lattice: Lattice) -> NDArray[np.float64]:
         """Rise of the ground on each cell (m), in whole slabs."""
-        return np.rint(self.amount * self.strength(lattice)) * lattice.thickness
+        return self.units(lattice, self.amount) * lattice.thickness
 
 
 class IceStroke(GroundStroke):
@@ -203,8 +225,7 @@ class IceStroke(GroundStroke):
 
     def requested(self, lattice: Lattice) -> NDArray[np.float64]:
         """Rise of the ground on each cell (m), in whole units of snow's heights."""
-        units = np.rint(self.amount * self.strength(lattice) / HEIGHT_UNIT)
-        return np.asarray(units * HEIGHT_UNIT)
+        return np.asarray(self.units(lattice, self.amount / HEIGHT_UNIT) * HEIGHT_UNIT)
 
 
 class PlantStroke(BrushStroke):

@@ -21,12 +21,11 @@ from barchan.kernels.bed.state import (
 )
 from barchan.kernels.core.interruption import new_interruption
 from barchan.kernels.core.state import SIMD_WIDTH
+from barchan.kernels.slabs.shadow_lines import AxisShadow, RayShadow
 from barchan.kernels.slabs.state import (
     CELL,
     MOBILE,
-    AxisShadow,
     ObstacleRule,
-    RayShadow,
     Schedule,
     SlabRules,
     Speedup,

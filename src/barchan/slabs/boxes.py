@@ -3,7 +3,7 @@
 import math
 
 from barchan.kernels.bed.state import Grid
-from barchan.kernels.slabs.state import BoxShadow, Face, HexagonFaces, SlopingTops, SquareFaces
+from barchan.kernels.slabs.shadow_lines import BoxShadow, Face, HexagonFaces, SlopingTops, SquareFaces
 from barchan.lattice import HEX_ROWS
 
 _ROUNDING = 1e-9
@@ -45,9 +45,12 @@ def box_shadow(grid: Grid, angle: float, fall: float, width: int, steepest: floa
 def _sloping_tops(grid: Grid, angle: float, steepest: float) -> SlopingTops:
     along, across = -math.sin(angle), math.cos(angle)
     if grid.hexagonal:
-        farthest = math.sqrt(1.0 / 3.0)
-        return SlopingTops(along, across * HEX_ROWS, across / HEX_ROWS, steepest, steepest * farthest)
-    return SlopingTops(along, across, across, steepest, steepest * 0.5 * (abs(along) + across))
+        steps = along, across * HEX_ROWS + along / 2, across * HEX_ROWS - along / 2
+        thirds = steps[0] / 3, steps[1] / 3, steps[2] / 3
+        reach = steepest * math.sqrt(1 / 3)
+        return SlopingTops(along, across * HEX_ROWS, across / HEX_ROWS, thirds, steepest, reach)
+    reach = steepest * (abs(along) + across) / 2
+    return SlopingTops(along, across, across, (along / 2, across / 2, 0.0), steepest, reach)
 
 
 def _hexagon_faces(angle: float, fall: float) -> HexagonFaces:
@@ -61,4 +64,5 @@ def _hexagon_faces(angle: float, fall: float) -> HexagonFaces:
 def _face(way: int, angle: float, fall: float) -> Face:
     along, across, row, col = _FACES[way]
     squarely = math.cos(math.pi + angle - math.radians(way))
-    return Face(fall / max(squarely, _PARALLEL), along, across, row, col)
+    aside = along * math.sin(angle) - across * HEX_ROWS * math.cos(angle)
+    return Face(fall / max(squarely, _PARALLEL), along, across, aside, row, col)

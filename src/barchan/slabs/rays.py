@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from barchan.kernels.bed.state import Grid
-from barchan.kernels.slabs.state import RayShadow
+from barchan.kernels.slabs.shadow_lines import RayShadow
 from barchan.lattice import HEX_ROWS
 
 _ROUNDING = 1e-9
@@ -68,8 +68,10 @@ def ray_shadow(
 
 
 def _cells_about(found: _Crossings, grid: Grid) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
-    """The two cells about each crossing, flat, by row parity of the sheltered cell; and how many crossings lie
-    between the field's first column and its last one, by that cell's column."""
+    """The two cells about each crossing, and how many crossings lie in the field's columns.
+
+    Cells are flat, relative to the sheltered one, by the parity of its row; the number is by its column.
+    """
     odd = (np.arange(len(found.cols))[:, np.newaxis] + found.rows) & 1 & grid.hexagonal
     beside = found.weights > 0.0
     rows = np.stack([found.rows, found.rows + beside * found.second[0]], axis=-1)
@@ -77,7 +79,9 @@ def _cells_about(found: _Crossings, grid: Grid) -> tuple[NDArray[np.int64], NDAr
     west = np.maximum.accumulate(-cols.min(axis=(0, 2)))
     east = np.maximum.accumulate(cols.max(axis=(0, 2)))
     col = np.arange(grid.cols)
-    inside = np.minimum(np.searchsorted(west, col, "right"), np.searchsorted(east, grid.cols - 1 - col, "right"))
+    inside = np.minimum(
+        np.searchsorted(west, col, "right"), np.searchsorted(east, grid.cols - 1 - col, "right")
+    )
     return np.ascontiguousarray(rows * grid.cols + cols), inside.astype(np.int64)
 
 

@@ -245,8 +245,8 @@ def test_the_space_time_diagram_shows_and_saves_both_runs_or_either_on_one_scale
     pictures = saved_files(page, "save picture", 2)
     step = pair.status()["step"]
     assert [name for name, _ in pictures] == [
-        f"space-time-{step}-left-Werner-1995.png",
-        f"space-time-{step}-right-Momiji-et-al.-2000.png",
+        f"barchans-space-time-{step}-left-Werner-1995.png",
+        f"barchans-space-time-{step}-right-Momiji-et-al.-2000.png",
     ]
     bars = [np.asarray(Image.open(path).convert("RGB"))[90:, -200:] for _, path in pictures]
     assert np.array_equal(*bars)  # the same numbers beside the same colours
@@ -255,7 +255,7 @@ def test_the_space_time_diagram_shows_and_saves_both_runs_or_either_on_one_scale
     choice.select_option(names[1])
     assert view.locator(".readout").inner_text() == scale
     ((name, path),) = saved_files(page, "save CSV", 1)
-    assert name == f"space-time-{step}-right-Momiji-et-al.-2000.csv"
+    assert name == f"barchans-space-time-{step}-right-Momiji-et-al.-2000.csv"
     table = np.genfromtxt(path, delimiter=",")
     surface = np.array(pair.ask("[...window.barchan.app.runs[1].surface]")).reshape(48, 64)
     middle = np.interp(table[0, 1:] - 0.5, np.arange(64), surface[24])  # the row of the middle cell

@@ -13,6 +13,21 @@ def gesture(painting: Painting, simulation: Simulation, *amounts: int) -> None:
     painting.end(simulation)
 
 
+def test_stamps_of_a_gesture_name_those_that_they_overlap(scenario):
+    simulation, painting = Simulation(scenario), Painting()
+    stamps = [
+        Stroke(x=4.0, y=12.0, radius=4.0, amount=1),
+        Stroke(x=10.0, y=12.0, radius=4.0, amount=1),
+        Stroke(x=13.0, y=12.0, radius=4.0, amount=1),
+        Stroke(x=13.0, y=12.0, radius=4.0, amount=1, falloff="none"),
+    ]
+    painting.begin(simulation)
+    for stamp in stamps:
+        painting.stroke(simulation, stamp)
+    trails = [[(stamp.x, stamp.y) for stamp in record.event.trail] for record in simulation.events]
+    assert trails == [[], [(4.0, 12.0)], [(10.0, 12.0)], []]
+
+
 def test_undoing_at_once_puts_back_every_slab_and_the_journal(scenario):
     simulation, painting = Simulation(scenario), Painting()
     simulation.advance(5)

@@ -161,6 +161,9 @@ export function themeColour(name: string, of: Element = document.documentElement
   return getComputedStyle(of).getPropertyValue(`--${name}`).trim();
 }
 
+/** The letters of numbers and names on charts. */
+export const CHART_FONT = "12px system-ui, sans-serif";
+
 /** Round marks on an axis from `low` to `high`, about `count` of them. */
 export function ticks(low: number, high: number, count: number): number[] {
   if (!(high > low)) return [low];

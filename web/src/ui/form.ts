@@ -88,11 +88,20 @@ export function variantField(context: FormContext, name: string, given: Schema, 
   );
   choice.dataset.path = path.join(".");
   const variant = entry.variants[kind] ?? {};
+  const meanings = Object.entries(entry.variants).map(([one, { properties }]) => `${labelOf(one)}: ${properties?.[entry.key]?.description ?? ""}`);
+  const meaning = explanation(path.join("."), labelOf(name), meanings.join("\n"), choice);
   return h(
     "fieldset",
     {},
     h("legend", {}, labelOf(name)),
-    h("div", { className: "row" }, h("label", { for: label }, "kind"), h("div", { className: "control" }, choice), trouble(context, path)),
+    h(
+      "div",
+      { className: "row" },
+      h("div", { className: "named" }, h("label", { for: label }, "kind"), meaning.button),
+      h("div", { className: "control" }, choice),
+      trouble(context, path),
+      meaning.text,
+    ),
     ...group(context, variant, value ?? {}, path),
   );
 }
@@ -106,10 +115,14 @@ function optionalGroup(context: FormContext, name: string, schema: Schema, value
     onchange: () => context.change(path, box.checked ? initial(filled, context.root) : null, false),
   });
   const rows = value === null ? [] : group(context, schema, value, path);
-  const said = schema.description ?? "";
-  const meaning = said ? explanation(path.join("."), labelOf(name), said, box) : null;
-  const head = h("div", { className: "row" }, h("div", { className: "named" }, h("label", { for: box.id, title: said }, labelOf(name)), meaning?.button), box, meaning?.text);
+  const meaning = told(path, name, schema, box);
+  const head = h("div", { className: "row" }, h("div", { className: "named" }, h("label", { for: box.id, title: schema.description ?? "" }, labelOf(name)), meaning?.button), box, meaning?.text);
   return h("div", {}, head, ...rows);
+}
+
+/** What a group, a list or a kind is, where its schema tells it. */
+function told(path: Path, name: string, schema: Schema, field?: Element): ReturnType<typeof explanation> | null {
+  return schema.description ? explanation(path.join("."), labelOf(name), schema.description, field) : null;
 }
 
 function listField(context: FormContext, name: string, schema: Schema, value: Json[], path: Path): HTMLElement {
@@ -132,10 +145,12 @@ function listField(context: FormContext, name: string, schema: Schema, value: Js
   });
   const add = () => put([...value, initial(schema.items ?? {}, context.root)]);
   const most = (schema as { maxItems?: number }).maxItems ?? Number.POSITIVE_INFINITY;
+  const meaning = told(path, name, schema);
   return h(
     "fieldset",
     { title: schema.description ?? "" },
-    h("legend", {}, labelOf(name)),
+    h("legend", { className: "named" }, labelOf(name), meaning?.button),
+    meaning?.text,
     ...items,
     value.length < most && h("button", { type: "button", onclick: add, className: "quiet" }, `+ add to ${labelOf(name)}`),
   );

@@ -12,7 +12,7 @@ import { SectionLegend, sectionItems } from "./section_legend";
 import { type Drawn, drawShadows, drawSurface } from "./section_marks";
 import { type Second, placed, secondProfile, sectionCsv } from "./second_profile";
 import { SectionLayers } from "./strata";
-import { button, download, fitCanvas, h, heights, lengthUnit, metres, short, themeColour, ticks } from "../ui/dom";
+import { CHART_FONT, button, download, fitCanvas, h, heights, lengthUnit, metres, short, themeColour, ticks } from "../ui/dom";
 import { sideOf } from "../ui/sides";
 import { stepsOf } from "../ui/steps";
 
@@ -165,7 +165,7 @@ export class SectionView {
     width: number,
     height: number,
   ): void {
-    c.font = "11px system-ui, sans-serif";
+    c.font = CHART_FONT;
     c.fillStyle = themeColour("faint");
     c.strokeStyle = themeColour("line");
     c.lineWidth = 1;

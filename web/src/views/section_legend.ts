@@ -1,7 +1,7 @@
 /** What the lines and colours of a section mean, above its plot, in as many lines as it takes. */
 
 import { nameBeside } from "../core/run";
-import { short, themeColour } from "../ui/dom";
+import { CHART_FONT, short, themeColour } from "../ui/dom";
 import { type Side, sideOf } from "../ui/sides";
 import { type Drawn, shadowFill } from "./section_marks";
 
@@ -10,7 +10,6 @@ const SWATCH = 16;
 const GAP = 16;
 /** Between the last line and the plot. */
 const FOOT = 7;
-const FONT = "11px system-ui, sans-serif";
 
 type Mark = "line" | "shadow" | "steep" | "steep area";
 
@@ -83,7 +82,7 @@ export class SectionLegend {
     left: number,
     items: Item[],
   ) {
-    c.font = FONT;
+    c.font = CHART_FONT;
     this.lines = inLines(items, (item) => this.wide(item), right - left);
   }
 
@@ -94,7 +93,7 @@ export class SectionLegend {
 
   draw(): void {
     const { c } = this;
-    c.font = FONT;
+    c.font = CHART_FONT;
     c.textAlign = "left";
     this.lines.forEach((items, line) => {
       let x = this.right + GAP - items.reduce((sum, item) => sum + this.wide(item), 0);

@@ -9,7 +9,7 @@ import { type MeasuresTable, measuresCsv } from "../core/measures_csv";
 import type { Measure } from "../core/protocol";
 import { type Run, namesOf } from "../core/run";
 import { BalanceTable } from "./balance";
-import { download, button, h, short, themeColour } from "../ui/dom";
+import { CHART_FONT, download, button, h, short, themeColour } from "../ui/dom";
 import { type Side, sideOf } from "../ui/sides";
 
 const FIRST = ["highest_stack", "spacing", "crest_azimuth", "speed", "flux"];
@@ -173,7 +173,7 @@ export class SeriesView {
   }
 
   private options(measure: Measure): uPlot.Options {
-    const axis = { stroke: themeColour("faint"), grid: { stroke: themeColour("line"), width: 1 }, ticks: { show: false } };
+    const axis = { font: CHART_FONT, stroke: themeColour("faint"), grid: { stroke: themeColour("line"), width: 1 }, ticks: { show: false } };
     const dots = measure.unit === "degrees";
     return {
       width: 200,
@@ -182,8 +182,8 @@ export class SeriesView {
       cursor: { drag: { x: false, y: false }, points: { size: 6 } },
       scales: { x: { time: false }, ...(measure.name === CREST ? { y: { range: () => [this.centre - this.reach, this.centre + this.reach] } } : {}) },
       axes: [
-        { ...axis, size: 26, space: 50, font: "10px system-ui", values: (_, marks) => marks.map((mark) => short(mark)) },
-        { ...axis, size: 48, space: 22, font: "10px system-ui", values: (_, marks) => marks.map((mark) => short(mark, 3)), ...(measure.name === CREST ? this.crestAxis : {}) },
+        { ...axis, size: 28, space: 55, values: (_, marks) => marks.map((mark) => short(mark)) },
+        { ...axis, size: 54, space: 24, values: (_, marks) => marks.map((mark) => short(mark, 3)), ...(measure.name === CREST ? this.crestAxis : {}) },
       ],
       series: [
         {},

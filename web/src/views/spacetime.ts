@@ -1,6 +1,7 @@
 /** The section over time: every step a row of the picture, crests that travel are slanted lines; of two runs both, or either. */
 
 import type { App } from "../core/app";
+import { nameOfRun } from "../core/file_name";
 import { type Run, nameBeside } from "../core/run";
 import type { RunName } from "../core/protocol";
 import { button, counted, fitCanvas, h, lengthUnit, short } from "../ui/dom";
@@ -106,7 +107,7 @@ export class SpaceTimeView {
     try {
       for (const run of this.chosen()) {
         const whose = pair ? `-${run.name === "a" ? "left" : "right"}-${plain(this.name(run))}` : "";
-        const name = `space-time-${run.status!.step}${whose}${suffix}`;
+        const name = `${nameOfRun(run)}-space-time-${run.status!.step}${whose}${suffix}`;
         await fetchFile(this.app, { command: "space_time_file", name, line, run: run.name, ...(pair ? { beside: { name: this.name(run), limits } } : {}) });
       }
     } catch (error) {

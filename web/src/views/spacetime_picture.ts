@@ -1,6 +1,6 @@
 /** Draws sections over time: a panel for each run, on one scale of colours and of steps. */
 
-import { lengthUnit, short, themeColour, ticks, timeUnit } from "../ui/dom";
+import { CHART_FONT, lengthUnit, short, themeColour, ticks, timeUnit } from "../ui/dom";
 import { drawBar } from "../ui/legend";
 import { type Bands, COLUMNS } from "./bands";
 
@@ -40,7 +40,7 @@ interface Box {
 }
 
 export function drawPanels(c: CanvasRenderingContext2D, panels: Panel[], scales: Scales, width: number, height: number): void {
-  c.font = "11px system-ui, sans-serif";
+  c.font = CHART_FONT;
   c.imageSmoothingEnabled = true;
   const { top } = MARGIN;
   const each = (width - MARGIN.right + MARGIN.between) / panels.length;

@@ -74,7 +74,7 @@ def _sorting_key(surface, sand, mobility, cell, here, sign, code, limit):
 
 @internal(forceinline=True)
 def _six_about(row, col, grid):
-    """A hexagon and its neighbours (flat, each pair from the east to the west); itself for one that is missing."""
+    """A hexagon and its six neighbours, pair by pair from east to west; itself for one that is missing."""
     odd = row & 1
     itself = np.uint64(row * grid.cols + col)
     if 0 < row < grid.rows - 1 and 0 < col < grid.cols - 1:

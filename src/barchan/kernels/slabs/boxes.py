@@ -11,6 +11,7 @@ a cell at one distance from its middle across the wind, so each top has one heig
 
 import numpy as np
 
+from barchan.kernels.core.inlining import never_inline
 from barchan.kernels.core.internal import internal
 from barchan.kernels.core.simd import load_at
 from barchan.kernels.slabs.state import CELL
@@ -67,8 +68,10 @@ def _neighbour(view, place, row, col, middle, grid, width):
 
 @internal(forceinline=True)
 def _surface_about(view, place, row, col, grid):
-    """The surface (its address) of a cell and all its neighbours; 0 where they lie at an edge of the field or
-    some are seen as they are now and some as they were."""
+    """The surface (its address) where a cell and all its neighbours are; 0: not all are in one.
+
+    So it is at an edge of the field, and where some are seen as they are now and some as they were.
+    """
     if row < 1 or row + 1 >= grid.rows or col < 1 or col + 1 >= grid.cols:
         return np.int64(0)
     beside, near = place
@@ -77,7 +80,19 @@ def _surface_about(view, place, row, col, grid):
     return np.int64(view.before) if beside < -1 or beside > near else np.int64(0)
 
 
-@internal(error_model="numpy")
+@internal()
+def _steps_about_square(view, place, row, col, middle, grid, width):
+    """The steps between the neighbours of a box along and across, each of which is looked up."""
+    never_inline()
+    beside, near = place
+    along = _neighbour(view, place, row, col + 1, middle, grid, width)
+    along -= _neighbour(view, place, row, col - 1, middle, grid, width)
+    across = _neighbour(view, (beside + 1, near), row + 1, col, middle, grid, width)
+    across -= _neighbour(view, (beside - 1, near), row - 1, col, middle, grid, width)
+    return along, across
+
+
+@internal(error_model="numpy", forceinline=True)
 def _rise_of_square(tops, view, place, row, col, middle, aside, grid, width):
     """How much higher the top of a box is ``aside`` of its middle, to the wind's left, than there."""
     surface = _surface_about(view, place, row, col, grid)
@@ -87,12 +102,8 @@ def _rise_of_square(tops, view, place, row, col, middle, aside, grid, width):
         along = load_at(cell + width, middle) - load_at(cell - width, middle)
         across = load_at(cell + line, middle) - load_at(cell - line, middle)
     else:
-        beside, near = place
-        along = _neighbour(view, place, row, col + 1, middle, grid, width)
-        along -= _neighbour(view, place, row, col - 1, middle, grid, width)
-        across = _neighbour(view, (beside + 1, near), row + 1, col, middle, grid, width)
-        across -= _neighbour(view, (beside - 1, near), row - 1, col, middle, grid, width)
-    slope = 0.5 * (np.float64(along) * tops.along + np.float64(across) * tops.across)
+        along, across = _steps_about_square(view, place, row, col, middle, grid, width)
+    slope = np.float64(along) * tops.steps[0] + np.float64(across) * tops.steps[1]
     return min(max(slope, -tops.steepest), tops.steepest) * aside
 
 
@@ -154,7 +165,23 @@ def _fall_to(face, along, across):
     return face.fall * (0.5 - face.along * along - face.across * across)
 
 
-@internal(error_model="numpy")
+@internal()
+def _steps_about_hexagon(view, place, row, col, middle, grid, width):
+    """The steps between opposite neighbours of a hexagon, eastwards, each of which is looked up."""
+    never_inline()
+    beside, near = place
+    above, below = (beside + 1, near), (beside - 1, near)
+    east, west = col + (row & 1), col - 1 + (row & 1)
+    along = _neighbour(view, place, row, col + 1, middle, grid, width)
+    along -= _neighbour(view, place, row, col - 1, middle, grid, width)
+    eastwards = _neighbour(view, above, row + 1, east, middle, grid, width)
+    eastwards -= _neighbour(view, below, row - 1, west, middle, grid, width)
+    westwards = _neighbour(view, above, row + 1, west, middle, grid, width)
+    westwards -= _neighbour(view, below, row - 1, east, middle, grid, width)
+    return along, eastwards, westwards
+
+
+@internal(error_model="numpy", forceinline=True)
 def _rise_of_hexagon(tops, view, place, row, col, middle, aside, grid, width):
     """How much higher the top of a prism is ``aside`` of its middle, to the wind's left, than there."""
     surface = _surface_about(view, place, row, col, grid)
@@ -166,26 +193,10 @@ def _rise_of_hexagon(tops, view, place, row, col, middle, aside, grid, width):
         eastwards = load_at(northeast, middle) - load_at(southeast - width, middle)
         westwards = load_at(northeast - width, middle) - load_at(southeast, middle)
     else:
-        beside, near = place
-        above, below = (beside + 1, near), (beside - 1, near)
-        east, west = col + (row & 1), col - 1 + (row & 1)
-        along = _neighbour(view, place, row, col + 1, middle, grid, width)
-        along -= _neighbour(view, place, row, col - 1, middle, grid, width)
-        eastwards = _neighbour(view, above, row + 1, east, middle, grid, width)
-        eastwards -= _neighbour(view, below, row - 1, west, middle, grid, width)
-        westwards = _neighbour(view, above, row + 1, west, middle, grid, width)
-        westwards -= _neighbour(view, below, row - 1, east, middle, grid, width)
-    slope = np.float64(along) * tops.along
-    slope += np.float64(eastwards) * (tops.across + 0.5 * tops.along)
-    slope += np.float64(westwards) * (tops.across - 0.5 * tops.along)
-    slope /= 3.0
+        along, eastwards, westwards = _steps_about_hexagon(view, place, row, col, middle, grid, width)
+    slope = np.float64(along) * tops.steps[0]
+    slope += np.float64(eastwards) * tops.steps[1] + np.float64(westwards) * tops.steps[2]
     return min(max(slope, -tops.steepest), tops.steepest) * aside
-
-
-@internal(forceinline=True)
-def _aside_behind(tops, face):
-    """How much farther to the wind's left of a hexagon's middle a line lies in the one behind a face."""
-    return 0.0 if tops is None else -(face.along * tops.along + face.across * tops.across)
 
 
 @internal(error_model="numpy")
@@ -208,19 +219,19 @@ def _among_hexagons(faces, tops, view, along, across, here, peak, grid, width):
         # farther from it
         if next_ahead <= next_clockwise and next_ahead <= next_anticlockwise:
             fall, up, side = next_ahead, ahead.row, ahead.col
-            aside += _aside_behind(tops, ahead)
+            aside += ahead.aside
             next_ahead += ahead.fall
             next_clockwise += 0.5 * clockwise.fall
             next_anticlockwise += 0.5 * anticlockwise.fall
         elif next_clockwise <= next_anticlockwise:
             fall, up, side = next_clockwise, clockwise.row, clockwise.col
-            aside += _aside_behind(tops, clockwise)
+            aside += clockwise.aside
             next_clockwise += clockwise.fall
             next_ahead += 0.5 * ahead.fall
             next_anticlockwise -= 0.5 * anticlockwise.fall
         else:
             fall, up, side = next_anticlockwise, anticlockwise.row, anticlockwise.col
-            aside += _aside_behind(tops, anticlockwise)
+            aside += anticlockwise.aside
             next_anticlockwise += anticlockwise.fall
             next_ahead += 0.5 * ahead.fall
             next_clockwise -= 0.5 * clockwise.fall

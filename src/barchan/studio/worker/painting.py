@@ -4,14 +4,18 @@ While no step has been done since, undoing puts back exactly what was there, the
 Later it is an event of its own: the strokes are made again the other way round.
 """
 
+import math
 from dataclasses import dataclass, field
 
 import numpy as np
 
-from barchan.simulation import AnyStroke, Simulation, State
+from barchan.simulation import MOST_TRAIL, AnyStroke, Simulation, Stamp, State
 
 MOST_GESTURES = 100
 """Gestures that can be undone."""
+
+_PLACE = {"x", "y", "trail"}
+"""What differs between the stamps of a gesture."""
 
 
 @dataclass
@@ -40,6 +44,7 @@ class Painting:
     def stroke(self, simulation: Simulation, stroke: AnyStroke) -> None:
         """Paint, as part of the gesture that was begun last."""
         gesture = self.done[-1]
+        stroke = stroke.model_copy(update={"trail": _trail(gesture, stroke)})
         gesture.inverse.insert(0, _inverse(simulation, stroke))
         simulation.apply(stroke)
         gesture.strokes.append(stroke)
@@ -68,6 +73,18 @@ class Painting:
         """Steps were done: the states before the gestures can no longer be put back exactly."""
         for gesture in (*self.done, *self.undone):
             gesture.before = gesture.after = None
+
+
+def _trail(gesture: Gesture, stroke: AnyStroke) -> list[Stamp]:
+    """The latest stamps of a gesture that reach into the patch of another one and are like it."""
+    asked = stroke.model_dump(exclude=_PLACE)
+    alike = [other for other in gesture.strokes if other.model_dump(exclude=_PLACE) == asked]
+    near = [
+        Stamp(x=other.x, y=other.y)
+        for other in alike
+        if math.hypot(other.x - stroke.x, other.y - stroke.y) < 2.0 * stroke.radius
+    ]
+    return near[-MOST_TRAIL:]
 
 
 def _brought(
