@@ -29,6 +29,9 @@ PAUSES, SPELL = 20, 0.7
 PAGES, PATIENCE, LOOK_AGAIN = 5, 60.0, 0.02
 """Pages that are opened, the seconds that one may take, and those between two looks at it."""
 
+WINDOW = (1280, 720)
+"""Pixels of the page."""
+
 ASKED_OF_A_PAGE = 3.0
 """Seconds from opening the page to a picture that moves."""
 
@@ -45,7 +48,7 @@ def report() -> Iterator[str]:
     except ImportError:
         return
     yield ""
-    yield "| from opening the page, drawn without a graphics card | s | asked |"
+    yield f"| from opening the page, {WINDOW[0]} × {WINDOW[1]} pixels drawn without a graphics card | s | asked |"
     yield "|---|---|---|"
     yield f"| first surface | {_spread([first for first, _ in pages], 1)} | |"
     moves = _spread([second for _, second in pages], 1)
@@ -106,7 +109,7 @@ def _send(worker: Connection, command: str, **content: Any) -> None:
 
 def _opening() -> tuple[float, float]:
     """Seconds from opening a page to the first surface, and to the one after it."""
-    with tempfile.TemporaryDirectory() as folder, opened(Path(folder)) as (page, began):
+    with tempfile.TemporaryDirectory() as folder, opened(Path(folder), WINDOW) as (page, began):
         first = _seen(page, f"window.barchan && {RUN}?.ready")
         step = page.evaluate(f"{RUN}.status.step")
         return first - began, _seen(page, f"{RUN}.status.step > {step}") - began

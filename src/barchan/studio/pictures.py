@@ -64,14 +64,14 @@ def studio_page(folder: Path) -> Iterator["Page"]:
 
 
 @contextmanager
-def opened(folder: Path) -> Iterator[tuple["Page", float]]:
+def opened(folder: Path, size: tuple[int, int] = (320, 240)) -> Iterator[tuple["Page", float]]:
     """The page of a studio of its own, which shows nothing yet, and the moment when it was opened."""
     from playwright.sync_api import sync_playwright
 
     with tempfile.TemporaryDirectory() as data, _server(folder, data) as address, sync_playwright() as engine:
         path = shutil.which("chromium") or shutil.which("google-chrome")
         browser = engine.chromium.launch(executable_path=path, args=FLAGS)
-        page = browser.new_page(viewport={"width": 320, "height": 240})
+        page = browser.new_page(viewport={"width": size[0], "height": size[1]})
         began = time.perf_counter()
         page.goto(address)
         yield page, began
