@@ -90,7 +90,7 @@ THEMES = (
         "Artefacts of the lattice",
         "Effects of the lattice: its axes, its neighbourhoods, and the order in which cells are polled.",
         (
-            *("isotropy", "isotropy_hexagons", "isotropy_pairs", "isotropy_pairs_hexagons"),
+            *("isotropy", "isotropy_hexagons", "isotropy_pairs", "isotropy_pairs_hexagons", "isotropy_wide"),
             "direction_quality",
             *("horn_symmetry", "heap_horns", "heap_horns_hexagons", "bands"),
         ),

@@ -1,0 +1,42 @@
+"""Crests on wider fields, with the rules that are the default off the axes.
+
+Fields of 512 × 512 cells hold four times as many dunes as those of the studies before, so that chance and
+the field's edges, which crests join round, count for less: crests near 140° between two winds can close round
+256 cells in steps of some 14° only. Steady winds at 0 to 45° to the lattice (500 steps, 2 seeds), and the
+pairs of winds 120° and more apart of the study of smaller fields (800 steps, one seed); Werner's and Momiji's
+model, 10 slabs a cell.
+"""
+
+from validation.isotropy import ANGLES, DEFAULT, grown_rows
+from validation.isotropy_bench import Case, Variant, measured, steady
+from validation.isotropy_pairs import BISECTORS, CASES, rows_of, winds
+
+TITLE = "Crests on wider fields"
+
+SIZE = 512
+STEADY_SEEDS, PAIR_SEEDS = (1, 2), (1,)
+WIDE_PAIRS = tuple(case for case in CASES if case[0] >= 120)
+VARIANTS = {model: Variant(model, model, DEFAULT) for model in ("werner", "momiji")}
+
+
+def steady_runs(variant, angle):
+    """The runs of a model under a steady wind."""
+    return [steady(variant, angle, seed, size=SIZE, steps=500) for seed in STEADY_SEEDS]
+
+
+def pair_runs(variant, case, bisector):
+    """The runs of a model under a pair of winds."""
+    return [Case(variant, winds(*case, bisector), seed, SIZE) for seed in PAIR_SEEDS]
+
+
+def rows():
+    for variant in VARIANTS.values():
+        found = {angle: [measured(run) for run in steady_runs(variant, angle)] for angle in ANGLES}
+        yield from grown_rows(variant, found)
+    pairs = {
+        (name, *case, bisector): [measured(run) for run in pair_runs(variant, case, bisector)]
+        for name, variant in VARIANTS.items()
+        for bisector in BISECTORS
+        for case in WIDE_PAIRS
+    }
+    yield from rows_of(pairs, VARIANTS, BISECTORS, WIDE_PAIRS)
