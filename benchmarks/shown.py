@@ -48,7 +48,8 @@ def report() -> Iterator[str]:
     except ImportError:
         return
     yield ""
-    yield f"| from opening the page, {WINDOW[0]} × {WINDOW[1]} pixels drawn without a graphics card | s | asked |"
+    size = f"{WINDOW[0]} × {WINDOW[1]} pixels"
+    yield f"| from opening the page, {size} drawn without a graphics card | s | asked |"
     yield "|---|---|---|"
     yield f"| first surface | {_spread([first for first, _ in pages], 1)} | |"
     moves = _spread([second for _, second in pages], 1)
