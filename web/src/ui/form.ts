@@ -88,8 +88,7 @@ export function variantField(context: FormContext, name: string, given: Schema, 
   );
   choice.dataset.path = path.join(".");
   const variant = entry.variants[kind] ?? {};
-  const meanings = Object.entries(entry.variants).map(([one, { properties }]) => `${labelOf(one)}: ${properties?.[entry.key]?.description ?? ""}`);
-  const meaning = explanation(path.join("."), labelOf(name), meanings.join("\n"), choice);
+  const meaning = kindsTold(path, name, entry, choice);
   return h(
     "fieldset",
     {},
@@ -104,6 +103,12 @@ export function variantField(context: FormContext, name: string, given: Schema, 
     ),
     ...group(context, variant, value ?? {}, path),
   );
+}
+
+/** What each of several kinds is. */
+export function kindsTold(path: Path, name: string, entry: Entry, choice: Element): ReturnType<typeof explanation> {
+  const kinds = Object.entries(entry.variants).map(([kind, { properties }]) => `${labelOf(kind)}: ${properties?.[entry.key]?.description ?? ""}`);
+  return explanation(path.join("."), labelOf(name), kinds.join("\n"), choice);
 }
 
 function optionalGroup(context: FormContext, name: string, schema: Schema, value: JsonObject | null, path: Path): HTMLElement {

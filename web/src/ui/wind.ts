@@ -5,7 +5,7 @@ import type { Json, JsonObject } from "../core/protocol";
 import { entryOf, replaced } from "../core/schema";
 import { Dial } from "./dial";
 import { h, later } from "./dom";
-import { type FormContext, group } from "./form";
+import { type FormContext, group, kindsTold } from "./form";
 import { type Icon, icon } from "./icons";
 import { SHIPPED_NAME } from "./record";
 import { RefreshGuard } from "./refresh_guard";
@@ -84,6 +84,7 @@ export class WindPanel {
       ...Object.keys(entry.variants).map((kind) => h("option", { value: kind, selected: kind === this.kind }, labelOf(kind))),
     );
     kinds.dataset.path = "wind.kind";
+    const meaning = kindsTold(["wind"], "wind", entry, kinds);
     const body =
       "regimes" in this.wind ? this.regimes() : "direction" in this.wind ? this.steady() : this.form(this.kind, []);
     const open = new Set([...this.element.querySelectorAll("details[open]")].map((one) => one.id));
@@ -92,7 +93,7 @@ export class WindPanel {
     const turned = "regimes" in this.wind || "direction" in this.wind;
     const hint = h("p", { className: "hint" }, `Changes blow at once.${turned ? " Drag the dial’s head to where the wind comes from; with Shift it turns by less than 5°." : ""}`);
     const rows = [
-      h("div", { className: "row" }, h("span", {}, "kind"), h("div", { className: "control" }, kinds)),
+      h("div", { className: "row" }, h("div", { className: "named" }, h("span", {}, "kind"), meaning.button), h("div", { className: "control" }, kinds), meaning.text),
       ...another,
       ...(turned ? [...body, hint, this.rose] : [this.rose, ...body, hint]),
     ];

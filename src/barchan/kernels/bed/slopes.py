@@ -133,6 +133,24 @@ def _steepest_of_six(stacks, orders, order, row, col, here, sign, at_rest, grid,
 
 
 @internal(forceinline=True)
+def _corners_about(row, col, grid):
+    """The corner neighbours of a square cell; itself for one beyond an open edge."""
+    itself = np.uint64(row * grid.cols + col)
+    north, south, east, west = beside(row, col, grid)
+    n, s = np.uint64(north * grid.cols), np.uint64(south * grid.cols)
+    e, w = np.uint64(east), np.uint64(west)
+    no_north = row + 1 == grid.rows and not grid.wrap_across
+    no_south = row == 0 and not grid.wrap_across
+    no_east = col + 1 == grid.cols and not grid.wrap_along
+    no_west = col == 0 and not grid.wrap_along
+    ne = itself if no_north or no_east else n + e
+    nw = itself if no_north or no_west else n + w
+    se = itself if no_south or no_east else s + e
+    sw = itself if no_south or no_west else s + w
+    return ne, nw, se, sw
+
+
+@internal(forceinline=True)
 def steepest(stacks, orders, order, row, col, here, sign, at_rest, grid, repose):
     """Direction of the steepest step up (``sign`` 1) or down (-1) from ``here`` that does not stand.
 
@@ -155,12 +173,8 @@ def steepest(stacks, orders, order, row, col, here, sign, at_rest, grid, repose)
     )
     here_cell = np.uint64(row * grid.cols + col)
     north, south, east, west = beside(row, col, grid)
-    n = np.uint64(north * grid.cols)
-    s = np.uint64(south * grid.cols)
-    level = np.uint64(row * grid.cols)
-    e = np.uint64(east)
-    w = np.uint64(west)
-    c = np.uint64(col)
+    n, s, level = np.uint64(north * grid.cols), np.uint64(south * grid.cols), np.uint64(row * grid.cols)
+    e, w, c = np.uint64(east), np.uint64(west), np.uint64(col)
     if not repose.corners:
         highest = max(
             max((np.int64(surface[n + c]) - here) * sign, (np.int64(surface[s + c]) - here) * sign),
@@ -181,15 +195,7 @@ def steepest(stacks, orders, order, row, col, here, sign, at_rest, grid, repose)
     steep = (face >> 6) > _limit_of(mobility, here_cell, sign, face_step)
     if not repose.corners:
         return face & 7 if steep else STABLE
-    itself = level + c
-    no_north = row + 1 == grid.rows and not grid.wrap_across
-    no_south = row == 0 and not grid.wrap_across
-    no_east = col + 1 == grid.cols and not grid.wrap_along
-    no_west = col == 0 and not grid.wrap_along
-    ne = itself if no_north or no_east else n + e
-    nw = itself if no_north or no_west else n + w
-    se = itself if no_south or no_east else s + e
-    sw = itself if no_south or no_west else s + w
+    ne, nw, se, sw = _corners_about(row, col, grid)
     corner = max(
         max(
             _sorting_key(surface, sand, mobility, ne, here, sign, orders[order, NORTHEAST], corner_step),

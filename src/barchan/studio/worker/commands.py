@@ -6,7 +6,7 @@ from typing import Any
 
 from barchan.errors import BarchanError
 from barchan.scenario import Scenario
-from barchan.simulation import AnyStroke, BrushStroke, SetParameter, SetWind, event_from
+from barchan.simulation import SetParameter, SetWind
 from barchan.studio.commands import command_of
 from barchan.studio.protocol import Request
 from barchan.studio.worker import beginnings, bookmark_commands, questions  # noqa: F401 - register what they carry out
@@ -15,6 +15,7 @@ from barchan.studio.worker.description import description, named
 from barchan.studio.worker.desk import Desk
 from barchan.studio.worker.frame_sender import FrameSender
 from barchan.studio.worker.handlers import WORKER, Answer
+from barchan.studio.worker.painting import strokes_in
 from barchan.studio.worker.run import StudioRun
 from barchan.studio.worker.state_files import FileNames
 
@@ -235,9 +236,8 @@ class RunCommands:
             run.painting.begin(run.live)
         elif not run.painting.done:
             raise BarchanError("a stroke without a beginning")
-        if "stroke" in request:
-            for place in _places(request):
-                run.painting.stroke(run.live, _stroke({**request["stroke"], **place}))
+        for stroke in strokes_in(request):
+            run.painting.stroke(run.live, stroke)
         if request.get("end"):
             run.painting.end(run.live)
             run.carry_on()
@@ -305,17 +305,3 @@ class RunCommands:
             branch=run.branches.current,
             bookmarks=run.bookmarks.data(),
         )
-
-
-def _places(request: Request) -> list[dict[str, Any]]:
-    """Where a stroke is made: the places beside it, or its own one."""
-    places = request.get("places")
-    return [{}] if places is None else [{"x": x, "y": y} for x, y in places]
-
-
-def _stroke(data: Any) -> AnyStroke:
-    """A stroke of any brush from the data in a request."""
-    event = event_from({"kind": "stroke", **data})
-    if not isinstance(event, BrushStroke):
-        raise BarchanError(f"'{event.kind}' is no stroke")
-    return event

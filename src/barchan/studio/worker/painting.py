@@ -6,10 +6,13 @@ Later it is an event of its own: the strokes are made again the other way round.
 
 import math
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 
-from barchan.simulation import MOST_TRAIL, AnyStroke, Simulation, Stamp, State
+from barchan.errors import BarchanError
+from barchan.simulation import MOST_TRAIL, AnyStroke, BrushStroke, Simulation, Stamp, State, event_from
+from barchan.studio.protocol import Request
 
 MOST_GESTURES = 100
 """Gestures that can be undone."""
@@ -73,6 +76,26 @@ class Painting:
         """Steps were done: the states before the gestures can no longer be put back exactly."""
         for gesture in (*self.done, *self.undone):
             gesture.before = gesture.after = None
+
+
+def strokes_in(request: Request) -> list[AnyStroke]:
+    """The strokes that a request asks for: one at each of its ``places``, or one at its own place.
+
+    Raises BarchanError for what is no stroke.
+    """
+    if "stroke" not in request:
+        return []
+    places = request.get("places")
+    at = [{}] if places is None else [{"x": x, "y": y} for x, y in places]
+    return [_stroke({**request["stroke"], **place}) for place in at]
+
+
+def _stroke(data: Any) -> AnyStroke:
+    """A stroke of any brush from its data."""
+    event = event_from({"kind": "stroke", **data})
+    if not isinstance(event, BrushStroke):
+        raise BarchanError(f"'{event.kind}' is no stroke")
+    return event
 
 
 def _trail(gesture: Gesture, stroke: AnyStroke) -> list[Stamp]:
