@@ -42,7 +42,7 @@ def test_a_tap_beside_the_name_of_a_row_shows_what_it_means(tablet):
     assert len(page.locator(".explained:visible").inner_text()) > 10
     page.screenshot(path=tablet.folder / "explained-group.png")
     page.get_by_role("button", name="What gusts means").tap()
-    page.get_by_role("button", name="What wind means").tap()  # of a choice between kinds: what each of them is
+    page.get_by_role("button", name="What wind means").tap()  # of a choice: what each kind is
     assert "regimes: Winds one after the other." in page.locator(".explained:visible").inner_text()
 
 
