@@ -3,7 +3,7 @@
 Fields of 512 × 512 cells hold four times as many dunes as those of the studies before, so that chance and
 the field's edges, which crests join round, count for less: crests near 140° between two winds can close round
 256 cells in steps of some 14° only. Steady winds at 0 to 45° to the lattice (500 steps, 2 seeds), and the
-pairs of winds 120° and more apart of the study of smaller fields (800 steps, one seed); Werner's and Momiji's
+pairs of winds 135 and 150° apart of the study of smaller fields (800 steps, one seed); Werner's and Momiji's
 model, 10 slabs a cell.
 """
 
@@ -15,7 +15,7 @@ TITLE = "Crests on wider fields"
 
 SIZE = 512
 STEADY_SEEDS, PAIR_SEEDS = (1, 2), (1,)
-WIDE_PAIRS = tuple(case for case in CASES if case[0] >= 120)
+WIDE_PAIRS = tuple(case for case in CASES if case[0] >= 135)
 VARIANTS = {model: Variant(model, model, DEFAULT) for model in ("werner", "momiji")}
 
 

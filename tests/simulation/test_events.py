@@ -200,3 +200,25 @@ def test_a_wind_that_was_changed_in_an_archive_of_format_1_has_the_keys_of_today
     wind = {"kind": "regimes", "regimes": [{**regime, "course": bend}]}
     record = Record.from_data({"step": 4, "kind": "wind", "wind": wind})
     assert record.event.wind.regimes[0].speed_ramp.time_1 == 0.1
+
+
+def by_the_clock(hop_length):
+    """A run under the clock's reference wind, whose steps poll as many cells as the field has."""
+    wind = {"kind": "steady", "direction": 270.0, "speed": 8.0, "unit": "m/s"}
+    clock = {"reference_speed": 8.0, "grain_diameter": 0.00025}
+    return Simulation(tiny(wind=wind, clock=clock, model__hop_length=hop_length))
+
+
+def test_steps_of_a_clock_keep_their_duration_and_polls_follow_what_a_slab_does(same):
+    simulation = by_the_clock(5.0)
+    lasts, cells = simulation.scenario.step_seconds, simulation.lattice.cells
+    assert simulation.advance(1).polls == cells
+    simulation.apply(SetParameter(key="model.hop_length", value=2.5))
+    assert simulation.advance(1).polls == 2 * cells  # half as far, twice as many: as much sand in a step
+    assert simulation.scenario_as_run.step_seconds == lasts
+    assert simulation.scenario_in_force.step_seconds == by_the_clock(2.5).scenario.step_seconds == lasts / 2
+    again = Simulation.from_state(simulation.state())
+    assert again.advance(1).polls == simulation.advance(1).polls == 2 * cells
+    same(again, simulation)
+    simulation.apply(SetParameter(key="model.hop_length", value=5.0))
+    assert simulation.advance(1).polls == cells

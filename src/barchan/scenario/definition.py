@@ -203,6 +203,18 @@ class Scenario(Parameters):
         model = self.new_model()
         return model.step_seconds if self.clock is None else self.clock.duration(model.step_volume())
 
+    def lasting(self, started: "Scenario") -> "Scenario":
+        """The same with steps as long as those of the scenario that a run of it ``started`` with.
+
+        A clock gives a step the time in which the reference wind moves as much sand as the step does. A run
+        keeps its steps when a parameter changes what they move; the polls of its winds follow.
+        """
+        clock = self.clock
+        if clock is None or clock.step_seconds is not None or self.step_seconds == started.step_seconds:
+            return self
+        kept = clock.model_copy(update={"step_seconds": started.step_seconds})
+        return self.model_copy(update={"clock": kept})
+
     def time_facts(self) -> dict[str, str]:
         """How long a step and the run last, where that is known, for people to read."""
         seconds = self.step_seconds

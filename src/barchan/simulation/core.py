@@ -231,6 +231,18 @@ class Simulation:
         """The scenario with the parameters and the wind that events have changed."""
         return validate(self.current_data(), "run")
 
+    @property
+    def scenario_as_run(self) -> Scenario:
+        """The same, with steps as long as this run's are whatever parameters have become."""
+        return self.scenario_in_force.lasting(self.scenario)
+
+    def change_model(self, scenario: Scenario) -> None:
+        """Give the model the parameters of a scenario; by a clock the polls of winds follow them."""
+        self.model.change(scenario.model)
+        if scenario.clock is not None:
+            clock = scenario.lasting(self.scenario).forcing().clock
+            self.forcing = replace(self.forcing, clock=clock)
+
     def state(self) -> State:
         """Everything it takes to go on from here with the same bits."""
         self._refuse_half_done()
@@ -261,7 +273,7 @@ class Simulation:
         simulation = cls.__new__(cls)
         simulation._set_up(validate(data["scenario"], "state"))
         now = validate({**data["scenario"], "model": data["model"], "wind": data["wind"]}, "state")
-        simulation.model.change(now.model)
+        simulation.change_model(now)
         simulation.wind = now.wind
         model = simulation.model
         bed = Bed.from_fields(simulation.lattice, state.group("bed/"), model.fields, model.layers)

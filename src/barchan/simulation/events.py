@@ -49,7 +49,7 @@ class SetParameter(Change):
             message = f"cannot change during a run{nearest(self.key, live)}; what can: {', '.join(live)}"
             raise ScenarioError([Problem(self.key, message)], "event")
         rules = model.slope_rules()
-        model.change(_amended(simulation, self).model)
+        simulation.change_model(_amended(simulation, self))
         if model.slope_rules() != rules:
             model.relax(simulation.bed)
 
@@ -133,7 +133,7 @@ def in_force(scenario: Scenario, events: Iterable[Record], step: int) -> Scenari
     for record in events:
         if record.step < max(step, 1):
             record.event.amend(data)
-    return validate(data, "events")
+    return validate(data, "events").lasting(scenario)
 
 
 def event_from(data: Any) -> AnyEvent:

@@ -5,7 +5,7 @@ from typing import Any
 
 from barchan.analysis.grain_paths import follows_grains
 from barchan.models import models
-from barchan.scenario import Scenario, validate
+from barchan.scenario import Scenario
 from barchan.scenario.changes import changed_from
 from barchan.simulation import Simulation
 from barchan.squares import Squares
@@ -19,7 +19,7 @@ from barchan.studio.worker.strata import declared_strata
 
 def named(simulation: Simulation, origin: Scenario) -> Scenario:
     """The scenario as changes have left it; its words name the values in which it differs from ``origin``."""
-    return changed_from(validate(simulation.current_data(), "run"), origin)
+    return changed_from(simulation.scenario_as_run, origin)
 
 
 def description(simulation: Simulation, origin: Scenario) -> dict[str, Any]:

@@ -25,7 +25,7 @@ def rose_of(simulation: Simulation) -> dict[str, Any]:
     Of a record that is all that was measured, of any other wind the scenario's run. Classes of speed (m/s)
     and days are known of winds in m/s alone. Over snow nothing is told that holds for dry sand only.
     """
-    scenario = simulation.scenario_in_force
+    scenario = simulation.scenario_as_run
     supply = float(simulation.bed.depth.mean())
     told = of_winds(scenario, supply)
     record = stated_winds(scenario) if told.record is None else told.measured
