@@ -15,6 +15,9 @@ const LEAST = 0.1;
 /** The colours of the first and the last state, as shares of the map. */
 const STATES: [number, number] = [0.1, 0.8];
 
+/** The colour of values that are all alike, as a share of the map. */
+const MIDDLE = 0.5;
+
 interface Layers {
   step: number;
   place: number[];
@@ -132,7 +135,8 @@ export class SectionLayers {
       c.fillStyle = colour(this.wide ? low * (high / low) ** (i / wide) : low + ((high - low) * i) / wide);
       c.fillRect(left + i, top - 8, 1.5, 8);
     }
-    this.text(c, `${strata.title}: ${short(low, 3)} to ${short(high, 3)}${unit}`, left + wide + 6, top);
+    const values = this.alike ? short(low, 3) : `${short(low, 3)} to ${short(high, 3)}`;
+    this.text(c, `${strata.title}: ${values}${unit}`, left + wide + 6, top);
   }
 
   /** The layers at a place, from the top down, for people to read. */
@@ -161,6 +165,12 @@ export class SectionLayers {
     return high > WIDE * low;
   }
 
+  /** Whether all values read the same: colours are not to part what the numbers do not. */
+  private get alike(): boolean {
+    const [low, high] = this.ends();
+    return short(low, 3) === short(high, 3);
+  }
+
   /** Least and greatest value of the layers that there are. */
   private ends(): [number, number] {
     let [low, high] = [Number.POSITIVE_INFINITY, 0];
@@ -177,10 +187,11 @@ export class SectionLayers {
   private scale(strata: Strata): (value: number) => string {
     const map = this.app.colours.strata ?? [];
     const [low, high] = this.ends();
+    const { alike } = this;
     const share = (value: number): number => {
       if (strata.states.length) return STATES[0] + ((STATES[1] - STATES[0]) * value) / Math.max(strata.states.length - 1, 1);
       const held = Math.max(value, LEAST);
-      if (high <= low) return 0;
+      if (alike) return MIDDLE;
       return this.wide ? Math.log(held / low) / Math.log(high / low) : (held - low) / (high - low);
     };
     return (value) => `rgb(${(map[Math.round(Math.min(Math.max(share(value), 0), 1) * (map.length - 1))] ?? [200, 210, 225]).join()})`;
