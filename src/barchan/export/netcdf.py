@@ -92,7 +92,11 @@ def _write_axes(file: "h5netcdf.File", source: Source, first: str) -> None:
     wind = file.create_variable("wind_direction", (first,), "f8")
     _put(
         wind,
-        {"units": "degree", "standard_name": "wind_from_direction", "long_name": "where the wind comes from"},
+        {
+            "units": "degree",
+            "standard_name": "wind_from_direction",
+            "long_name": "where the wind comes from; of several winds in one step their mean transport",
+        },
     )
 
 

@@ -98,6 +98,12 @@ class Simulation:
         return self.last_segment.direction
 
     @property
+    def winds(self) -> int:
+        """How many winds blew in the last step, or blow in the first before any."""
+        _, _, intervals = next(self.forcing.constant_intervals(max(self.steps_done - 1, 0), 1))
+        return len(intervals)
+
+    @property
     def last_segment(self) -> Segment:
         """The wind segment of the last step, or before any step that of the first."""
         return self.forcing.wind_of(max(self.steps_done - 1, 0))

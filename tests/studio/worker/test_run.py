@@ -149,3 +149,9 @@ def test_a_branch_that_only_begins_does_not_let_the_run_count_as_one_that_has_no
     run.branch()
     assert run.live.steps_done == 0
     assert run.would_be_missed
+
+
+def test_the_status_says_how_many_winds_blew_in_the_step():
+    steady = Simulation(small())
+    mixed = Simulation(small(wind={"kind": "mixed_axes", "first": 270, "second": 180, "share": 0.4}))
+    assert (steady.winds, mixed.winds) == (1, 2)

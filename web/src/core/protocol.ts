@@ -26,6 +26,8 @@ export interface Status {
   deepest: number;
   volume: number;
   wind: number;
+  /** Winds that blew in the step. */
+  winds: number;
   time: number | null;
   undo: number;
   redo: number;

@@ -15,9 +15,9 @@ export function timesOf(statuses: Statuses): string {
   return each(statuses, ({ time }) => (time === null || time === undefined ? null : duration(time)));
 }
 
-/** Where the winds of the runs that are shown come from. */
+/** Where the winds of the runs that are shown come from; of several winds in one step where their mean transport does. */
 export function windsOf(statuses: Statuses): string {
-  return each(statuses, ({ wind }) => `${short(wind, 3)}°`);
+  return each(statuses, ({ wind, winds }) => `${short(wind, 3)}°${winds > 1 ? ` (mean of ${winds})` : ""}`);
 }
 
 function each(statuses: Statuses, told: (status: Status) => string | null): string {

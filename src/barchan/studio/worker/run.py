@@ -253,6 +253,7 @@ class StudioRun:
             "volume": shown.bed.volume,
             "balance": {"unit": balance.unit, "mass": balance.mass, "parts": balance.rows()},
             "wind": shown.wind_direction,
+            "winds": shown.winds,
             "time": None if seconds is None else seconds * shown.steps_done,
             "undo": len(self.painting.done),
             "redo": len(self.painting.undone),
