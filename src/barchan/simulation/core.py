@@ -99,9 +99,9 @@ class Simulation:
 
     @property
     def winds(self) -> int:
-        """How many winds blew in the last step, or blow in the first before any."""
+        """From how many directions winds blew in the last step, or blow in the first before any."""
         _, _, intervals = next(self.forcing.constant_intervals(max(self.steps_done - 1, 0), 1))
-        return len(intervals)
+        return len({interval.direction for interval in intervals})
 
     @property
     def last_segment(self) -> Segment:

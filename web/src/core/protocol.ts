@@ -26,7 +26,7 @@ export interface Status {
   deepest: number;
   volume: number;
   wind: number;
-  /** Winds that blew in the step. */
+  /** Directions from which winds blew in the step. */
   winds: number;
   time: number | null;
   undo: number;
