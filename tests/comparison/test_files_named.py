@@ -5,7 +5,9 @@ import json
 import re
 
 import pytest
+from matplotlib.text import Text
 
+from barchan import simulate
 from barchan.archive import run
 from barchan.archive.file_names import file_names
 from barchan.comparison.conditions import clock_time
@@ -15,6 +17,7 @@ from barchan.comparison.words import without_folders
 from barchan.ensembles.axes import Axis
 from barchan.ensembles.pictures import label_of
 from barchan.ensembles.plan import make_plan
+from barchan.figures.ensembles import Panel, small_multiples
 from barchan.simulation import Simulation
 from tests.tiny import COLUMNS, DATA, ROWS, tiny
 
@@ -132,3 +135,21 @@ def test_a_long_label_is_cut_in_figures_and_in_names_of_files(tmp_path):
     assert variant.drawn.startswith("2: xxx")
     assert len(variant.drawn) <= MOST_DRAWN
     assert variant.name == f"2-{'x' * 60}"
+
+
+@pytest.mark.parametrize(("rows", "columns"), [(8, 80), (16, 24), (80, 8)], ids=["wide", "usual", "narrow"])
+@pytest.mark.filterwarnings("error:.*layout not applied")
+def test_long_titles_of_small_maps_do_not_meet(rows, columns):
+    """Two titles of 80 letters side by side: the first ends before the second begins."""
+    scenario = tiny(lattice__rows=rows, lattice__columns=columns, run__steps=5)
+    frame = simulate(scenario).isel(step=-1)
+    panels = [Panel(f"{number} {'a long name ' * 6}"[:80], frame, scenario) for number in (1, 2)]
+    figure = small_multiples(panels, 2, "")
+    figure.draw_without_rendering()
+    maps = figure.axes[:2]
+    left, right = (axes.findobj(_is_title)[0].get_window_extent() for axes in maps)
+    assert left.x1 < right.x0
+
+
+def _is_title(part):
+    return isinstance(part, Text) and "long name" in part.get_text()

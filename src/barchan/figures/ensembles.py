@@ -24,6 +24,9 @@ MOST_PANELS = 100
 PANEL = 1.9
 """Inches that a small map is wide."""
 
+MOST_HIGH = 3.0
+"""Height over width of a small map at most; fields that are narrower have narrower maps."""
+
 TITLED = 8.0
 """Size (points) of the letters above a small map."""
 
@@ -60,10 +63,13 @@ def small_multiples(panels: Sequence[Panel], across: int, text: str) -> "Figure"
     norm = Normalize(low, high if high > low else low + panels[0].scenario.lattice.thickness)
     down = -(-len(panels) // across)
     field = panels[0].scenario.lattice
-    height = min(max(field.height / field.width, 0.3), 3.0) * PANEL
+    shape = field.height / field.width
+    height = min(max(shape, 0.3), MOST_HIGH) * PANEL
     titles = [in_lines(panel.title, PANEL, TITLED) for panel in panels]
     above = 0.3 + max(title.count("\n") for title in titles) * 1.3 * TITLED / 72
-    figure = new_figure(max(PANEL * across, 3.4) + 1.2, (height + above) * down + 0.6, of_map=True)
+    width = max(PANEL * across, 3.4) + 1.2
+    # Narrow maps keep their distance, for their titles are wider than they are.
+    figure = new_figure(width, (height + above) * down + 0.6, of_map=shape <= MOST_HIGH)
     grid = figure.subplots(down, across, squeeze=False)
     for axes in grid.flat[len(panels) :]:
         axes.remove()
