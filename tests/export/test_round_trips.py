@@ -151,6 +151,42 @@ def test_xarray_reads_dates_from_the_epoch_that_was_given(timed, tmp_path):
         )
 
 
+def recorded(folder, hours):
+    """The field under a wind that was recorded at these hours of the first of January 2023."""
+    path = folder / "wind.csv"
+    rows = "".join(f"2023-01-01 {hour:02d}:00,8,270\n" for hour in hours)
+    path.write_text(f"time,speed,direction\n{rows}")
+    return asymmetric(wind={"kind": "record", "path": str(path)}, clock={"step_seconds": 3600.0})
+
+
+def test_time_counts_from_the_first_date_of_the_winds_record(tmp_path):
+    """Steps of an hour from 01:00 on: the frames at steps 0, 5 and 10 are of 01:00, 06:00 and 11:00."""
+    export(recorded(tmp_path, range(1, 13)), tmp_path / "dunes.nc")
+    with xr.open_dataset(tmp_path / "dunes.nc", engine="h5netcdf", decode_times=False) as run:
+        assert run.time.attrs["units"] == "seconds since 2023-01-01 01:00:00"
+        assert run.time.attrs["long_name"] == "time from the beginning of the wind's record"
+    with xr.open_dataset(tmp_path / "dunes.nc", engine="h5netcdf") as run:
+        assert list(run.time.values) == list(
+            np.array(["2023-01-01T01:00", "2023-01-01T06:00", "2023-01-01T11:00"], "M8[ns]")
+        )
+
+
+def test_times_that_a_run_leaves_out_are_told(tmp_path):
+    """Rows of 4 to 8 h are absent: the sixth row of the run is that of 11:00, ten hours after the first."""
+    export(recorded(tmp_path, [1, 2, 3, *range(9, 20)]), tmp_path / "dunes.nc")
+    with xr.open_dataset(tmp_path / "dunes.nc", engine="h5netcdf", decode_times=False) as run:
+        assert run.time.attrs["units"] == "seconds since 2023-01-01 01:00:00"
+        assert run.time.attrs["long_name"].endswith("times without a known wind are left out")
+        assert list(run.time.values) == [0.0, 18_000.0, 36_000.0]
+
+
+def test_a_start_without_dates_is_said_to_be_arbitrary(timed, tmp_path):
+    export(timed, tmp_path / "dunes.nc")
+    with xr.open_dataset(tmp_path / "dunes.nc", engine="h5netcdf", decode_times=False) as run:
+        assert run.time.attrs["units"] == "seconds since 2000-01-01 00:00:00"
+        assert run.time.attrs["long_name"] == "time; its start is arbitrary"
+
+
 def test_the_datasets_own_netcdf_shows_its_frames_in_time_too(local, tmp_path):
     local.drop_attrs(deep=False).to_netcdf(tmp_path / "run.nc", engine="scipy")
     reader = readers.vtkNetCDFCFReader()

@@ -48,7 +48,7 @@ class NamedFiles:
         return self._kept[file]
 
     def _keep(self, file: Path) -> str:
-        digest = _digest(file)
+        digest = digest_of(file)
         if file.stat().st_size > LARGEST_COPY:
             place = str(file)
         else:
@@ -68,7 +68,7 @@ def check_files(folder: Path) -> None:
         file = folder / place
         if not file.is_file():
             raise ArchiveError(f"{folder}: {file}, which the run was made with, is missing")
-        if _digest(file) != digest:
+        if digest_of(file) != digest:
             raise ArchiveError(
                 f"{folder}: {file} is not the file that the run was made with; its digest differs"
             )
@@ -81,7 +81,8 @@ def _copy(file: Path, to: Path) -> None:
     partial.replace(to)
 
 
-def _digest(file: Path) -> str:
+def digest_of(file: Path) -> str:
+    """The SHA-256 digest of a file's content; raises OSError where it cannot be read."""
     with file.open("rb") as content:
         return hashlib.file_digest(content, "sha256").hexdigest()
 

@@ -78,6 +78,7 @@ def draw_variant(
     runs: str,
     data: str,
     label: str,
+    drawn: str,
     name: str,
     folder: str,
     steps: Sequence[int],
@@ -85,7 +86,7 @@ def draw_variant(
 ) -> list[Picture]:
     """Draw maps, contours, sections and the section over time of one run; for a process of its own.
 
-    ``runs`` is the run's folder, ``data`` its scenario as JSON.
+    ``runs`` is the run's folder, ``data`` its scenario as JSON, ``drawn`` the label that pictures have.
     """
     import json
 
@@ -95,7 +96,7 @@ def draw_variant(
     from barchan.figures.space_time import space_time
     from barchan.scenario import load_scenario
 
-    scenario = load_scenario(json.loads(data)).model_copy(update={"title": label})
+    scenario = load_scenario(json.loads(data)).model_copy(update={"title": drawn})
     home = Path(folder)
     views: tuple[tuple[str, Callable[[xr.Dataset], Figure]], ...] = (
         ("map", lambda frame: relief_map(frame, scenario, limits=limits)),
@@ -131,6 +132,7 @@ def draw_variants(
             str(variant.run_folder(member)),
             member.text,
             variant.label,
+            variant.drawn,
             variant.name,
             str(home),
             tuple(steps),
@@ -150,7 +152,9 @@ def draw_together(variants: Sequence[Variant], folder: Path) -> list[Picture]:
     measures_over_time(courses_of(variants), shared_measures(variants)).savefig(path, dpi=DPI)
     made.append(Picture(path, "measures over time", "series"))
     path = home / "slopes.png"
-    slope_distributions(SLOPES, slopes_of(variants)).savefig(path, dpi=DPI)
+    shares = slopes_of(variants)
+    drawn = {variant.drawn: shares[variant.label] for variant in variants}
+    slope_distributions(SLOPES, drawn).savefig(path, dpi=DPI)
     made.append(Picture(path, "slopes along the wind in the last frames", "slopes"))
     return [*made, *_differences(variants, home)]
 
@@ -160,7 +164,7 @@ def courses_of(variants: Sequence[Variant]) -> "dict[str, list[Course]]":
     from barchan.figures.comparison import Course
 
     return {
-        name: [Course(variant.label, *_over_seeds(variant, name)) for variant in variants]
+        name: [Course(variant.drawn, *_over_seeds(variant, name)) for variant in variants]
         for name in shared_measures(variants)
     }
 
@@ -208,7 +212,7 @@ def draw_overview(variants: Sequence[Variant], path: Path) -> Path:
         for seed in list(variant.reports)[:across]:
             with variant.run(seed) as run:
                 frame = run.isel(step=-1).load()
-            panels.append(Panel(f"{variant.label}, seed {seed}", frame, variant.scenario))
+            panels.append(Panel(f"{variant.drawn}, seed {seed}", frame, variant.scenario))
     if across == 1:
         across = min(len(panels), 4)
     small_multiples(panels[: 100 // across * across], across, "").savefig(path, dpi=DPI)
@@ -241,9 +245,9 @@ def _differences(variants: Sequence[Variant], home: Path) -> list[Picture]:
     for other in others:
         if other.label not in last:
             continue
-        text = f"higher (m) than {reference.label}"
+        text = f"higher (m) than {reference.drawn}"
         titled: Scenario = other.scenario.model_copy(
-            update={"title": f"{other.label} less {reference.label}"}
+            update={"title": f"{other.drawn} less {reference.drawn}"}
         )
         frame, base = last[other.label], bases[seeds[other.label]]
         path = home / f"{other.name}-difference.png"

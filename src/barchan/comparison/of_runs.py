@@ -11,7 +11,7 @@ from barchan.archive import RunInfo, run_info
 from barchan.comparison.drawing import chosen_steps, draw_together, draw_variants
 from barchan.comparison.report import Contents, report_of
 from barchan.comparison.statistics import differences
-from barchan.comparison.variants import Variant, differing_keys
+from barchan.comparison.variants import Variant, differing_keys, told_apart
 from barchan.comparison.words import listed
 from barchan.ensembles.axes import value_label
 from barchan.ensembles.plan import Member
@@ -25,6 +25,9 @@ Count = Callable[[int, int], None]
 
 MOST_NAMED = 2
 """Differing values that a run is called by."""
+
+MOST_LETTERS = 40
+"""Of a value that a run is called by."""
 
 
 def members_home(folder: Path) -> Path:
@@ -93,12 +96,19 @@ def _name(variants: Sequence[Variant]) -> None:
         return
     differing = list(differing_keys(variants).items())[:MOST_NAMED]
     for number, variant in enumerate(variants):
-        told = [f"{spoken_name(key)} {_short(values[number])}" for key, values in differing]
+        told = [f"{_spoken_key(key)} {_short(values[number])}" for key, values in differing]
         variant.label = ", ".join(told) or f"run {variant.label.upper()}"
+    told_apart(variants)
+
+
+def _spoken_key(key: str) -> str:
+    """The last part of a key in words; of a file what it is of."""
+    return spoken_name(key.removesuffix(".path"))
 
 
 def _short(value: object) -> str:
-    return f"{value:g}" if isinstance(value, float) else value_label(value)
+    text = f"{value:g}" if isinstance(value, float) else value_label(value)
+    return text if len(text) <= MOST_LETTERS else f"{text[: MOST_LETTERS - 1]}…"
 
 
 def _changes(variants: Sequence[Variant], infos: Sequence[RunInfo]) -> str:

@@ -4,14 +4,13 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
+from barchan.comparison.conditions import CONDITIONS, lead, shared_conditions, unequal_times
 from barchan.comparison.drawing import Picture
 from barchan.comparison.page import Strong, figure, page, paragraph, points, section, table, text
 from barchan.comparison.runs_section import made_by, runs_table, scenarios_table
 from barchan.comparison.statistics import LEAST, TURNS, Difference, spread
 from barchan.comparison.variants import Variant, shared_measures
 from barchan.comparison.words import listed, named, number, probability, spread_text
-from barchan.scenario.summary import field_size
-from barchan.words import counted
 
 REPORT = "report.html"
 
@@ -62,18 +61,14 @@ class Contents:
 def report_of(contents: Contents) -> str:
     """The report as HTML."""
     reference, *others = contents.variants
-    scenario = reference.scenario
     seeds = list(reference.reports)
-    lead = (
-        f"{counted(len(contents.variants), 'variant')}, {counted(len(seeds), 'seed')} each, on the same "
-        f"{field_size(scenario)}, {counted(scenario.run.steps, 'step')}, with the same ground, wind and "
-        "random numbers."
-    )
+    warning = unequal_times(contents.variants)
     changed = contents.changed and f"Changed from the scenario: {contents.changed}."
     links = ("overview", "measures", "differences", "time", "slopes", "maps", "variants", "runs", "method")
     parts = [
         f"<h1>{text(contents.title)}</h1>",
-        paragraph(lead, "lead"),
+        paragraph(lead(contents.variants), "lead"),
+        *([paragraph(warning, "warning")] if warning else []),
         *([paragraph(changed, "quiet")] if changed else []),
         paragraph(_finding(contents)),
         "<nav>" + "".join(f'<a href="#{name}">{name}</a>' for name in links) + "</nav>",
@@ -97,10 +92,12 @@ def report_of(contents: Contents) -> str:
 
 
 def _method(contents: Contents) -> str:
-    """How to read the report, without what is about tests where there are none."""
+    """How to read the report, without what is about tests or equal conditions where there are none."""
     paragraphs = METHOD.format(reference=contents.variants[0].label).strip().split("\n\n")
     if _of_one_seed(contents):
         paragraphs = [one for one in paragraphs if not one.startswith("Intervals")]
+    if len(shared_conditions(contents.variants)) < len(CONDITIONS):
+        paragraphs = [one for one in paragraphs if not one.startswith("Every variant")]
     return "\n\n".join(paragraphs)
 
 

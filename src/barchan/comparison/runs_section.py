@@ -3,10 +3,14 @@
 import base64
 from collections.abc import Mapping, Sequence
 from datetime import UTC, datetime
+from pathlib import Path
 
+from barchan.archive.file_names import paths_in
 from barchan.comparison.page import Markup, paragraph, table, text
 from barchan.comparison.variants import Variant, differing_keys, unlike_defaults
-from barchan.comparison.words import seconds_text, value_text
+from barchan.comparison.words import seconds_text, value_text, without_folders
+from barchan.scenario.definition import text_of
+from barchan.scenario.paths import with_paths
 from barchan.version import __version__
 
 SCENARIOS = "scenarios"
@@ -20,6 +24,8 @@ def scenarios_table(variants: Sequence[Variant], within: bool) -> str:
     links = [_scenario_link(variant, within) for variant in variants]
     heads = ["key", *(variant.label for variant in variants)]
     told = "Everything else in the scenarios is the same." + _strange_values(variants)
+    if within and any(paths_in(variant.scenario.data()) for variant in variants):
+        told += " The complete scenarios name their files without folders: lay the files beside them."
     return table(heads, [*rows, ["complete scenario", *links]], wordy=True) + paragraph(told, "quiet")
 
 
@@ -28,7 +34,8 @@ def _scenario_link(variant: Variant, within: bool) -> Markup:
     name = f"{variant.name}.json"
     if not within:
         return Markup(f'<a href="{text(f"{SCENARIOS}/{name}")}">{text(name)}</a>')
-    content = base64.b64encode(variant.scenario.text().encode()).decode("ascii")
+    data = with_paths(variant.scenario.data(), lambda path: Path(path).name)
+    content = base64.b64encode(text_of(data).encode()).decode("ascii")
     return Markup(
         f'<a download="{text(name)}" href="data:application/json;base64,{content}">{text(name)}</a>'
     )
@@ -83,16 +90,17 @@ def runs_table(variants: Sequence[Variant], unfinished: Mapping[str, str]) -> st
         )
     if unfinished:
         parts.append(paragraph("Runs that did not come to their end:"))
-        parts.append(table(("run", "reason"), list(unfinished.items()), wordy=True))
+        reasons = [(run, without_folders(reason)) for run, reason in unfinished.items()]
+        parts.append(table(("run", "reason"), reasons, wordy=True))
     return "".join(parts)
 
 
 def made_by(command: str, seconds: float) -> str:
-    """Version, date, how long it took (s), and the command that makes a report again."""
+    """Version, date, how long it took (s), and the command that makes a report again, without folders."""
     when = datetime.now(UTC).strftime("%Y-%m-%d %H:%M UTC")
     told = f"Made with Barchan {__version__} on {when} in {seconds:.0f} s, pictures included"
     return (
-        paragraph(f"{told}, by:") + f"<pre><code>{text(command)}</code></pre>"
+        paragraph(f"{told}, by:") + f"<pre><code>{text(without_folders(command))}</code></pre>"
         if command
         else paragraph(f"{told}.")
     )

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from barchan.archive import open_run
+from barchan.archive.file_names import with_file_names
 from barchan.ensembles.pictures import label_of
 from barchan.ensembles.plan import Member, Plan
 from barchan.ensembles.reports import Report, member_folder, read_report
@@ -21,6 +22,13 @@ if TYPE_CHECKING:
 
 WORDS = ("title", "citation", "look_for", "question")
 """Keys of a scenario that say something of it and change nothing of its run."""
+
+
+MOST_LETTERS = 60
+"""Of a variant's label in the name of a file."""
+
+MOST_DRAWN = 90
+"""Letters of a variant's label in figures; the page has all of it."""
 
 
 @dataclass
@@ -38,7 +46,15 @@ class Variant:
     @property
     def name(self) -> str:
         """Its label as part of the name of a file."""
-        return f"{self.number + 1}-{re.sub(r'[^0-9A-Za-z.]+', '-', self.label).strip('-')}"
+        label = re.sub(r"[^0-9A-Za-z.]+", "-", self.label).strip("-")
+        return f"{self.number + 1}-{label[:MOST_LETTERS].rstrip('-.')}"
+
+    @property
+    def drawn(self) -> str:
+        """Its label in figures: one that is too long is cut, with its number before it."""
+        if len(self.label) <= MOST_DRAWN:
+            return self.label
+        return f"{self.number + 1}: {self.label[: MOST_DRAWN - 4].rstrip(' ,')}…"
 
     @property
     def first_member(self) -> Member:
@@ -88,10 +104,19 @@ def variants_of(plan: Plan, folder: Path) -> list[Variant]:
         report = read_report(folder, member.id)
         if report is not None:
             variant.reports[member.seed] = report
+    told_apart(list(found.values()))
     finished = [variant for variant in found.values() if variant.reports]
     if not finished:
         raise BarchanError(f"{folder}: no run of the comparison came to its end")
     return finished
+
+
+def told_apart(variants: Sequence[Variant]) -> None:
+    """Give labels that several variants have the number of each."""
+    labels = [variant.label for variant in variants]
+    for variant, label in zip(variants, labels, strict=True):
+        if labels.count(label) > 1:
+            variant.label = f"{label} ({variant.number + 1})"
 
 
 def shared_measures(variants: Sequence[Variant]) -> dict[str, tuple[str, str]]:
@@ -105,9 +130,13 @@ def shared_measures(variants: Sequence[Variant]) -> dict[str, tuple[str, str]]:
 
 
 def differing_keys(variants: Sequence[Variant]) -> dict[str, list[Any]]:
-    """Keys of the scenarios whose values differ, with the value of each variant; None where it has none."""
+    """Keys of the scenarios whose values differ, with the value of each variant; None where it has none.
+
+    Files stand by their names without folders; copies of one file do not differ.
+    """
     unnamed = dict.fromkeys(WORDS, "")
-    flat = [_flat({**variant.own_scenario.data(), **unnamed}) for variant in variants]
+    whole = with_file_names({**variant.own_scenario.data(), **unnamed} for variant in variants)
+    flat = [_flat(data) for data in whole]
     keys = dict.fromkeys(key for values in flat for key in values)
     rows = {key: [values.get(key) for values in flat] for key in keys}
     return {key: row for key, row in rows.items() if any(value != row[0] for value in row)}

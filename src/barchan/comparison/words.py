@@ -2,11 +2,23 @@
 
 import json
 import math
+import re
 from collections.abc import Sequence
 
 from barchan.analysis import suited_units
 from barchan.comparison.page import Markup, text
 from barchan.comparison.statistics import Spread
+
+_ROOT = r"(?:[A-Za-z]:[\\/]|/)"
+_FOLDERS = re.compile(
+    rf"(?<=['\"]){_ROOT}(?:[^/\\'\"\n]+[/\\])+|(?<![\w.~:/\\]){_ROOT}(?:[^/\\'\"=,;:<>\s]+[/\\])+"
+)
+"""The folders before the name of a file whose path is absolute, with spaces only in quotation marks."""
+
+
+def without_folders(words: str) -> str:
+    """Words in which files whose paths are absolute stand by their names."""
+    return _FOLDERS.sub("", words)
 
 
 def listed(names: Sequence[str]) -> str:

@@ -1,15 +1,18 @@
 """The pictures of an ensemble: which runs stand where, and what is drawn over the varied keys."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
+from typing import Any
 
 from barchan.archive import open_run
-from barchan.ensembles.axes import value_label
+from barchan.archive.file_names import file_names, paths_in
+from barchan.ensembles.axes import Axis, value_label
 from barchan.ensembles.plan import Member, Plan
 from barchan.ensembles.reports import State, member_folder, state_of
 from barchan.ensembles.table import measure_table, short_names
 from barchan.figures.ensembles import MOST_PANELS, Panel, phase_diagram, small_multiples
 from barchan.scenario import load_scenario
+from barchan.scenario.paths import with_paths
 
 SMALL = "small-multiples.png"
 
@@ -44,18 +47,39 @@ def _panel(folder: Path, plan: Plan, member: Member) -> Panel:
 
 
 def label_of(plan: Plan, member: Member) -> str:
-    """The values of a member, for people to read: ``momiji, hop_length 3``."""
+    """The values of a member, for people to read: ``momiji, hop_length 3``; files without their folders."""
+    names = _names_of_files(plan)
     return ", ".join(
-        value_label(value)
-        if axis.key.endswith((".name", ".kind")) or isinstance(value, dict)
-        else f"{name.rpartition('.')[2]} {value_label(value)}"
+        _label(axis, name, value, names)
         for axis, name, value in zip(plan.axes, short_names(plan), member.values, strict=True)
     )
+
+
+def _label(axis: Axis, name: str, value: Any, names: Mapping[str, str]) -> str:
+    if _is_file(axis):
+        return f"{axis.key.split('.')[-2]} {names.get(value, value)}"
+    label = value_label(with_paths(value, lambda path: names.get(path, path)))
+    grouped = axis.key.endswith((".name", ".kind")) or isinstance(value, dict)
+    return label if grouped else f"{name.rpartition('.')[2]} {label}"
+
+
+def _is_file(axis: Axis) -> bool:
+    return axis.key.endswith(".path")
+
+
+def _names_of_files(plan: Plan) -> dict[str, str]:
+    """The names of all files that the axes of a plan vary."""
+    every = [{"path": value} if _is_file(axis) else value for axis in plan.axes for value in axis.values]
+    return file_names(paths_in(every))
 
 
 def draw_measures(folder: Path, plan: Plan, measures: Sequence[str]) -> list[Path]:
     """Draw measures over the one or two varied keys; the files."""
     table = measure_table(folder)
+    names = _names_of_files(plan)
+    for axis, column in zip(plan.axes, short_names(plan), strict=True):
+        if _is_file(axis):
+            table[column] = [names.get(value, value) for value in table[column]]
     written = []
     for name in measures:
         figure = phase_diagram(table, name, table.attrs["units"].get(name, ""), short_names(plan))

@@ -1,5 +1,6 @@
 """CF-NetCDF: all frames, with coordinates, reference system, and a time axis that readers find."""
 
+from contextlib import suppress
 from datetime import datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -8,17 +9,21 @@ import numpy as np
 from numpy.typing import NDArray
 
 from barchan.archive.coordinates import GRID_MAPPING, attributes_of, mapped, mapping_attributes
-from barchan.errors import ExportError
+from barchan.errors import ExportError, ScenarioError
 from barchan.export.numbers import plain
 from barchan.export.source import Sheet, Source
 from barchan.udunits import cf_units
 from barchan.version import __version__
+from barchan.wind.recorded import Recorded
 
 if TYPE_CHECKING:
     import h5netcdf
 
 EPOCH = datetime(2000, 1, 1)
-"""The moment of step 0 where none is given: arbitrary, and said to be."""
+"""The moment of step 0 where none is given and the wind has no dates: arbitrary, and said to be."""
+
+ROUNDING = 1.0
+"""Seconds by which dates of a record, which are whole ones, may be off."""
 
 
 def write(path: Path, source: Source) -> dict[str, Any]:
@@ -101,9 +106,8 @@ def _write_axes(file: "h5netcdf.File", source: Source, first: str) -> None:
 
 
 def _write_times(file: "h5netcdf.File", source: Source) -> None:
-    epoch = source.options.epoch or EPOCH
-    told = "" if source.options.epoch else "; its start is arbitrary"
     seconds = np.array([source.seconds(step) for step in source.steps], "f8")
+    epoch, told = _start(source, seconds)
     _put(
         file.create_variable("time", ("time",), "f8", data=seconds),
         {
@@ -114,6 +118,24 @@ def _write_times(file: "h5netcdf.File", source: Source) -> None:
             "axis": "T",
         },
     )
+
+
+def _start(source: Source, seconds: NDArray[np.float64]) -> tuple[datetime, str]:
+    """The moment of step 0, and what is to be said of it: the one given, or that of the wind's record."""
+    if source.options.epoch is not None:
+        return source.options.epoch, ""
+    wind = source.scenario.wind
+    dates = None
+    if isinstance(wind, Recorded):
+        with suppress(ScenarioError):  # the record is no longer where it was
+            dates = wind.dates(np.append(0.0, seconds))
+    if dates is None:
+        return EPOCH, "; its start is arbitrary"
+    start, known = dates[0], ~np.isnat(dates[1:])
+    apart = (dates[1:] - start)[known].astype(np.float64) - seconds[known]
+    skipped = bool((np.abs(apart) > ROUNDING).any())
+    more = "; times without a known wind are left out" if skipped else ""
+    return start.astype(datetime), f" from the beginning of the wind's record{more}"
 
 
 def _declare(file: "h5netcdf.File", source: Source, first: str, sheet: Sheet, kind: np.dtype) -> None:

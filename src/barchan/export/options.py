@@ -147,7 +147,8 @@ WORDING = {
     ),
     "epoch": Wording(
         "moment of step 0",
-        "Date and time of step 0 in NetCDF; 2000-01-01, said to be arbitrary, without it.",
+        "Date and time of step 0 in NetCDF; without it the beginning of the wind's record where that has "
+        "dates, else 2000-01-01, said to be arbitrary.",
     ),
     "at": Wording(
         "place of the section (0 to 1)",

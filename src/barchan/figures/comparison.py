@@ -1,5 +1,6 @@
 """Pictures of several variants of a run in one: measures over time, slopes, differences of surfaces."""
 
+import textwrap
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
@@ -10,7 +11,7 @@ from numpy.typing import NDArray
 from barchan.analysis.on_squares import on_squares
 from barchan.figures.panels import colour_bar, map_panel
 from barchan.figures.series import POSSIBLE, SHOWN, about_middle, within
-from barchan.figures.style import new_figure, smooth
+from barchan.figures.style import legend_above, new_figure, smooth
 from barchan.scenario import Scenario
 
 if TYPE_CHECKING:
@@ -25,6 +26,9 @@ DASHES = ("-", "--", "-.", ":")
 """Lines of variants, so that they are told apart in print without colours."""
 
 ACROSS = 3
+
+MOST_BESIDE = 34
+"""Letters in a line beside the bar of a map of differences."""
 
 
 @dataclass(frozen=True)
@@ -60,7 +64,7 @@ def measures_over_time(
         axes.set_xlabel("step", fontsize=8)
         axes.xaxis.set_tick_params(labelbottom=True)
     handles, labels = panels.flat[0].get_legend_handles_labels()
-    figure.legend(handles, labels, loc="outside upper left", ncols=4, frameon=False, fontsize=9)
+    legend_above(figure, handles, labels)
     return figure
 
 
@@ -120,7 +124,7 @@ def slope_distributions(edges: NDArray[np.float64], shares: Mapping[str, NDArray
     axes.set_xlabel("slope along the wind (°): lee sides below 0, windward sides above")
     axes.set_ylabel("share of the field (% per degree)")
     axes.grid(alpha=0.3, which="both", linewidth=0.5)
-    axes.legend(frameon=False, fontsize=9)
+    legend_above(figure, *axes.get_legend_handles_labels())
     return figure
 
 
@@ -130,6 +134,7 @@ def difference_map(
     """How much higher (m) the surface of one frame is than that of another of the same field.
 
     The colours reach from −``limit`` to ``limit`` (m); the surfaces are smoothed over a cell for display.
+    Of a long ``label`` two lines are drawn.
     """
     from matplotlib.cm import ScalarMappable
     from matplotlib.colors import Normalize
@@ -139,5 +144,6 @@ def difference_map(
     apart = smooth(frame["elevation"].values - reference["elevation"].values, 1.0, scenario)
     scale = ScalarMappable(Normalize(-limit, limit), "RdBu_r")
     figure, axes = map_panel(scenario, frame, scale.to_rgba(apart)[..., :3])
-    colour_bar(figure, axes, scale, label, extend="both")
+    lines = textwrap.wrap(label, MOST_BESIDE, max_lines=2, placeholder=" …")
+    colour_bar(figure, axes, scale, "\n".join(lines), extend="both")
     return figure

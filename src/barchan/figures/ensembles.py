@@ -9,7 +9,7 @@ import numpy as np
 
 from barchan.errors import BarchanError
 from barchan.figures.maps import elevation_range, shaded
-from barchan.figures.style import CURVE, SHADOW, SMOOTHING, extent, heading, new_figure
+from barchan.figures.style import CURVE, SHADOW, SMOOTHING, extent, heading, in_lines, new_figure
 from barchan.scenario import Scenario
 from barchan.words import spoken_name
 
@@ -23,6 +23,12 @@ MOST_PANELS = 100
 
 PANEL = 1.9
 """Inches that a small map is wide."""
+
+MOST_HIGH = 3.0
+"""Height over width of a small map at most; fields that are narrower have narrower maps."""
+
+TITLED = 8.0
+"""Size (points) of the letters above a small map."""
 
 MEAN, SPREAD, COUNT = " mean", " spread", " count"
 """Columns of means over realizations; no key is named like them."""
@@ -57,15 +63,20 @@ def small_multiples(panels: Sequence[Panel], across: int, text: str) -> "Figure"
     norm = Normalize(low, high if high > low else low + panels[0].scenario.lattice.thickness)
     down = -(-len(panels) // across)
     field = panels[0].scenario.lattice
-    height = min(max(field.height / field.width, 0.3), 3.0) * PANEL
-    figure = new_figure(max(PANEL * across, 3.4) + 1.2, (height + 0.3) * down + 0.6, of_map=True)
+    shape = field.height / field.width
+    height = min(max(shape, 0.3), MOST_HIGH) * PANEL
+    titles = [in_lines(panel.title, PANEL, TITLED) for panel in panels]
+    above = 0.3 + max(title.count("\n") for title in titles) * 1.3 * TITLED / 72
+    width = max(PANEL * across, 3.4) + 1.2
+    # Narrow maps keep their distance, for their titles are wider than they are.
+    figure = new_figure(width, (height + above) * down + 0.6, of_map=shape <= MOST_HIGH)
     grid = figure.subplots(down, across, squeeze=False)
     for axes in grid.flat[len(panels) :]:
         axes.remove()
-    for axes, panel in zip(grid.flat, panels, strict=False):
+    for axes, panel, title in zip(grid.flat, panels, titles, strict=False):
         image = shaded(panel.frame, panel.scenario, norm=norm, smoothing=SMOOTHING)
         axes.imshow(image, origin="lower", extent=extent(panel.scenario), interpolation="nearest")
-        axes.set_title(panel.title, fontsize=8, loc="left")
+        axes.set_title(title, fontsize=TITLED, loc="left")
         axes.set_xticks([])
         axes.set_yticks([])
     if text:

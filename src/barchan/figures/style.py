@@ -1,6 +1,7 @@
 """Style of all pictures: colours, sizes, titles and labels."""
 
 import textwrap
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Literal
 
 import numpy as np
@@ -12,6 +13,7 @@ from barchan.wind.clock import spoken
 
 if TYPE_CHECKING:
     import xarray as xr
+    from matplotlib.artist import Artist
     from matplotlib.colors import Colormap
     from matplotlib.figure import Figure
 
@@ -96,13 +98,35 @@ def title(scenario: Scenario, step: int) -> str:
 TITLE = 10.0
 """Size (points) of a title's letters."""
 
+LETTER = 0.56
+"""Width of a letter over its size."""
+
+LEGEND = 9.0
+"""Size (points) of the letters of a legend above panels."""
+
+LEGEND_LINE = 0.65
+"""Inches that the line of a legend takes, with the space between columns."""
+
 
 def heading(figure: "Figure", text: str) -> None:
     """A title at the upper left of the whole figure, in lines that it is wide enough for."""
     figure.suptitle(in_lines(text, figure.get_figwidth()), x=0.01, ha="left", fontsize=TITLE)
 
 
-def in_lines(text: str, width: float) -> str:
-    """A title in lines that fit into a width (inches)."""
-    letters = max(16, int(width * 72 / (0.56 * TITLE)) - 2)
+def in_lines(text: str, width: float, size: float = TITLE) -> str:
+    """A title, its letters of a ``size`` (points), in lines that fit into a width (inches)."""
+    letters = max(16, int(width * 72 / (LETTER * size)) - 2)
     return "\n".join(textwrap.fill(line, letters) for line in text.splitlines())
+
+
+def legend_above(figure: "Figure", handles: "Sequence[Artist]", labels: Sequence[str]) -> None:
+    """A legend above all panels, in lines and columns that fit; the figure grows for all but one line."""
+    width = figure.get_figwidth()
+    told = [in_lines(label, width - LEGEND_LINE, LEGEND) for label in labels]
+    longest = max((len(line) for label in told for line in label.splitlines()), default=1)
+    across = int(width / (LEGEND_LINE + longest * LETTER * LEGEND / 72))
+    across = min(max(across, 1), 4, max(len(told), 1))
+    down = -(-len(told) // across)
+    lines = down * max((label.count("\n") + 1 for label in told), default=1)
+    figure.set_figheight(figure.get_figheight() + (lines - 1) * 1.5 * LEGEND / 72)
+    figure.legend(handles, told, loc="outside upper left", ncols=across, frameon=False, fontsize=LEGEND)
