@@ -60,7 +60,7 @@ def test_a_server_that_ends_is_reported_and_one_that_comes_back_is_found(visit, 
         lead = page.get_by_role("button", name="go back to it")
         assert lead.is_enabled()
     says(page, "does not answer")
-    says(page, "the studio offers them when it is started again")
+    says(page, "the studio offers them when it starts again")
     assert page.get_by_role("button", name="try now").is_visible()
     assert page.locator("[data-status=rate]").inner_text() == "no server"
     assert page.get_by_label("Run (space)", exact=True).is_disabled()

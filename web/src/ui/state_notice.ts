@@ -76,7 +76,7 @@ export class StateNotice {
   private fate(): string {
     const { runs, unkept, watching } = this.app;
     if (watching || unkept || !runs.some((run) => run.ready)) return "";
-    return " What is shown stands still. If the server ended unexpectedly, the runs are on disk as they were a short while before, also one that was set aside, and the studio offers them when it is started again. If it was ended with Ctrl-C, only what was saved is left.";
+    return " If it ended unexpectedly, the runs are on disk as they were a short while before, with one that was set aside, and the studio offers them when it starts again; after Ctrl-C only what was saved is left.";
   }
 
   private ofRuns(): State | null {
