@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from tests.studio.browser.conftest import NOTICE, running, says
+from tests.studio.browser.conftest import NOTICE, running, says, until
 from tests.studio.conftest import serving, small
 
 
@@ -43,14 +43,28 @@ def test_a_window_that_lost_the_studio_to_another_takes_it_back(visit, server):
     says(second, "another window")
 
 
+WAY_BACK = (
+    "window.barchan.app.notices.note('info', 'Set aside', '', true, { name: 'go back to it', act: () => {} })"
+)
+
+
 @pytest.mark.extended
 def test_a_server_that_ends_is_reported_and_one_that_comes_back_is_found(visit, tmp_path):
     with serving(tmp_path, small()) as served:
         page = visit(f"{served.address}/?token={served.guard.token}")
         running(page)
         port = served.port
+        page.evaluate("window.barchan.app.send({ command: 'run' })")
+        until(page, "window.barchan.app.running")
+        page.evaluate(WAY_BACK)
+        lead = page.get_by_role("button", name="go back to it")
+        assert lead.is_enabled()
     says(page, "does not answer")
+    says(page, "the studio offers them when it starts again")
     assert page.get_by_role("button", name="try now").is_visible()
+    assert page.locator("[data-status=rate]").inner_text() == "no server"
+    assert page.get_by_label("Run (space)", exact=True).is_disabled()
+    assert lead.is_disabled()
     with serving(tmp_path, small(), port=port):  # with a token of its own
         page.locator(NOTICE, has_text="is not the present one").wait_for(timeout=10_000)
 

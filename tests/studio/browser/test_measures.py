@@ -73,3 +73,25 @@ def test_saving_shows_how_far_it_is_while_the_run_goes_on(studio):
     assert [row[0] for row in seen] == sorted(row[0] for row in seen)
     studio.step_beyond(saved_at)
     studio.ask("window.barchan.app.send({ command: 'limit', rate: null })")
+
+
+@pytest.mark.extended
+def test_a_measure_without_a_value_says_why_and_whether_it_will_have_one(studio):
+    """A cycle of 34 steps fits none of the multiples of 10 that are compared; one of 200 outlasts its run."""
+    page = studio.page
+    page.get_by_role("tab", name="Measures").click()
+    caption = page.locator(".series figcaption", has_text="migration downwind")
+    begin = """(steps, turns) => {
+        const { app } = window.barchan;
+        const { scenario } = app.current.description;
+        const regimes = [0, 90].map((direction) => ({ direction, steps: turns }));
+        const wind = { kind: "regimes", regimes };
+        return app.create({ ...scenario, wind, run: { ...scenario.run, steps } });
+    }"""
+    studio.ask(f"({begin})(100000, 17)")
+    no_frame = "no value: no frame is whole cycles of the wind"
+    caption.filter(has_text=f"{no_frame} (34 steps) after another").wait_for()
+    assert "run › save every" in caption.inner_text()
+    assert "m/step" not in caption.inner_text()
+    studio.ask(f"({begin})(10, 100)")
+    caption.filter(has_text=f"{no_frame} (200 steps) earlier").wait_for()

@@ -182,6 +182,9 @@ def test_a_section_between_typed_ends_gives_the_places_of_its_points_in_field_an
     for box, text in zip(boxes, ("400002", "5300004", "400032", "5300044"), strict=True):
         box.fill(text)
         box.press("Tab")
+    boxes[2].fill("400032.12")
+    assert boxes[2].evaluate("(box) => box.scrollWidth <= box.clientWidth")  # nothing is cut off
+    boxes[2].fill("400032")
     with page.expect_download() as download:
         page.get_by_role("button", name="Save the section as CSV").click()
     rows = list(csv.DictReader(Path(download.value.path()).read_text().splitlines()))
@@ -191,6 +194,31 @@ def test_a_section_between_typed_ends_gives_the_places_of_its_points_in_field_an
     assert place == [400_032, 5_300_044]
     page.get_by_label("Coordinates of the section’s ends").select_option("field")
     assert [box.input_value() for box in boxes] == ["2", "4", "32", "44"]
+
+
+@pytest.mark.extended
+def test_the_ruler_shows_and_takes_eastings_and_northings_where_the_ground_has_them(studio):
+    page = studio.page
+    studio.pause()
+    studio.ask(
+        """(() => {
+            const { app } = window.barchan;
+            app.current.description.place = { west: 400000, south: 5300000, crs: "EPSG:32633" };
+            app.changed.send();
+        })()"""
+    )
+    page.locator(".scene canvas").first.focus()
+    page.keyboard.press("m")
+    ruler = page.get_by_label("Ruler", exact=True)
+    boxes = ruler.locator("input").all()
+    for box, text in zip(boxes, ("400002", "5300004", "400032", "5300044"), strict=True):
+        box.fill(text)
+        box.press("Tab")
+    assert ruler.locator("td").first.inner_text() == "50 m"  # 30 m east and 40 m north
+    assert [box.input_value() for box in boxes] == ["400002", "5300004", "400032", "5300044"]
+    ruler.get_by_label("Coordinates of the ruler’s places").select_option("field")
+    assert [box.input_value() for box in boxes] == ["2", "4", "32", "44"]
+    page.keyboard.press("m")
 
 
 def test_a_line_of_the_section_goes_with_the_run_over_which_it_was_drawn(studio):

@@ -139,6 +139,43 @@ def test_a_record_is_asked_for_first_and_brings_the_clock_that_it_needs(studio):
     assert studio.page.locator(".toast.error").count() == 0
 
 
+HILL = "ncols 3\nnrows 3\nxllcorner 0\nyllcorner 0\ncellsize 1\n0 0 0\n0 2 0\n0 0 0\n"
+WINDS = "time,speed (m/s),direction\n2020-01-01T00:00,8,90\n2020-01-02T00:00,9,90\n"
+
+
+def test_a_sheet_refuses_a_file_of_the_other_kind_and_says_where_it_belongs(studio):
+    page = studio.page
+    before = studio.ask(SCENARIO)
+    sheet = page.get_by_role("dialog")
+    ground = (lambda: page.locator("[data-path='ground']").select_option("file"), "Ground from a file")
+    wind = (lambda: page.locator("[data-path='wind.kind']").select_option("record"), "Wind from a record")
+    page.locator("summary", has_text="Ground").click()
+    _refused(sheet, *ground, "wind.csv", WINDS, "wind.csv is a record of winds, not a terrain; choose it")
+    told = _refused(sheet, *ground, "note.pdf", "x", "note.pdf is of an unknown kind")
+    assert ".npy" in told
+    assert ".csv" not in told
+    page.get_by_role("tab", name="Wind").click()
+    _refused(sheet, *wind, "hill.asc", HILL, "hill.asc is a terrain, not a record of winds; choose it")
+    told = _refused(sheet, *wind, "note.pdf", "x", "note.pdf is of an unknown kind")
+    assert ".csv" in told
+    assert ".npy" not in told
+    assert studio.ask(SCENARIO) == before
+
+
+def _refused(sheet, ask, label: str, name: str, text: str, words: str) -> str:
+    ask()
+    sheet.get_by_label(label).set_input_files(
+        {"name": name, "mimeType": "text/plain", "buffer": text.encode()}
+    )
+    sheet.get_by_role("button", name="use it").click()
+    trouble = sheet.get_by_role("alert").filter(has_text=words)
+    trouble.wait_for()
+    told = trouble.inner_text()
+    sheet.get_by_role("button", name="Close").click()
+    sheet.wait_for(state="detached")
+    return told
+
+
 def test_a_record_dropped_onto_a_scenario_without_a_clock_leads_to_one(studio):
     rows = "\n".join(f"2020-01-{1 + day:02}T00:00,{8 + day % 5},90" for day in range(28))
     studio.drop_file("east.csv", "text/csv", f"time,speed (m/s),direction\n{rows}\n".encode())

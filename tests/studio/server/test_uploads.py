@@ -102,5 +102,10 @@ def test_a_record_is_read_where_a_file_holds_no_heights(tmp_path, monkeypatch):
     read = []
     monkeypatch.setattr(Recorded, "series", lambda record: read.append(record.path))
     (tmp_path / "wind.csv").write_text("time,speed,direction\n")
-    assert file_content(tmp_path / "wind.csv") == {"heights": None}
+    assert file_content(tmp_path / "wind.csv") == {"heights": None, "record": True}
     assert read == [str(tmp_path / "wind.csv")]
+
+
+def test_a_file_that_holds_neither_heights_nor_winds_is_no_record(tmp_path):
+    (tmp_path / "note.csv").write_text("a,b\n1,2\n")
+    assert file_content(tmp_path / "note.csv") == {"heights": None, "record": False}

@@ -37,6 +37,8 @@ export class App {
   compiles = false;
   /** Whether two runs that are led together run; null where there is one. */
   pairRuns: boolean | null = null;
+  /** Whether the server has told that it cannot keep all of the runs on disk. */
+  unkept = false;
   /** The step that the server kept last of all runs, after one was lost; null where there is none. */
   kept: number | null = null;
   readonly sharing: Sharing;
@@ -82,7 +84,9 @@ export class App {
   }
 
   private onState(state: ConnectionState): void {
+    const cut = this.connected && state !== "open";
     this.state = state;
+    if (cut) this.changed.send();
     if (state === "open" && !this.schema.properties) void this.load();
   }
 
@@ -113,8 +117,9 @@ export class App {
     return this.run(this.selected) ?? this.runs[0];
   }
 
+  /** Whether the runs go on, as far as the page can know: without a connection nothing on it does. */
   get running(): boolean {
-    return this.pairRuns ?? this.runs[0]?.status?.running ?? false;
+    return this.connected && (this.pairRuns ?? this.runs[0]?.status?.running ?? false);
   }
 
   note(level: Level, text: string): void {
@@ -202,6 +207,7 @@ export class App {
       if (run) this.onDescription(run, message as unknown as Description, message.changed === true);
     },
     refused: (message) => {
+      if (message.command === "keep_in") this.unkept = true;
       this.refused(new Refused(String(message.text), message.problems as never));
     },
     lost: (message, run) => {

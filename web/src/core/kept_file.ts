@@ -10,6 +10,8 @@ export interface KeptFile {
   path: string;
   /** The heights that it holds, if it does. */
   heights: { rows: number; columns: number; cell_size: number | null; codes: number[]; coloured: boolean } | null;
+  /** Whether it can be read as a record of winds; not looked at where it holds heights. */
+  record: boolean;
 }
 
 /**
@@ -20,19 +22,20 @@ export interface KeptFile {
 export async function withKeptFile(app: App, file: File, progress: Progress, signal: AbortSignal, use: (kept: KeptFile) => Promise<void>): Promise<void> {
   const { path, name } = await app.connection.upload<{ path: string; name: string }>(`upload?name=${encodeURIComponent(file.name)}`, file, progress, signal);
   try {
-    await use({ path, heights: await heightsIn(app, path, progress, signal) });
+    await use({ path, ...(await contentOf(app, path, progress, signal)) });
   } catch (error) {
     await app.connection.fetch(`upload?name=${encodeURIComponent(name)}`, { method: "DELETE" }).catch(() => {}); // the first reason counts
     throw error;
   }
 }
 
-async function heightsIn(app: App, path: string, progress: Progress, signal: AbortSignal): Promise<KeptFile["heights"]> {
+async function contentOf(app: App, path: string, progress: Progress, signal: AbortSignal): Promise<Omit<KeptFile, "path">> {
   const reading = () => progress(0, 0, app.compiles ? { waits: "This waits until the model is compiled." } : {});
   reading();
   const again = setInterval(reading, LOOK_AGAIN);
   const asked = app.runs.map((run) => app.connection.ask({ command: "inspect", path, run: run.name }, undefined, signal));
   const answers = await Promise.all(asked).finally(() => clearInterval(again));
   signal.throwIfAborted();
-  return answers[0]!.heights as unknown as KeptFile["heights"];
+  const { heights, record } = answers[0]!;
+  return { heights: heights as unknown as KeptFile["heights"], record: record === true };
 }

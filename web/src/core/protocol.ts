@@ -167,6 +167,8 @@ export interface Row {
   step: number;
   values: Record<string, number | null>;
   doubts: Record<string, string>;
+  /** Why nothing could be measured. */
+  failed?: string;
   /** Whether the run was paused there, at no step of the fixed ones. */
   extra?: boolean;
 }

@@ -35,6 +35,7 @@ export class Bar {
     );
     app.framed.watch(() => this.show());
     app.changed.watch(() => this.show());
+    app.connection.state.watch(() => this.show());
   }
 
   private controls(): HTMLElement {
@@ -101,15 +102,16 @@ export class Bar {
     this.title.textContent = this.title.title = title;
     this.model.textContent = this.model.title = namesOf(this.app.runs).filter(Boolean).join("  ·  ");
     document.title = title ? `${title} – Barchan studio` : "Barchan studio";
-    const running = this.app.running;
+    const { running, connected } = this.app;
     this.showRunning(running);
+    this.element.querySelectorAll<HTMLButtonElement>(".controls button").forEach((one) => (one.disabled = !connected));
     if (!status || !description) return;
     this.numbers.volume!.previousElementSibling!.textContent = run!.material;
     this.limit.show(status.limit);
     const statuses = this.app.runs.map((one) => one.status);
     const texts: Record<string, string> = {
       step: stepsOf(statuses),
-      rate: running ? short(status.rate, 3) : "paused",
+      rate: connected ? (running ? short(status.rate, 3) : "paused") : "no server",
       clock: timesOf(statuses),
       highest: this.ofRuns((one) => short(one.highest)) ?? `${short(status.highest)} · ${metres(status.deepest, 3)}`,
       volume: `${this.ofRuns((one) => short(one.volume)) ?? short(status.volume)} m³`,

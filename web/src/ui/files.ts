@@ -2,6 +2,7 @@
 
 import type { App } from "../core/app";
 import type { Progress } from "../core/connection";
+import { type Wanted, ends, refuseContent, refuseName } from "../core/file_kinds";
 import { nameOf, nameOfRun } from "../core/file_name";
 import { isImage } from "../core/image_ground";
 import { withKeptFile } from "../core/kept_file";
@@ -20,9 +21,6 @@ import { SHIPPED, SHIPPED_NAME, blow, needsClock, offerToBlow } from "./record";
 import type { Recorder } from "./recorder";
 import { askForLink, copyScenarioLink } from "./scenario_links";
 import { letOthersWatch } from "./watching";
-
-/** Whether a file's name ends in one of some suffixes. */
-const ends = (name: string, suffixes: string[]): boolean => suffixes.some((suffix) => name.toLowerCase().endsWith(suffix));
 
 export class Files {
   readonly menu: HTMLElement;
@@ -81,7 +79,7 @@ export class Files {
 
   /** Use a file that was dropped; where reading it takes long, a sheet shows how far it is. */
   private async dropped(file: File): Promise<void> {
-    await working(`Reading ${file.name}`, (progress, signal) => this.keep(file, progress, signal, offerToBlow)).catch((error) => this.app.refused(error));
+    await working(`Reading ${file.name}`, (progress, signal) => this.keep(file, null, progress, signal, offerToBlow)).catch((error) => this.app.refused(error));
   }
 
   async savePicture(): Promise<void> {
@@ -130,7 +128,7 @@ export class Files {
 
   /** Ask for a file of heights and use it, or use an image in the way that is asked for. */
   askForGround(image?: File): void {
-    groundSheet(this.app, (file, choice, progress, signal) => this.keep(file, progress, signal, blow, choice), image);
+    groundSheet(this.app, (file, choice, progress, signal) => this.keep(file, "ground", progress, signal, blow, choice), image);
   }
 
   /** Ask for a record of winds, and let it blow. */
@@ -140,7 +138,7 @@ export class Files {
     const input = h("input", { type: "file", accept: records.join(), required: true, "aria-label": title });
     const use: Submit = async (progress, signal) => {
       const file = input.files?.[0];
-      if (file) await this.keep(file, progress, signal, blow);
+      if (file) await this.keep(file, "record", progress, signal, blow);
     };
     const text = `One of ${records.join(", ")}. Files can be dropped onto the scene as well.`;
     const sheet: HTMLDialogElement = formDialog(title, "use it", use, h("p", {}, text), input, ...(await this.ofRecords(() => sheet.close())));
@@ -168,10 +166,12 @@ export class Files {
     input.click();
   }
 
-  /** Use a file as ground, or as a record of winds where it holds no heights; a refusal is thrown. */
-  private async keep(file: File, progress: Progress, signal: AbortSignal, use: typeof blow, image: ImageChoice | null = null): Promise<void> {
+  /** Use a file as what is wanted, or where that is not said as ground, or record of winds where it holds no heights; a refusal is thrown. */
+  private async keep(file: File, wanted: Wanted | null, progress: Progress, signal: AbortSignal, use: typeof blow, image: ImageChoice | null = null): Promise<void> {
+    if (wanted) refuseName(this.app, file.name, wanted);
     await withKeptFile(this.app, file, progress, signal, async (kept) => {
-      if (ends(file.name, this.app.files.records) && !kept.heights) await use(this.app, { kind: "record", path: kept.path }, file.name);
+      if (wanted) refuseContent(file.name, kept, wanted);
+      if (wanted !== "ground" && ends(file.name, this.app.files.records) && !kept.heights) await use(this.app, { kind: "record", path: kept.path }, file.name);
       else await beginOn(this.app, file, kept, image);
     });
   }

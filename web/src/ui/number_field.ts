@@ -13,6 +13,8 @@ export interface NumberOptions {
   signed?: boolean;
   /** Whether it may be empty, which counts as null. */
   optional?: boolean;
+  /** Whether it is as wide as what stands there asks for. */
+  grows?: boolean;
   /** Takes what was typed, once it is whole and can be read. */
   take?: (value: number | null) => void;
   /** Called at every key. */
@@ -20,6 +22,9 @@ export interface NumberOptions {
   /** Further properties of the element. */
   props?: Record<string, unknown>;
 }
+
+/** Characters that a field is wider than its number, for its frame and the place of the cursor. */
+const ROOM = 2;
 
 /** A text that was refused, and the number that it was typed in place of. */
 export interface RefusedText {
@@ -121,6 +126,7 @@ export class NumberField {
   /** Tell the form, which is not sent while its fields are wrong, and those who listen instead of looking. */
   private check(): boolean {
     const wrong = this.wrong();
+    if (this.options.grows) this.element.style.minWidth = `${this.element.value.length + ROOM}ch`;
     this.element.setCustomValidity(wrong);
     const value = numberIn(this.element.value);
     if (value === null) this.element.removeAttribute("aria-valuenow");

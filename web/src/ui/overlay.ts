@@ -2,6 +2,7 @@
 
 import type { App } from "../core/app";
 import type { Progress } from "../core/connection";
+import { refuseContent, refuseName, suffixesOf } from "../core/file_kinds";
 import { isImage } from "../core/image_ground";
 import { withKeptFile } from "../core/kept_file";
 import { ABOVE, OVERLAY } from "../core/overlay";
@@ -85,7 +86,7 @@ const percent = (share: number): string => `${Math.round(100 * share)} %`;
 /** Ask for a file, and drape it over the surface. */
 export function overlaySheet(app: App): void {
   const heights = app.files.heights;
-  const input = h("input", { type: "file", accept: [...heights, ".webp"].join(), required: true, "aria-label": "Terrain or photograph", onchange: () => show() });
+  const input = h("input", { type: "file", accept: suffixesOf(app, "overlay").join(), required: true, "aria-label": "Terrain or photograph", onchange: () => show() });
   const as = h("select", { "aria-label": "Read as", onchange: () => show() }, h("option", { value: "photograph" }, "a photograph"), h("option", { value: "terrain" }, "heights"));
   const level = h("input", { type: "checkbox" });
   const ends = new HeightEnds(app.current!);
@@ -100,6 +101,7 @@ export function overlaySheet(app: App): void {
   };
   const use: Submit = async (progress, signal) => {
     const file = input.files![0]!;
+    refuseName(app, file.name, "overlay");
     if (!terrain()) return drape(app, file, signal);
     const between = isImage(file.name) ? ends.values : {};
     await compareWith(app, file, { level: level.checked, ...between }, progress, signal);
@@ -118,7 +120,9 @@ async function drape(app: App, file: File, signal: AbortSignal): Promise<void> {
 
 /** Let every run compare its surface with a terrain. */
 async function compareWith(app: App, file: File, options: { [key: string]: Json }, progress: Progress, signal: AbortSignal): Promise<void> {
-  await withKeptFile(app, file, progress, signal, async ({ path, heights }) => {
+  await withKeptFile(app, file, progress, signal, async (kept) => {
+    refuseContent(file.name, kept, "overlay");
+    const { path, heights } = kept;
     const codes = heights?.codes ?? [];
     const request = { command: "overlay" as const, path, ...options, ...(codes.length ? { missing: codes } : {}) };
     await Promise.all(app.runs.map((run) => app.connection.ask({ ...request, run: run.name }, undefined, signal)));

@@ -5,6 +5,7 @@ import { type Distance, distance } from "../core/distance";
 import { type Run, nameBeside } from "../core/run";
 import type { SectionLine } from "../core/section";
 import type { Stage } from "../scene/stage";
+import { Coordinates } from "./coordinates";
 import { button, copyText, h, short, suitedLength } from "./dom";
 import { NumberField } from "./number_field";
 
@@ -28,6 +29,7 @@ export class Ruler {
   /** Whether the first place is chosen and the second is not. */
   private half = false;
   private readonly inputs: NumberField[];
+  private readonly coordinates: Coordinates;
   private readonly table = h("table", {});
   private readonly hint = h("p", { className: "hint" }, HINT);
 
@@ -35,7 +37,8 @@ export class Ruler {
     private readonly app: App,
     private readonly stage: Stage,
   ) {
-    this.inputs = PLACES.map((label) => new NumberField({ label, optional: true, take: () => this.type(), props: { title: `The ${label}` } }));
+    this.coordinates = new Coordinates(app, "Coordinates of the ruler’s places", () => this.show());
+    this.inputs = PLACES.map((label) => new NumberField({ label, signed: true, optional: true, grows: true, take: () => this.type(), props: { title: `The ${label}` } }));
     const fields = this.inputs.map(({ element }) => element);
     this.element.append(
       h(
@@ -43,6 +46,7 @@ export class Ruler {
         {},
         h("h2", {}, "Ruler"),
         h("div", { className: "places" }, "from", ...fields.slice(0, 2), "to", ...fields.slice(2), "m"),
+        this.coordinates.element,
         button("Copy the values", "copy", () => void this.copy()),
         h("button", { type: "button", className: "close", title: "Close (M)", "aria-label": "Close the ruler", onclick: () => this.toggle() }, "×"),
       ),
@@ -94,10 +98,7 @@ export class Ruler {
   private type(): void {
     const numbers = this.inputs.flatMap(({ number }) => number ?? []);
     if (numbers.length < PLACES.length) return;
-    const run = this.app.current!;
-    const { columns, rows, cell_size } = run.description!.lattice;
-    const within = (place: number, count: number) => Math.min(Math.max(place, 0), count * cell_size);
-    this.line = numbers.map((place, at) => within(place, at % 2 ? rows : columns)) as SectionLine;
+    this.line = this.coordinates.read(numbers, this.line);
     this.half = false;
     this.show();
   }
@@ -105,14 +106,15 @@ export class Ruler {
   private show(): void {
     const run = this.app.current;
     if (!this.active || !run?.ready) return this.stage.showLine("ruler", null);
+    this.coordinates.offer();
     const { columns, rows, cell_size } = run.description!.lattice;
     const [w, d] = [columns * cell_size, rows * cell_size];
     this.stage.showLine("ruler", this.line && [this.line[0] / w, this.line[1] / d, this.line[2] / w, this.line[3] / d]);
     this.hint.hidden = this.line !== null && !this.half;
     const known = this.second ? 4 : 2;
-    this.line?.forEach((place, at) => {
+    this.line?.forEach((_, at) => {
       const input = this.inputs[at]!;
-      if (input.element !== document.activeElement || !this.half) input.show(at < known ? Number(place.toPrecision(5)) : null);
+      if (input.element !== document.activeElement || !this.half) input.show(at < known ? this.coordinates.shown(this.line!, at) : null);
     });
     this.table.replaceChildren(...this.rows());
   }
@@ -134,6 +136,14 @@ export class Ruler {
     return [head, ...runs.map((run) => h("tr", {}, two && h("th", { scope: "row" }, this.name(run)), ...values(distance(run, line))))];
   }
 
+  /** Both places as eastings and northings, where the ground has them. */
+  private onTheMap(): string[] {
+    const { place } = this.coordinates;
+    if (!place || !this.line) return [];
+    const numbers = this.line.map((one, at) => (one + (at % 2 ? place.south : place.west)).toFixed(3));
+    return [`eastings and northings (m${place.crs ? `, ${place.crs}` : ""})\t${numbers.join("\t")}`];
+  }
+
   private name(run: Run): string {
     return nameBeside(run, this.app.runs.find((one) => one !== run));
   }
@@ -141,7 +151,8 @@ export class Ruler {
   private async copy(): Promise<void> {
     const rows = [...this.table.rows].map((row) => [...row.cells].map((cell) => cell.textContent).join("\t"));
     const step = `step\t${this.app.current?.status?.step ?? ""}`;
-    await copyText([step, `places (m)\t${this.line?.map((place) => Number(place.toPrecision(7))).join("\t") ?? ""}`, ...rows, ""].join("\n"));
+    const places = `places (m)\t${this.line?.map((place) => Number(place.toPrecision(7))).join("\t") ?? ""}`;
+    await copyText([step, places, ...this.onTheMap(), ...rows, ""].join("\n"));
     this.app.note("info", "The values of the ruler are copied.");
   }
 }

@@ -67,9 +67,16 @@ export class StateNotice {
       "too much": { text: "The page sent more messages than the server takes, and the connection was closed.", way: again("connect again") },
       full: { text: "No more windows may watch this studio at once.", way: again("try again") },
       "other version": { text: "This page was built from another version of Barchan than the one that serves it. Load it again. If this message comes back, end the studio in its terminal and start it again: the terminal then says how the page is brought up to date.", way: () => action("load the page again", () => location.reload()) },
-      "no answer": { text: "The studio’s server does not answer: it has ended, or the network is down. Start the studio again if it has ended; this page tries to reach it every second.", way: again("try now") },
+      "no answer": { text: `The studio’s server does not answer: it has ended, or the network is down. Start the studio again if it has ended; this page tries to reach it every second.${this.fate()}`, way: again("try now") },
     };
     return states[state];
+  }
+
+  /** What becomes of the runs of a server that does not answer; nothing is promised that it has told it cannot keep. */
+  private fate(): string {
+    const { runs, unkept, watching } = this.app;
+    if (watching || unkept || !runs.some((run) => run.ready)) return "";
+    return " If it ended unexpectedly, the runs are on disk as they were a short while before, with one that was set aside, and the studio offers them when it starts again; after Ctrl-C only what was saved is left.";
   }
 
   private ofRuns(): State | null {

@@ -20,6 +20,7 @@ export class Toasts {
   ) {
     this.element = h("div", { className: "said" }, this.list, this.said);
     app.notices.changed.watch(() => this.show());
+    app.connection.state.watch(() => this.enable());
     app.notices.logged.watch((entry) => {
       if (entry.level !== "error") this.said.textContent = entry.text;
     });
@@ -45,6 +46,11 @@ export class Toasts {
     else this.rest.remove();
   }
 
+  /** What leads on asks the server, and cannot be used without it. */
+  private enable(): void {
+    for (const way of this.list.querySelectorAll<HTMLButtonElement>("button.lead-on")) way.disabled = !this.app.connected;
+  }
+
   private toast(entry: Entry): HTMLElement {
     const dismiss = () => this.app.notices.dismiss(entry);
     const show = h("button", { type: "button", onclick: () => this.lead(entry.key) }, "show");
@@ -56,7 +62,7 @@ export class Toasts {
       "li",
       { className: `toast ${entry.level}${entry.way ? " way" : ""}` },
       h("span", { role: entry.level === "error" ? "alert" : "status", title: entry.text }, entry.text),
-      entry.way && h("button", { type: "button", onclick: go }, entry.way.name),
+      entry.way && h("button", { type: "button", className: "lead-on", disabled: !this.app.connected, onclick: go }, entry.way.name),
       entry.key !== "" && show,
       h("button", { type: "button", className: "close", title: "Dismiss", "aria-label": `Dismiss: ${entry.text}`, onclick: dismiss }, "×"),
     );

@@ -6,7 +6,8 @@ import type { App } from "../core/app";
 import { centreOf, crestMarks, named, nearest, reachOf } from "../core/crests";
 import { nameOfRun } from "../core/file_name";
 import { type MeasuresTable, measuresCsv } from "../core/measures_csv";
-import type { Measure } from "../core/protocol";
+import { spokenKey } from "../core/notices";
+import type { JsonObject, Measure } from "../core/protocol";
 import { type Run, namesOf } from "../core/run";
 import { BalanceTable } from "./balance";
 import { CHART_FONT, download, button, h, short, themeColour } from "../ui/dom";
@@ -98,9 +99,9 @@ export class SeriesView {
       const data = this.data(measure.name);
       box.classList.toggle("bare", !data.slice(1).some((values) => Array.from(values!).some((one) => one != null)));
       chart.setData(data);
-      const found = this.app.runs.map((run) => lastOf(run, measure.name));
+      const found = this.app.runs.map((run) => lastOf(run, measure));
       const parts = found.map(({ text }, at) => h("b", { className: this.app.runs.length > 1 ? `run-${at}` : "" }, text));
-      value.replaceChildren(...parts.flatMap((part, at) => (at ? [" | ", part] : [part])), measure.unit === "-" ? "" : ` ${measure.unit}`);
+      value.replaceChildren(...parts.flatMap((part, at) => (at ? [" | ", part] : [part])), measure.unit === "-" || found.every(({ none }) => none) ? "" : ` ${measure.unit}`);
       value.title = [measure.reference, ...found.map(({ doubt }) => doubt)].filter(Boolean).join("; ");
     }
   }
@@ -205,11 +206,31 @@ export class SeriesView {
   }
 }
 
-/** The last value of a measure of a run, and why it should not be quoted. */
-function lastOf(run: Run, name: string): { text: string; doubt: string } {
-  const last = run.measures.findLast((row) => row.values[name] != null)?.values[name];
-  const doubt = run.measures.at(-1)?.doubts[name] ?? "";
-  return { text: last == null ? "no value yet" : `${short(last, 3)}${doubt && " ?"}`, doubt };
+/** The last value of a measure of a run, and why it should not be quoted, or why there is none. */
+function lastOf(run: Run, measure: Measure): { text: string; doubt: string; none?: boolean } {
+  const last = run.measures.findLast((row) => row.values[measure.name] != null)?.values[measure.name];
+  const row = run.measures.at(-1);
+  const doubt = row?.doubts[measure.name] ?? row?.failed ?? "";
+  if (last != null) return { text: `${short(last, 3)}${doubt && " ?"}`, doubt };
+  const never = neverOf(run, measure);
+  const why = never || doubt;
+  return { text: `${never || isOver(run) ? "no value" : "no value yet"}${why && `: ${why}`}`, doubt: why, none: true };
+}
+
+/** What the remarks of a run say of measures that never have a value: the words before the reason, as the scenario's are. */
+const NEVER = "migration will have no value: ";
+
+/** Why a measure will have no value at all, which the scenario tells; empty where it may have one. */
+function neverOf({ description }: Run, { title }: Measure): string {
+  const saved = (description?.scenario.run as JsonObject | undefined)?.save_every;
+  if (!title.startsWith("migration") || description?.measured_every !== saved) return ""; // it is measured at other steps than are saved
+  const said = description?.remarks.find((remark) => remark.startsWith(NEVER)) ?? "";
+  return said.slice(NEVER.length).replaceAll(/\brun\.save_every\b/g, spokenKey("run.save_every"));
+}
+
+/** Whether a run has come to its end, and is measured no more. */
+function isOver({ status }: Run): boolean {
+  return status !== null && !status.running && (Boolean(status.finished) || status.live >= (status.end ?? Infinity));
 }
 
 /** The line of a run in a chart; where it is of ``dots`` every value stands alone. */

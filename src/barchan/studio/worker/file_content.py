@@ -12,15 +12,17 @@ from barchan.wind.recorded import Recorded
 
 
 def file_content(path: Path) -> dict[str, Any]:
-    """Heights, and whether the file is a record of winds; each is read as a scenario would read it.
+    """Heights, and where there are none whether it is a record of winds; read as a scenario would read it.
 
     What cannot be read is refused with the reason by the command that uses it.
     """
     heights = heights_in(path) if path.suffix.lower() in READERS else None
+    record = False
     if heights is None:
         with suppress(ScenarioError):
             Recorded(path=str(path)).series()
-    return {"heights": heights}
+            record = True
+    return {"heights": heights, "record": record}
 
 
 def heights_in(path: Path) -> dict[str, Any] | None:
