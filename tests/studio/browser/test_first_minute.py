@@ -131,6 +131,34 @@ def test_full_screen_leaves_the_scene_with_large_type(studio):
     assert page.locator(".panel").is_visible()
 
 
+CLIPPED = """(() => {
+    const bar = document.querySelector(".status").getBoundingClientRect();
+    const seen = [...document.querySelectorAll(".status > div")].filter((one) => {
+        const { top, height } = one.getBoundingClientRect();
+        return height > 0 && top < bar.bottom;
+    });
+    const parts = seen.flatMap((one) => [one, ...one.children]).map((one) => one.getBoundingClientRect());
+    const whole = ({ top, bottom, left, right }) =>
+        top >= bar.top - 0.5 && bottom <= bar.bottom + 0.5 && left >= bar.left - 0.5 && right <= bar.right + 0.5;
+    return { seen: seen.length, cut: parts.filter((part) => !whole(part)).length };
+})()"""
+"""Numbers in the bar that are seen, and how many of them and their names are seen in part."""
+
+
+@pytest.mark.parametrize("size", [(1280, 720), (1600, 900)])
+def test_full_screen_shows_the_numbers_of_the_bar_whole(studio, size):
+    studio.page.set_viewport_size({"width": size[0], "height": size[1]})
+    studio.ask("document.documentElement.classList.add('large')")
+    studio.step_beyond(5)
+    assert studio.ask(CLIPPED) == {"seen": 4, "cut": 0}
+    studio.ask("window.barchan.app.send({ command: 'compare', model: 'momiji' })")
+    studio.until("window.barchan.app.runs.length === 2 && window.barchan.app.runs[1].ready")
+    studio.until("document.querySelector('[data-status=highest]').innerText.includes('|')")
+    assert studio.ask(CLIPPED) == {"seen": 4, "cut": 0}
+    studio.ask("window.barchan.app.send({ command: 'alone' })")
+    studio.until("window.barchan.app.runs.length === 1")
+
+
 @pytest.mark.parametrize("transparent", [False, True])
 def test_a_picture_of_any_size_is_drawn_beside_the_page(studio, transparent):
     studio.pause()
