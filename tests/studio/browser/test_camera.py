@@ -1,6 +1,7 @@
 """The camera of the studio: the whole field is in view, whatever its shape, the window and the dock."""
 
 import json
+import time
 
 import numpy as np
 import pytest
@@ -147,6 +148,39 @@ def test_the_view_turns_slowly_while_it_is_left_alone_unless_it_shall_not(studio
     studio.ask("window.barchan.app.view.set({ turning: true })")
     studio.page.emulate_media(reduced_motion="reduce")
     assert not studio.ask("window.barchan.stage.view.mayTurn()")
+
+
+def test_a_drag_beside_the_field_turns_the_view_but_not_while_a_brush_is_lit(studio):
+    studio.pause()
+    studio.ask("window.barchan.app.view.set({ turning: false })")
+    before = studio.ask("window.barchan.stage.standpoint()")
+    studio.page.keyboard.press("b")
+    studio.drag((0.02, 0.95), (0.3, 0.9))
+    studio.drag((0.02, 0.95), (0.5, 0.5))
+    time.sleep(0.5)
+    studio.picture()
+    assert studio.ask("window.barchan.stage.standpoint()") == before
+    assert studio.status()["undo"] == 0
+    studio.page.keyboard.press("b")
+    studio.drag((0.02, 0.95), (0.3, 0.9))
+    studio.until(f"window.barchan.stage.standpoint().position[0] !== {before['position'][0]}")
+
+
+def test_the_glide_after_a_drag_ends_after_a_time_however_few_pictures_are_drawn(studio):
+    studio.pause()
+    studio.ask("window.barchan.app.view.set({ turning: false })")
+    studio.ask(
+        "window.barchan.stage.renderer.setAnimationLoop(null)"
+    )  # no pictures but those that are asked for
+    heading = studio.ask("window.barchan.stage.heading()")
+    studio.drag((0.3, 0.5), (0.7, 0.5))
+    time.sleep(0.5)
+    after = []
+    for _ in range(4):
+        studio.ask("window.barchan.stage.tick()")
+        after.append(studio.ask("window.barchan.stage.heading()"))
+    assert after[0] != heading
+    assert after == pytest.approx([after[0]] * 4, abs=1e-9)
 
 
 @pytest.mark.parametrize("angle", [10, 60])

@@ -139,7 +139,7 @@ CLIPPED = """(() => {
     });
     const parts = seen.flatMap((one) => [one, ...one.children]).map((one) => one.getBoundingClientRect());
     const whole = ({ top, bottom, left, right }) =>
-        top >= bar.top - 0.5 && bottom <= bar.bottom + 0.5 && left >= bar.left - 0.5 && right <= bar.right + 0.5;
+        Math.min(top - bar.top, bar.bottom - bottom, left - bar.left, bar.right - right) >= -0.5;
     return { seen: seen.length, cut: parts.filter((part) => !whole(part)).length };
 })()"""
 """Numbers in the bar that are seen, and how many of them and their names are seen in part."""
