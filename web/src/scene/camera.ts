@@ -158,7 +158,7 @@ export class Camera {
     this.onMoved();
   }
 
-  /** Move away, where the whole field is in view, so that it stays so in pictures of an aspect while the camera turns around by an angle (radians). */
+  /** Move away, where the whole field is in view or nobody has moved the camera, so that it stays so in pictures of an aspect while the camera turns around by an angle (radians). */
   keepWhole(around: number, aspect: number): void {
     const { target } = this.controls;
     const offset = this.active.position.clone().sub(target);
@@ -167,8 +167,8 @@ export class Camera {
     const points = Array.from({ length: count + 1 }, (_, at) => turned((around * at) / Math.max(count, 1))).flat();
     const { fov } = this.perspective;
     const half = this.parallel.top / this.parallel.zoom;
-    const whole = this.isParallel ? halfHeightFor(turned(0), this.aspect, 1) <= half : distanceFor(turned(0), this.aspect, fov, 1) <= offset.length();
-    if (!whole) return;
+    const seen = this.isParallel ? halfHeightFor(turned(0), this.aspect, 1) <= half : distanceFor(turned(0), this.aspect, fov, 1) <= offset.length();
+    if (this.touched && !seen) return;
     this.touch();
     if (this.isParallel) this.parallel.zoom = this.parallel.top / Math.max(half, halfHeightFor(points, aspect));
     else this.active.position.copy(target).addScaledVector(offset.normalize(), Math.max(offset.length(), distanceFor(points, aspect, fov)));
@@ -191,8 +191,9 @@ export class Camera {
     if (idle) this.turned += this.controls.getAzimuthalAngle() - before;
   }
 
-  /** Let a glide end at once. */
+  /** Let a glide end at once, and the slow turn; that begins after a while. */
   settle(): void {
+    this.lastTouch = performance.now();
     this.controls.autoRotate = false;
     this.controls.dampingFactor = 1;
     this.controls.update();

@@ -16,6 +16,8 @@ const DUSKY = 0.55;
 /** Lines over the surface, by what they are for; shares of the field, or none. */
 export type Lines = Record<keyof typeof INKS, Ends | null>;
 
+export const NO_LINES: Lines = { section: null, ruler: null };
+
 /** How a scene is drawn. */
 export interface Manner {
   camera: THREE.Camera;

@@ -48,7 +48,9 @@ export class Terrain {
   private readonly top: THREE.ShaderMaterial;
   private readonly side: THREE.ShaderMaterial;
   private textures: FieldTextures | null = null;
-  private shape = "";
+  /** The lattice that it is drawn of, and that with the fineness of the mesh. */
+  private lattice = "";
+  private mesh = "";
   private ground: Float32Array = new Float32Array(0);
   private groundKey: [Float32Array | null, number] = [null, 0];
   private map = "";
@@ -236,10 +238,11 @@ export class Terrain {
 
   private reshape(run: Run, plain: boolean): void {
     const { lattice } = run.description!;
-    const shape = `${run.rows}x${run.columns}x${lattice.cell_size}${plain}`;
-    if (shape === this.shape) return;
-    this.shape = shape;
-    this.usual = Number.POSITIVE_INFINITY;
+    const shape = `${run.rows}x${run.columns}x${lattice.cell_size}`;
+    if (`${shape}${plain}` === this.mesh) return;
+    if (shape !== this.lattice) this.usual = Number.POSITIVE_INFINITY; // not for a picture that is drawn more finely than the page
+    this.lattice = shape;
+    this.mesh = `${shape}${plain}`;
     this.extent = [run.columns * lattice.cell_size, run.rows * lattice.cell_size];
     this.scale = SIZE / Math.max(...this.extent);
     this.textures?.dispose();
