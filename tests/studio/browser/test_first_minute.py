@@ -92,10 +92,16 @@ def test_the_first_step_of_the_tour_waits_for_its_reader_although_dunes_stand(st
     studio.ask(f"window.barchan.app.create({json.dumps(fresh)}, false)")
     studio.until(f"{RUN}.description.scenario.title === 'At its beginning' && {RUN}.status.step === 0")
     studio.ask("window.barchan.tour.begin()")
+    studio.ask("window.barchan.stage.renderer.setAnimationLoop(null)")  # frames come, none is drawn
+    studio.ask(f"void Object.assign({RUN}.status, {{ step: 300 }})")
+    studio.ask("window.barchan.app.framed.send(window.barchan.app.current)")
+    assert page.get_by_text("Dunes stand now.").count() == 0
+    studio.ask(f"void Object.assign({RUN}.status, {{ step: 0 }})")
+    studio.ask("window.barchan.stage.renderer.setAnimationLoop(() => window.barchan.stage.tick())")
     page.get_by_text("Dunes stand now.").wait_for(timeout=60_000)
     studio.until("!window.barchan.app.running")
     page.get_by_text("1 of 3").wait_for()
-    assert studio.status()["step"] == 120
+    assert studio.status()["step"] == 250
     assert page.locator(".notice").is_hidden()
     page.get_by_role("button", name="End the tour").click()
 
