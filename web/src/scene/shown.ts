@@ -45,8 +45,9 @@ export class Shown {
     readonly run: Run,
     linear: boolean,
     host: Element,
+    winds: Map<string, number>,
   ) {
-    this.terrain = new Terrain(app, this.light, linear, host);
+    this.terrain = new Terrain(app, this.light, linear, host, winds);
     this.scene.add(this.around.group, this.terrain.group, this.marks.section.group, this.marks.ruler.group);
   }
 

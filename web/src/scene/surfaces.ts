@@ -21,6 +21,8 @@ export class Surfaces {
   private steep = 1;
   private shown: Shown[] = [];
   private room = EMPTY.clone();
+  /** The wind (degrees) by which the sun stood over a run, by its scenario: one that is gone back to is lit as before. */
+  private readonly winds = new Map<string, number>();
 
   constructor(
     private readonly app: App,
@@ -51,7 +53,7 @@ export class Surfaces {
     const before = this.shown;
     if (before.length === runs.length && before.every((one, at) => one.run === runs[at])) return false;
     const linear = this.renderer.extensions.has("OES_texture_float_linear");
-    this.shown = runs.map((run) => before.find((one) => one.run === run) ?? new Shown(this.app, run, linear, this.host));
+    this.shown = runs.map((run) => before.find((one) => one.run === run) ?? new Shown(this.app, run, linear, this.host, this.winds));
     for (const one of before) if (!this.shown.includes(one)) one.terrain.dispose();
     return true;
   }

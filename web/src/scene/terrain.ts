@@ -3,6 +3,7 @@
 import * as THREE from "three";
 import type { App } from "../core/app";
 import { ends } from "../core/profile";
+import type { Description } from "../core/protocol";
 import type { Run } from "../core/run";
 import { grid, skirt } from "./block";
 import { type Colouring, colouring } from "./colouring";
@@ -42,6 +43,9 @@ export class Terrain {
   /** The smoothing with which it is drawn, and for which `usual` was chosen. */
   private smoothing = -1;
   private lastStep = -1;
+  /** The scenario (as a text) whose first wind was noted last, and its description. */
+  private described: Description | null = null;
+  private scenario = "";
   private readonly paths: PathLines;
   private readonly plants: Plants;
   private readonly relief: Relief;
@@ -60,6 +64,7 @@ export class Terrain {
     light: LightUniforms,
     private readonly linear: boolean,
     host: Element,
+    private readonly winds: Map<string, number>,
   ) {
     this.paths = new PathLines(host);
     this.uniforms = { ...terrainUniforms(), ...light };
@@ -151,7 +156,13 @@ export class Terrain {
       this.forget();
       run.painted = false;
     }
-    this.firstWind ??= wind;
+    if (this.described !== run.description) {
+      this.described = run.description;
+      this.scenario = JSON.stringify(run.description!.scenario);
+    }
+    const one = `${this.app.runs.length} ${this.scenario}`; // a run that is compared is another one than that before it
+    this.firstWind ??= (step > 0 ? this.winds.get(one) : undefined) ?? wind;
+    this.winds.set(one, this.firstWind);
     this.lastStep = step;
   }
 
