@@ -26,3 +26,12 @@ def test_words_of_a_preset_call_others_by_their_titles_with_their_names_behind(n
         named = re.findall(rf"(?<![\w-])(?:{other})(?![\w-])", rest)
         assert [found for found in named if "-" in found] == []
         assert not re.search(rf"[Cc]ompare with (?:{other})(?![\w-])", rest)
+
+
+@pytest.mark.parametrize("name", preset_names())
+def test_words_of_a_preset_tell_directions_by_compass(name):
+    """What is up or to the right on the screen depends on where the camera stands."""
+    scenario = load_scenario(name)
+    assert not re.search(
+        r"\b(upper|lower) (left|right)\b|\bto the (left|right)\b", scenario.look_for + scenario.question
+    )

@@ -114,10 +114,11 @@ const messages = h("div", { className: "messages" }, new StateNotice(app).elemen
 
 app.notices.logged.watch((entry) => entry.level !== "info" && dock.mark(log));
 
-const tour = new Tour(app, () => {
+const openWind = () => {
   side.unfold();
   tabs.choose(1);
-});
+};
+const tour = new Tour(app, openWind, stage.painted);
 const showGallery = () => void gallery(app, () => tour.begin(), unfinished).catch((error) => app.refused(error));
 
 const turn = Math.PI / 36;

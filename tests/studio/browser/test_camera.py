@@ -1,6 +1,7 @@
 """The camera of the studio: the whole field is in view, whatever its shape, the window and the dock."""
 
 import json
+import time
 
 import numpy as np
 import pytest
@@ -149,6 +150,39 @@ def test_the_view_turns_slowly_while_it_is_left_alone_unless_it_shall_not(studio
     assert not studio.ask("window.barchan.stage.view.mayTurn()")
 
 
+def test_a_drag_beside_the_field_turns_the_view_but_not_while_a_brush_is_lit(studio):
+    studio.pause()
+    studio.ask("window.barchan.app.view.set({ turning: false })")
+    before = studio.ask("window.barchan.stage.standpoint()")
+    studio.page.keyboard.press("b")
+    studio.drag((0.02, 0.95), (0.3, 0.9))
+    studio.drag((0.02, 0.95), (0.5, 0.5))
+    time.sleep(0.5)
+    studio.picture()
+    assert studio.ask("window.barchan.stage.standpoint()") == before
+    assert studio.status()["undo"] == 0
+    studio.page.keyboard.press("b")
+    studio.drag((0.02, 0.95), (0.3, 0.9))
+    studio.until(f"window.barchan.stage.standpoint().position[0] !== {before['position'][0]}")
+
+
+def test_the_glide_after_a_drag_ends_after_a_time_however_few_pictures_are_drawn(studio):
+    studio.pause()
+    studio.ask("window.barchan.app.view.set({ turning: false })")
+    studio.ask(
+        "window.barchan.stage.renderer.setAnimationLoop(null)"
+    )  # no pictures but those that are asked for
+    heading = studio.ask("window.barchan.stage.heading()")
+    studio.drag((0.3, 0.5), (0.7, 0.5))
+    time.sleep(0.5)
+    after = []
+    for _ in range(4):
+        studio.ask("window.barchan.stage.tick()")
+        after.append(studio.ask("window.barchan.stage.heading()"))
+    assert after[0] != heading
+    assert after == pytest.approx([after[0]] * 4, abs=1e-9)
+
+
 @pytest.mark.parametrize("angle", [10, 60])
 def test_the_field_fills_the_view_through_any_lens(studio, angle):
     begin(studio, rows=48, columns=64)
@@ -195,3 +229,61 @@ def test_a_detail_that_is_looked_at_stays_as_near_in_a_film(studio):
     before = studio.ask("window.barchan.stage.standpoint()")
     studio.ask("window.barchan.stage.keepWhole(Math.PI, 1280, 720)")
     assert studio.ask("window.barchan.stage.standpoint()") == before
+
+
+def opened_picture_sheet(studio):
+    studio.page.locator("summary", has_text="File").click()
+    studio.page.get_by_role("menuitem", name="Picture with title").click()
+    previewed = "(({ width, height }) => width + height !== 450)(document.querySelector('.preview'))"
+    studio.until(previewed)  # a canvas is of 300 x 150 pixels before something is drawn on it
+    return studio.page.get_by_role("dialog")
+
+
+def test_camera_and_exaggeration_stand_still_while_the_sheet_of_a_picture_is_open(studio):
+    begin(studio, rows=48, columns=64)
+    studio.ask("window.barchan.app.view.set({ quality: 'full', turning: true })")
+    opened_picture_sheet(studio)
+    studio.ask("void (window.barchan.stage.view.lastTouch = -1e6)")
+    steep = "window.barchan.stage.terrain(window.barchan.app.runs[0]).exaggeration"
+    before = [studio.ask("window.barchan.stage.standpoint()"), studio.ask(steep)]
+    studio.ask("window.barchan.app.send({ command: 'run', until: 60 })")
+    studio.until("window.barchan.app.runs[0].status.step === 60")
+    studio.picture()
+    assert [studio.ask("window.barchan.stage.standpoint()"), studio.ask(steep)] == before
+    studio.page.keyboard.press("Escape")
+    studio.until(f"{steep} < {before[1]}")
+    assert not studio.ask("window.barchan.stage.steady")
+
+
+def test_a_finer_picture_leaves_the_exaggeration_of_what_is_painted_on(studio):
+    begin(studio, rows=48, columns=64)
+    studio.ask("window.barchan.app.view.set({ quality: 'plain', turning: false })")
+    steep = "window.barchan.stage.terrain(window.barchan.app.runs[0]).exaggeration"
+    before = studio.ask(steep)
+    studio.page.keyboard.press("b")
+    studio.ask("window.barchan.app.runs[0].painted = true")
+    for x in (20, 40):
+        stroke = {"kind": "material", "radius": 6, "amount": 60, "falloff": "smooth"}
+        found = studio.ask("window.barchan.app.runs[0].description.brushes[0].stroke")
+        stroke = {**stroke, **found}
+        places = [[x, y] for y in range(4, 44, 3)]
+        command = {"command": "stroke", "begin": True, "places": places, "stroke": stroke}
+        studio.ask(f"window.barchan.app.send({json.dumps(command)})")
+        studio.ask("window.barchan.app.send({ command: 'stroke', end: true })")
+        studio.catch_up()
+    assert studio.ask(steep) == before > 1
+    opened_picture_sheet(studio)
+    assert studio.ask(steep) == before
+    studio.page.keyboard.press("Escape")
+    studio.picture()
+    assert studio.ask(steep) == before
+
+
+def test_lines_over_the_surface_are_left_out_of_pictures_unless_asked_for(studio):
+    begin(studio, rows=48, columns=64)
+    asked = """(lines) => window.barchan.stage.shoot({ width: 120, height: 80, lines })
+        .then(({ canvas }) => canvas.toDataURL())"""
+    plain = studio.page.evaluate(asked, False)
+    studio.ask("window.barchan.stage.showLine('section', [0.1, 0.1, 0.9, 0.9])")
+    assert studio.page.evaluate(asked, False) == plain
+    assert studio.page.evaluate(asked, True) != plain

@@ -1,6 +1,7 @@
 """Films of the scene: of kept states by the studio's own camera, and recorded while the run goes on."""
 
 import io
+import json
 import os
 import shutil
 from pathlib import Path
@@ -8,6 +9,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 from PIL import Image
+
+from barchan.scenario import load_scenario
+from tests.studio.browser.conftest import SMALL
 
 RUN = "window.barchan.app.runs[0]"
 
@@ -62,6 +66,51 @@ def test_a_film_of_kept_states_is_drawn_by_the_camera_of_the_scene(studio):
     assert after["position"] == pytest.approx(before["position"], abs=1e-6)
     studio.until("window.barchan.app.running")
     assert list((studio.folder / "studio-exports").rglob(f"barchans{suffix}"))
+
+
+OUT = """(() => {
+    const { stage, app } = window.barchan;
+    const shoot = stage.shoot.bind(stage);
+    window.farthest = [];
+    stage.shoot = async (options) => {
+        const shot = await shoot(options);
+        const camera = stage.camera.clone();
+        camera.aspect = options.width / options.height;
+        camera.updateProjectionMatrix();
+        camera.updateMatrixWorld();
+        const { min, max } = stage.terrain(app.runs[0]).box();
+        for (const x of [min.x, max.x]) for (const y of [min.y, max.y]) for (const z of [min.z, max.z])
+            window.farthest.push(Math.abs(min.clone().set(x, y, z).project(camera).x));
+        return shot;
+    };
+})()"""
+"""Note for each picture how far aside the corners of the field lie, as shares of half its width."""
+
+
+@pytest.mark.extended
+def test_a_field_that_fills_a_wide_window_is_whole_in_a_film(studio):
+    page = studio.page
+    page.set_viewport_size({"width": 1600, "height": 520})
+    wide = {**SMALL, "lattice.rows": "24", "lattice.columns": "96"}
+    scenario = {**load_scenario("barchans", list(wide.items())).data(), "title": "Wide"}
+    studio.ask(f"window.barchan.app.create({json.dumps(scenario)}, false)")
+    studio.until(f"{RUN}.ready && {RUN}.rows === 24")
+    studio.ask("window.barchan.app.send({ command: 'run', until: 20 })")
+    studio.until(f"{RUN}.status.step === 20 && !window.barchan.app.running")
+    studio.ask("window.barchan.app.view.set({ turning: false })")
+    studio.picture()
+    studio.ask("window.barchan.stage.turn(0.01, 0, 0.9)")
+    before = studio.ask("window.barchan.stage.standpoint()")
+    studio.ask(OUT)
+    sheet = open_sheet(page, "Film of what was just seen")
+    sheet.get_by_label("States of the film, the last ones").fill("2")
+    with page.expect_download(timeout=120_000):
+        sheet.get_by_role("button", name="write the film").click()
+    farthest = studio.ask("window.farthest")
+    assert len(farthest) == 16
+    assert max(farthest) < 1
+    studio.until("!window.barchan.stage.steady")
+    assert studio.ask("window.barchan.stage.standpoint()")["position"] == pytest.approx(before["position"])
 
 
 @pytest.mark.extended

@@ -92,10 +92,16 @@ def test_the_first_step_of_the_tour_waits_for_its_reader_although_dunes_stand(st
     studio.ask(f"window.barchan.app.create({json.dumps(fresh)}, false)")
     studio.until(f"{RUN}.description.scenario.title === 'At its beginning' && {RUN}.status.step === 0")
     studio.ask("window.barchan.tour.begin()")
+    studio.ask("window.barchan.stage.renderer.setAnimationLoop(null)")  # frames come, none is drawn
+    studio.ask(f"void Object.assign({RUN}.status, {{ step: 300 }})")
+    studio.ask("window.barchan.app.framed.send(window.barchan.app.current)")
+    assert page.get_by_text("Dunes stand now.").count() == 0
+    studio.ask(f"void Object.assign({RUN}.status, {{ step: 0 }})")
+    studio.ask("window.barchan.stage.renderer.setAnimationLoop(() => window.barchan.stage.tick())")
     page.get_by_text("Dunes stand now.").wait_for(timeout=60_000)
     studio.until("!window.barchan.app.running")
     page.get_by_text("1 of 3").wait_for()
-    assert studio.status()["step"] == 120
+    assert studio.status()["step"] == 250
     assert page.locator(".notice").is_hidden()
     page.get_by_role("button", name="End the tour").click()
 
@@ -129,6 +135,34 @@ def test_full_screen_leaves_the_scene_with_large_type(studio):
     page.keyboard.press("f")
     studio.until("!document.documentElement.classList.contains('large')")
     assert page.locator(".panel").is_visible()
+
+
+CLIPPED = """(() => {
+    const bar = document.querySelector(".status").getBoundingClientRect();
+    const seen = [...document.querySelectorAll(".status > div")].filter((one) => {
+        const { top, height } = one.getBoundingClientRect();
+        return height > 0 && top < bar.bottom;
+    });
+    const parts = seen.flatMap((one) => [one, ...one.children]).map((one) => one.getBoundingClientRect());
+    const whole = ({ top, bottom, left, right }) =>
+        Math.min(top - bar.top, bar.bottom - bottom, left - bar.left, bar.right - right) >= -0.5;
+    return { seen: seen.length, cut: parts.filter((part) => !whole(part)).length };
+})()"""
+"""Numbers in the bar that are seen, and how many of them and their names are seen in part."""
+
+
+@pytest.mark.parametrize("size", [(1280, 720), (1600, 900)])
+def test_full_screen_shows_the_numbers_of_the_bar_whole(studio, size):
+    studio.page.set_viewport_size({"width": size[0], "height": size[1]})
+    studio.ask("document.documentElement.classList.add('large')")
+    studio.step_beyond(5)
+    assert studio.ask(CLIPPED) == {"seen": 4, "cut": 0}
+    studio.ask("window.barchan.app.send({ command: 'compare', model: 'momiji' })")
+    studio.until("window.barchan.app.runs.length === 2 && window.barchan.app.runs[1].ready")
+    studio.until("document.querySelector('[data-status=highest]').innerText.includes('|')")
+    assert studio.ask(CLIPPED) == {"seen": 4, "cut": 0}
+    studio.ask("window.barchan.app.send({ command: 'alone' })")
+    studio.until("window.barchan.app.runs.length === 1")
 
 
 @pytest.mark.parametrize("transparent", [False, True])

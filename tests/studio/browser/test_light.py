@@ -80,3 +80,22 @@ def show(studio, field, *overlays):
     look = {"field": field, "map": "grey", "overlays": overlays}
     studio.ask(f"window.barchan.app.view.set({json.dumps(look)})")
     studio.picture()
+
+
+def test_the_sun_that_was_there_comes_back_with_the_run_that_is_alone_again(studio):
+    begin(studio, "barchans", ("lattice.rows", "32"), ("lattice.columns", "32"), ("run.save_every", "5"))
+    studio.ask("window.barchan.app.send({ command: 'run', until: 10 })")
+    studio.until(f"{RUN}.status.step === 10 && !window.barchan.app.running")
+    studio.ask("window.barchan.app.ask({ command: 'wind', wind: { kind: 'steady', direction: 0 } })")
+    studio.until(f"{RUN}.status.wind === 0")
+    studio.ask("window.barchan.app.send({ command: 'run', until: 20 })")
+    studio.until(f"{RUN}.status.step === 20 && !window.barchan.app.running")
+    studio.picture()
+    before = studio.ask("window.barchan.stage.sun()")
+    studio.ask("window.barchan.app.ask({ command: 'compare', model: 'momiji' })")
+    studio.until("window.barchan.app.runs.length === 2 && window.barchan.app.runs[1].ready")
+    studio.picture()
+    studio.ask("window.barchan.app.ask({ command: 'alone' })")
+    studio.until(f"window.barchan.app.runs.length === 1 && {RUN}.status.step === 20")
+    studio.picture()
+    assert studio.ask("window.barchan.stage.sun()") == before

@@ -21,6 +21,9 @@ const FAR = 1500;
 const SAMPLED = Math.PI / 60;
 /** Where the plain ends in mist, of the half view above its middle. */
 const SKYLINE = 0.66;
+/** Milliseconds in which a drag's glide loses all but a third, and after which it has ended, however few pictures are drawn. */
+const FADING = 80;
+const GLIDE = 350;
 /** Degrees a second of the slow turn, and seconds without a touch before it begins. */
 const TURN = 1.6;
 const IDLE = 12;
@@ -49,11 +52,15 @@ export class Camera {
   /** Whether a button or finger is down on the scene, which alone moves nothing. */
   private held = false;
   private lastTouch = performance.now();
+  /** When the last button or finger was lifted, and when the camera was moved on last. */
+  private lifted = performance.now();
+  private lastUpdate = performance.now();
+  /** How far (radians) the slow turn has led from the usual place. */
+  private turned = 0;
 
   constructor(canvas: HTMLCanvasElement) {
     this.controls = new OrbitControls(this.perspective, canvas);
     this.controls.enableDamping = true;
-    this.controls.dampingFactor = 0.12;
     this.controls.maxPolarAngle = Math.PI / 2 - 0.005;
     this.controls.minDistance = 1;
     this.controls.maxDistance = 120;
@@ -92,8 +99,10 @@ export class Camera {
 
   /** Look from one of the usual places, so that the whole field is in view. */
   look(from: Viewpoint): void {
+    this.settle();
     this.viewpoint = from;
     this.touched = false;
+    this.turned = 0;
     this.lastTouch = performance.now();
     this.fit();
   }
@@ -149,7 +158,7 @@ export class Camera {
     this.onMoved();
   }
 
-  /** Move away, where the whole field is in view, so that it stays so in pictures of an aspect while the camera turns around by an angle (radians). */
+  /** Move away, where the whole field is in view or nobody has moved the camera, so that it stays so in pictures of an aspect while the camera turns around by an angle (radians). */
   keepWhole(around: number, aspect: number): void {
     const { target } = this.controls;
     const offset = this.active.position.clone().sub(target);
@@ -158,8 +167,8 @@ export class Camera {
     const points = Array.from({ length: count + 1 }, (_, at) => turned((around * at) / Math.max(count, 1))).flat();
     const { fov } = this.perspective;
     const half = this.parallel.top / this.parallel.zoom;
-    const whole = this.isParallel ? halfHeightFor(turned(0), this.aspect, 1) <= half : distanceFor(turned(0), this.aspect, fov, 1) <= offset.length();
-    if (!whole) return;
+    const seen = this.isParallel ? halfHeightFor(turned(0), this.aspect, 1) <= half : distanceFor(turned(0), this.aspect, fov, 1) <= offset.length();
+    if (this.touched && !seen) return;
     this.touch();
     if (this.isParallel) this.parallel.zoom = this.parallel.top / Math.max(half, halfHeightFor(points, aspect));
     else this.active.position.copy(target).addScaledVector(offset.normalize(), Math.max(offset.length(), distanceFor(points, aspect, fov)));
@@ -172,9 +181,22 @@ export class Camera {
   update(): void {
     const now = performance.now();
     const idle = !this.isParallel && this.mayTurn() && now - this.lastTouch > 1000 * IDLE;
+    const ended = !this.held && now - this.lifted > GLIDE;
+    this.controls.dampingFactor = ended ? 1 : 1 - Math.exp((this.lastUpdate - now) / FADING);
+    this.lastUpdate = now;
     this.controls.autoRotate = idle;
     this.controls.autoRotateSpeed = TURN / 6;
+    const before = this.controls.getAzimuthalAngle();
     this.controls.update(idle ? 1 / 60 : null);
+    if (idle) this.turned += this.controls.getAzimuthalAngle() - before;
+  }
+
+  /** Let a glide end at once, and the slow turn; that begins after a while. */
+  settle(): void {
+    this.lastTouch = performance.now();
+    this.controls.autoRotate = false;
+    this.controls.dampingFactor = 1;
+    this.controls.update();
   }
 
   /** Units of the scene that a pixel covers where the camera looks, in a view of this height. */
@@ -207,6 +229,7 @@ export class Camera {
 
   private hold(held: boolean): void {
     this.held = held;
+    if (!held) this.lifted = performance.now();
     this.lastTouch = performance.now();
   }
 
@@ -235,7 +258,7 @@ export class Camera {
   private usualBack(): THREE.Vector3 {
     const size = this.box.getSize(new THREE.Vector3());
     const across = this.viewpoint !== "top" && size.z > LONG * size.x ? 90 : 0;
-    const heading = ((this.viewpoint === "oblique" ? HEADING : 0) + across) * (Math.PI / 180);
+    const heading = ((this.viewpoint === "oblique" ? HEADING : 0) + across) * (Math.PI / 180) - this.turned;
     const steeper = this.isParallel ? 0 : STEEPER * (1 - narrowness(this.aspect));
     const tilt = Math.min(((TILT[this.viewpoint] + steeper) * Math.PI) / 180, Math.PI / 2 - 1e-4);
     return new THREE.Vector3(-Math.sin(heading) * Math.cos(tilt), Math.sin(tilt), Math.cos(heading) * Math.cos(tilt));

@@ -9,7 +9,7 @@ import { hillShade } from "./hill_shade";
 import { type Ends, INKS } from "./line_mark";
 import type { Shot, ShotOptions } from "./shots";
 import type { Place } from "./pick";
-import type { Lines } from "./shown";
+import { type Lines, NO_LINES } from "./shown";
 import { smoothingOf } from "./looks";
 import { smoothed } from "./smooth";
 
@@ -139,11 +139,11 @@ export class FlatStage {
   }
 
   /** A picture of any size of both maps. */
-  async shoot({ width, height }: ShotOptions): Promise<Shot> {
+  async shoot({ width, height, lines = false }: ShotOptions): Promise<Shot> {
     this.draw();
     const canvas = document.createElement("canvas");
     [canvas.width, canvas.height] = [width, height];
-    this.drawMaps(canvas.getContext("2d")!, [width, height]);
+    this.drawMaps(canvas.getContext("2d")!, [width, height], lines ? this.lines : NO_LINES);
     const metresPerPixel = 1 / this.frame(0, [width, height]).perMetre;
     return { canvas, metresPerPixel, heading: 0, statuses: new Map(this.maps.map(({ run }) => [run, run.status!])) };
   }
@@ -200,11 +200,11 @@ export class FlatStage {
     return { run, picture, exaggeration, colouring: colours, extent: [run.columns * lattice.cell_size, run.rows * lattice.cell_size] };
   }
 
-  private drawMaps(context: CanvasRenderingContext2D, size: [number, number]): void {
-    this.maps.forEach((_, at) => this.drawMap(context, at, size));
+  private drawMaps(context: CanvasRenderingContext2D, size: [number, number], lines = this.lines): void {
+    this.maps.forEach((_, at) => this.drawMap(context, at, size, lines));
   }
 
-  private drawMap(context: CanvasRenderingContext2D, at: number, size: [number, number]): void {
+  private drawMap(context: CanvasRenderingContext2D, at: number, size: [number, number], lines: Lines): void {
     const { picture, extent, colouring: colours } = this.maps[at]!;
     const { left, top, perMetre } = this.frame(at, size);
     const [width, height] = [extent[0] * perMetre, extent[1] * perMetre];
@@ -220,7 +220,7 @@ export class FlatStage {
     context.globalAlpha = 1;
     const on = (x: number, y: number): [number, number] => [left + x * width, top + (1 - y) * height];
     context.lineWidth = 2;
-    for (const [line, ink] of [[this.lines.section, INKS.section], [this.lines.ruler, INKS.ruler]] as const) {
+    for (const [line, ink] of [[lines.section, INKS.section], [lines.ruler, INKS.ruler]] as const) {
       if (!line) continue;
       context.strokeStyle = `#${ink.toString(16).padStart(6, "0")}`;
       context.beginPath();

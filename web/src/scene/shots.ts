@@ -14,6 +14,8 @@ export interface ShotOptions {
   height: number;
   /** Whether sky and plain are left out. */
   transparent?: boolean;
+  /** Whether the lines of section and ruler are drawn. */
+  lines?: boolean;
   /** Dusk or day; where it is missing, as the page. */
   dark?: boolean;
   /** Called after every tile with how many are done, and of how many; what it throws ends the picture. */

@@ -16,6 +16,8 @@ const DUSKY = 0.55;
 /** Lines over the surface, by what they are for; shares of the field, or none. */
 export type Lines = Record<keyof typeof INKS, Ends | null>;
 
+export const NO_LINES: Lines = { section: null, ruler: null };
+
 /** How a scene is drawn. */
 export interface Manner {
   camera: THREE.Camera;
@@ -43,8 +45,9 @@ export class Shown {
     readonly run: Run,
     linear: boolean,
     host: Element,
+    winds: Map<string, number>,
   ) {
-    this.terrain = new Terrain(app, this.light, linear, host);
+    this.terrain = new Terrain(app, this.light, linear, host, winds);
     this.scene.add(this.around.group, this.terrain.group, this.marks.section.group, this.marks.ruler.group);
   }
 

@@ -13,7 +13,7 @@ import type { Place } from "./pick";
 import { Quality } from "./quality";
 import type { Ends } from "./line_mark";
 import { type Shot, type ShotOptions, Tiles, blobOf } from "./shots";
-import type { Lines, Manner } from "./shown";
+import { type Lines, type Manner, NO_LINES } from "./shown";
 import { Surfaces } from "./surfaces";
 import type { Terrain } from "./terrain";
 
@@ -22,8 +22,6 @@ export class Stage {
   readonly canvas: HTMLCanvasElement;
   /** After every picture that was drawn, while it can still be copied. */
   readonly painted = new Signal<void>();
-  /** Whether the camera does not turn by itself: a film is being made. */
-  steady = false;
   /** Frames drawn, for those who measure. */
   drawn = 0;
   readonly quality: Quality;
@@ -32,6 +30,7 @@ export class Stage {
   private readonly stale = new Set<Run>();
   private dirty = true;
   private wasDirty = false;
+  private isSteady = false;
   private readonly lines: Lines = { section: null, ruler: null };
   /** The picture that is being drawn beside the page, which waits meanwhile. */
   private shooting: ShotOptions | null = null;
@@ -68,6 +67,17 @@ export class Stage {
     this.view.open(app.view.look.fieldOfView);
     this.look("oblique");
     this.renderer.setAnimationLoop(() => this.tick());
+  }
+
+  /** Whether camera and exaggeration stay as they are by themselves: a picture or a film is being made. */
+  get steady(): boolean {
+    return this.isSteady;
+  }
+
+  set steady(steady: boolean) {
+    this.isSteady = this.surfaces.held = steady;
+    this.view.settle();
+    this.redraw();
   }
 
   get camera(): THREE.Camera {
@@ -108,7 +118,7 @@ export class Stage {
     this.view.turn(around, up, nearer);
   }
 
-  /** Keep the whole field, where it is in view, in pictures of a width and a height while the camera turns by an angle (radians). */
+  /** Keep the whole field, where it is in view or nobody has moved the camera, in pictures of a width and a height while that turns by an angle (radians). */
   keepWhole(around: number, width: number, height: number): void {
     this.view.keepWhole(around, width / this.surfaces.count / height);
   }
@@ -284,7 +294,8 @@ export class Stage {
   private manner(transparent = false, wide = 1): Manner {
     const fine = this.shooting !== null || !this.plain;
     const haze = !this.view.isParallel && !transparent;
-    return { camera: this.camera, level: this.view.level(), haze, around: !transparent, fine, dark: this.dark, lines: this.lines, wide };
+    const lines = this.shooting && !this.shooting.lines ? NO_LINES : this.lines;
+    return { camera: this.camera, level: this.view.level(), haze, around: !transparent, fine, dark: this.dark, lines, wide };
   }
 
   /** Whether the scene is at dusk, as the picture that is being drawn asks, or the view. */

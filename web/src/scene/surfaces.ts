@@ -15,8 +15,14 @@ const ROOM = 1.3;
 const LOW = 0.4;
 
 export class Surfaces {
+  /** Whether exaggeration and room stay as they are: pictures that are drawn one after the other shall agree. */
+  held = false;
+  /** How many times steeper the surfaces were drawn last, unless that is chosen. */
+  private steep = 1;
   private shown: Shown[] = [];
   private room = EMPTY.clone();
+  /** The wind (degrees) by which the sun stood over a run, by its scenario: one that is gone back to is lit as before. */
+  private readonly winds = new Map<string, number>();
 
   constructor(
     private readonly app: App,
@@ -47,7 +53,7 @@ export class Surfaces {
     const before = this.shown;
     if (before.length === runs.length && before.every((one, at) => one.run === runs[at])) return false;
     const linear = this.renderer.extensions.has("OES_texture_float_linear");
-    this.shown = runs.map((run) => before.find((one) => one.run === run) ?? new Shown(this.app, run, linear, this.host));
+    this.shown = runs.map((run) => before.find((one) => one.run === run) ?? new Shown(this.app, run, linear, this.host, this.winds));
     for (const one of before) if (!this.shown.includes(one)) one.terrain.dispose();
     return true;
   }
@@ -61,16 +67,16 @@ export class Surfaces {
       terrain.settle(run, !full);
     }
     const ready = this.shown.filter(({ run, terrain }) => run.ready && terrain.drawn.length);
-    const steep = Math.min(...ready.map(({ terrain }) => terrain.usual));
+    if (!this.held) this.steep = Math.min(...ready.map(({ terrain }) => terrain.usual));
     for (const one of ready) {
-      if (due.includes(one) || one.terrain.differsFrom(steep)) one.terrain.update(one.run, this.renderer, !full, steep);
+      if (due.includes(one) || one.terrain.differsFrom(this.steep)) one.terrain.update(one.run, this.renderer, !full, this.steep);
     }
   }
 
   /** The box that the surfaces fill, with room to grow in, so that the view does not move with each step. */
   box(): THREE.Box3 {
     const terrain = this.shown.find(({ run, terrain }) => run.ready && terrain.drawn.length)?.terrain;
-    if (!terrain) return this.room;
+    if (!terrain || this.held) return this.room;
     const box = terrain.box();
     const { max } = this.room;
     const same = max.x === box.max.x && max.z === box.max.z;

@@ -3,6 +3,7 @@
 import * as THREE from "three";
 import type { App } from "../core/app";
 import { ends } from "../core/profile";
+import type { Description } from "../core/protocol";
 import type { Run } from "../core/run";
 import { grid, skirt } from "./block";
 import { type Colouring, colouring } from "./colouring";
@@ -42,13 +43,18 @@ export class Terrain {
   /** The smoothing with which it is drawn, and for which `usual` was chosen. */
   private smoothing = -1;
   private lastStep = -1;
+  /** The scenario (as a text) whose first wind was noted last, and its description. */
+  private described: Description | null = null;
+  private scenario = "";
   private readonly paths: PathLines;
   private readonly plants: Plants;
   private readonly relief: Relief;
   private readonly top: THREE.ShaderMaterial;
   private readonly side: THREE.ShaderMaterial;
   private textures: FieldTextures | null = null;
-  private shape = "";
+  /** The lattice that it is drawn of, and that with the fineness of the mesh. */
+  private lattice = "";
+  private mesh = "";
   private ground: Float32Array = new Float32Array(0);
   private groundKey: [Float32Array | null, number] = [null, 0];
   private map = "";
@@ -58,6 +64,7 @@ export class Terrain {
     light: LightUniforms,
     private readonly linear: boolean,
     host: Element,
+    private readonly winds: Map<string, number>,
   ) {
     this.paths = new PathLines(host);
     this.uniforms = { ...terrainUniforms(), ...light };
@@ -149,7 +156,13 @@ export class Terrain {
       this.forget();
       run.painted = false;
     }
-    this.firstWind ??= wind;
+    if (this.described !== run.description) {
+      this.described = run.description;
+      this.scenario = JSON.stringify(run.description!.scenario);
+    }
+    const one = `${this.app.runs.length} ${this.scenario}`; // a run that is compared is another one than that before it
+    this.firstWind ??= (step > 0 ? this.winds.get(one) : undefined) ?? wind;
+    this.winds.set(one, this.firstWind);
     this.lastStep = step;
   }
 
@@ -236,10 +249,11 @@ export class Terrain {
 
   private reshape(run: Run, plain: boolean): void {
     const { lattice } = run.description!;
-    const shape = `${run.rows}x${run.columns}x${lattice.cell_size}${plain}`;
-    if (shape === this.shape) return;
-    this.shape = shape;
-    this.usual = Number.POSITIVE_INFINITY;
+    const shape = `${run.rows}x${run.columns}x${lattice.cell_size}`;
+    if (`${shape}${plain}` === this.mesh) return;
+    if (shape !== this.lattice) this.usual = Number.POSITIVE_INFINITY; // not for a picture that is drawn more finely than the page
+    this.lattice = shape;
+    this.mesh = `${shape}${plain}`;
     this.extent = [run.columns * lattice.cell_size, run.rows * lattice.cell_size];
     this.scale = SIZE / Math.max(...this.extent);
     this.textures?.dispose();

@@ -40,6 +40,7 @@ class PictureSheet {
     ...["as the scene", "day", "dusk"].map((text) => h("option", { value: text }, text)),
   );
   private readonly words: WordsRows;
+  private readonly lines = h("input", { type: "checkbox", onchange: () => this.changed() });
   private readonly clear = h("input", { type: "checkbox", onchange: () => this.changed() });
   private readonly sheet: HTMLDialogElement;
   private drawing = false;
@@ -50,7 +51,7 @@ class PictureSheet {
     private readonly stage: Stage,
   ) {
     const check = (text: string, box: HTMLInputElement) => h("label", { className: "check" }, box, text);
-    this.words = wordsRows(app, stage, () => this.changed(), check("without sky and plain (transparent)", this.clear));
+    this.words = wordsRows(app, stage, () => this.changed(), check("lines of section and ruler", this.lines), check("without sky and plain (transparent)", this.clear));
     const row = (text: string, ...controls: HTMLElement[]) => h("div", { className: "row" }, h("span", {}, text), h("div", { className: "control" }, ...controls));
     this.sheet = formDialog(
       "Picture",
@@ -63,6 +64,8 @@ class PictureSheet {
       this.words.element,
     );
     this.sheet.classList.add("picture");
+    stage.steady = true; // what is saved is what the preview shows
+    this.sheet.addEventListener("close", () => (stage.steady = false));
     this.resize();
   }
 
@@ -90,7 +93,7 @@ class PictureSheet {
   /** The picture with its words; `share` of its size. */
   private async shot(share: number, progress?: Progress): Promise<Shot> {
     const [width, height] = [this.width, this.height].map((input) => Math.max(Math.round(input.number! * share), 1)) as [number, number];
-    const shot = await this.stage.shoot({ width, height, dark: this.dark, transparent: this.clear.checked, ...(progress ? { progress } : {}) });
+    const shot = await this.stage.shoot({ width, height, dark: this.dark, transparent: this.clear.checked, lines: this.lines.checked, ...(progress ? { progress } : {}) });
     drawWords(this.app, this.stage, shot, this.words.chosen(), this.dark);
     return shot;
   }

@@ -67,13 +67,13 @@ export class Pointer {
     if (!event.isPrimary) return this.finger ? this.turnInstead(this.finger) : undefined; // further fingers are the camera's
     if (event.button !== 0 || event.altKey || !(this.paint.active || this.drawing || this.ruler.active)) return;
     const found = this.stage.pick(event);
-    if (!found) return;
-    this.stage.controls.enabled = false;
+    if (!found && !this.paint.active) return;
+    this.stage.controls.enabled = false; // with a brush beside the field as well, which one may miss
     this.stage.canvas.setPointerCapture(event.pointerId);
-    if (this.paint.active) {
-      if (event.pointerType === "touch") this.finger = event;
-      this.paint.press(found.run, found.place);
-    } else if (this.drawing) this.from = [found.place.x, found.place.y];
+    if (this.paint.active && event.pointerType === "touch") this.finger = event;
+    if (!found) return;
+    if (this.paint.active) this.paint.press(found.run, found.place);
+    else if (this.drawing) this.from = [found.place.x, found.place.y];
     else {
       this.pressed = event;
       this.ruler.press(found.place.x, found.place.y);

@@ -36,9 +36,9 @@ export async function filmOfStates(app: App, stage: Stage, film: SceneFilm, prog
   const back = shown.looking ? shown.step : null;
   const steps = shownSteps(app.runs).slice(-film.states);
   const fits = stage.fits;
-  stage.stand(place); // which a field that grows does not move
   const turn = (film.turn * Math.PI) / 180;
-  if (turn) stage.keepWhole(turn, film.width, film.height);
+  stage.keepWhole(turn, film.width, film.height);
+  stage.stand(stage.standpoint()); // which a field that grows does not move
   stage.steady = true;
   // from the first picture to the last one, heights and colours mean the same
   app.view.follow({ ...look, exaggeration: look.exaggeration ?? stage.terrain(app.current!)?.exaggeration ?? null, limits: look.limits ?? limitsOf(stage, app) });

@@ -1,6 +1,8 @@
 /** The first minute: three steps that each wait for their reader. */
 
 import type { App } from "../core/app";
+import type { Status } from "../core/protocol";
+import type { Signal } from "../core/signal";
 import { h } from "./dom";
 
 interface Step {
@@ -16,21 +18,26 @@ interface Step {
 
 const TURN = 90;
 /** Steps after which crescents stand, and within which they follow another wind. */
-const GROWN = 120;
+const GROWN = 250;
 const FOLLOWED = 150;
 
 export class Tour {
   readonly element = h("section", { className: "tour", "aria-label": "Tour", hidden: true });
   private at = -1;
   private windAtStart = 0;
+  /** The status of the run in the picture that was drawn last: one that has come may not be seen yet. */
+  private drawn: Status | null = null;
   private readonly text = h("p", { role: "status" });
 
   constructor(
     private readonly app: App,
     private readonly openWind: () => void,
+    painted: Signal<void>,
   ) {
-    app.framed.watch(() => this.follow());
-    app.changed.watch(() => this.follow());
+    painted.watch(() => {
+      this.drawn = app.current?.status ?? null;
+      this.follow();
+    });
   }
 
   begin(): void {
@@ -43,20 +50,20 @@ export class Tour {
   }
 
   private steps(): Step[] {
-    const status = () => this.app.current?.status;
+    const { drawn } = this;
     return [
       {
         text: `Wait until dunes stand: sand that the wind moves gathers in heaps with a steep side in the lee. The arrow shows where the wind blows${this.steady ? "" : "; it comes from several sides in turn"}.`,
         ready: "Dunes stand now.",
         label: "go on",
         act: () => this.choose(1),
-        done: () => (status()?.step ?? 0) >= GROWN,
+        done: () => drawn !== null && drawn.step >= Math.min(GROWN, drawn.end),
       },
       {
         text: `Turn the wind: ${this.steady ? "drag the head of the dial in the panel, or let it be turned by a right angle." : "the winds in the panel blow one after the other; let a steady one take their place, turned by a right angle."}`,
         label: `turn it by ${TURN}°`,
         act: () => this.turn(),
-        done: () => Math.abs(((((status()?.wind ?? 0) - this.windAtStart) % 360) + 540) % 360 - 180) > 30,
+        done: () => Math.abs(((((drawn?.wind ?? this.windAtStart) - this.windAtStart) % 360) + 540) % 360 - 180) > 30,
       },
       {
         text: "Watch the horns: under one wind slip faces move to the new lee side, and low ends run ahead as horns. Press 2 for the direction of the crests, drag the slider below to compare.",
@@ -102,9 +109,8 @@ export class Tour {
   private follow(): void {
     if (this.at < 0 || !this.app.current?.ready) return;
     const { done, ready, text } = this.steps()[this.at]!;
-    if (!done()) return;
-    if (ready === undefined) return this.choose(this.at + 1);
-    const whole = `${text} ${ready}`;
-    if (this.text.textContent !== whole) this.text.textContent = whole;
+    if (done() && ready === undefined) return this.choose(this.at + 1);
+    const told = done() ? `${text} ${ready}` : text;
+    if (this.text.textContent !== told) this.text.textContent = told;
   }
 }
