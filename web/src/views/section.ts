@@ -9,7 +9,7 @@ import type { Stage } from "../scene/stage";
 import { nameBeside } from "../core/run";
 import { SectionEnds } from "./section_ends";
 import { SectionLegend, sectionItems } from "./section_legend";
-import { type Drawn, drawShadows, drawSurface } from "./section_marks";
+import { type Drawn, drawShadowStrips, drawShadows, drawSurface } from "./section_marks";
 import { type Second, placed, secondProfile, sectionCsv } from "./second_profile";
 import { SectionLayers } from "./strata";
 import { CHART_FONT, button, download, fitCanvas, h, heights, lengthUnit, metres, short, themeColour, ticks } from "../ui/dom";
@@ -144,7 +144,8 @@ export class SectionView {
       c.fillStyle = colour;
       c.fill();
     };
-    for (const one of drawn) drawShadows(c, one.profile, x, y(high), y(low), sideOf(one.run));
+    if (second) drawShadowStrips(c, drawn, x, y(high));
+    else drawShadows(c, p, x, y(high), y(low), sideOf(run));
     const layered = this.layers.draw(c, run, this.current(run), x, y, low);
     c.globalAlpha = second ? FILLED_OF_TWO : 1;
     if (!layered) area(drawn[0]!.profile.surface, themeColour(drawn[0]!.run.material === "snow" ? "snow" : "loose"));

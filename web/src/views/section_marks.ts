@@ -3,7 +3,7 @@
 import type { Profile } from "../core/profile";
 import type { Run } from "../core/run";
 import { themeColour } from "../ui/dom";
-import { RIGHT, type Side } from "../ui/sides";
+import { RIGHT, type Side, sideOf } from "../ui/sides";
 
 /** The share of the angle of repose from which a slope counts as near it. */
 const NEAR = 0.85;
@@ -30,6 +30,18 @@ export function shadowFill(c: CanvasRenderingContext2D, side: Side): string | Ca
   }
   t.stroke();
   return c.createPattern(tile, "repeat")!;
+}
+
+/** Height of the strip that tells the shadow zones of one of two runs, and the distance of both (pixels). */
+const STRIP = 7;
+const BETWEEN = 2;
+
+/** The shadow zones of two runs, a strip each below the top of the plot: over its whole height they would hide both lines. */
+export function drawShadowStrips(c: CanvasRenderingContext2D, drawn: Drawn[], x: Across, top: number): void {
+  drawn.forEach(({ run, profile }, at) => {
+    const above = top + at * (STRIP + BETWEEN);
+    drawShadows(c, profile, x, above, above + STRIP, sideOf(run));
+  });
 }
 
 /** Fill the zones in shadow from the top of the plot to its foot. */
