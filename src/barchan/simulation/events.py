@@ -114,6 +114,8 @@ class Record:
     def data(self) -> dict[str, Any]:
         """The record as plain data."""
         data = without_empty_notes(self.event.model_dump(mode="json"))
+        if data.get("trail") == []:
+            del data["trail"]  # as journals of earlier versions have it
         return {"step": self.step, **data}
 
     @classmethod
