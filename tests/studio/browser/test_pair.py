@@ -89,8 +89,9 @@ def test_two_runs_whose_steps_last_differently_have_times_of_their_own_until_bot
     said = page.locator(".toast", has_text="not at equal times")
     page.set_viewport_size({"width": 1280, "height": 720})
     studio.ask("document.querySelector('.wind-text').textContent = 'wind from 156° | 154°'")  # the widest
-    note, winds = said.bounding_box(), page.locator(".wind-text").bounding_box()
-    assert note["x"] + note["width"] < winds["x"]
+    box = "document.querySelector('{}').getBoundingClientRect()"
+    studio.until(f"{box.format('.toast')}.right < {box.format('.wind-text')}.left")
+    assert said.bounding_box()["x"] >= 0
     said.get_by_role("button", name="give both the same duration").click()
     lasting = "window.barchan.app.runs[0].description.step_seconds"
     at_one_time = f"run.status.step > 0 && Math.abs(run.status.time / run.status.step / {lasting} - 1) < 1e-9"

@@ -293,6 +293,7 @@ def test_the_plot_of_crests_stays_where_it_is_while_the_wind_comes_from_several_
 def test_a_line_of_measures_has_gaps_where_there_is_no_value(studio):
     """Of six values 3 and 5 are missing: a line from the first to the second, a dot, and a dot."""
     studio.pause()
+    studio.until(f"{RUN}.measures.at(-1)?.step === {RUN}.status.step")
     studio.page.keyboard.press("2")
     values = [1.0, 2.0, None, 1.5, None, 1.0]
     rows = [
@@ -305,11 +306,16 @@ def test_a_line_of_measures_has_gaps_where_there_is_no_value(studio):
     found = studio.ask(
         """(() => {
             const { chart } = window.barchan.series.charts.find(({ measure }) => measure.name === "speed");
+            const c = document.createElement("canvas").getContext("2d");
+            c.fillStyle = getComputedStyle(document.documentElement).getPropertyValue("--left").trim();
+            c.fillRect(0, 0, 1, 1);
+            const own = c.getImageData(0, 0, 1, 1).data;
             const inked = (step) => {
                 const x = Math.round(chart.valToPos(step, "x", true));
                 const strip = chart.ctx.getImageData(x - 1, chart.bbox.top, 3, chart.bbox.height).data;
-                const reddish = (at) => strip[at] > 120 && strip[at + 2] < 90 && strip[at + 3] > 90;
-                return Array.from({ length: strip.length / 4 }, (_, pixel) => 4 * pixel).some(reddish);
+                const far = (at) => [0, 1, 2].reduce((sum, c) => sum + Math.abs(strip[at + c] - own[c]), 0);
+                const inOwnColour = (at) => strip[at + 3] > 90 && far(at) < 90;
+                return Array.from({ length: strip.length / 4 }, (_, pixel) => 4 * pixel).some(inOwnColour);
             };
             const steps = [5, 15, 25, 30, 40, 50];
             return { dots: chart.series[1].points.filter(chart, 1), inked: steps.map(inked) };
