@@ -60,7 +60,7 @@ def test_tufts_stand_in_natural_colours_only(studio):
     )
     studio.ask(f"window.barchan.app.create({json.dumps(scenario.data())}, true)")
     share = f"{RUN}.fields.get('effectiveness')"
-    grown = f"{share}?.filter((one) => one > 0.2).length > 0.2 * {share}?.length"
+    grown = f"{share}?.filter((one) => one > 0.5).length > 0.2 * {share}?.length"
     studio.until(f"{RUN}.description.scenario.title.startsWith('Nebkhas') && {grown}")
     studio.pause()
     show(studio, "natural", "effectiveness")
