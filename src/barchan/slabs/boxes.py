@@ -48,9 +48,9 @@ def _sloping_tops(grid: Grid, angle: float, steepest: float) -> SlopingTops:
         steps = along, across * HEX_ROWS + along / 2, across * HEX_ROWS - along / 2
         thirds = steps[0] / 3, steps[1] / 3, steps[2] / 3
         reach = steepest * math.sqrt(1 / 3)
-        return SlopingTops(along, across * HEX_ROWS, across / HEX_ROWS, thirds, steepest, reach)
+        return SlopingTops(along, across / HEX_ROWS, thirds, steepest, reach)
     reach = steepest * (abs(along) + across) / 2
-    return SlopingTops(along, across, across, (along / 2, across / 2, 0.0), steepest, reach)
+    return SlopingTops(along, across, (along / 2, across / 2, 0.0), steepest, reach)
 
 
 def _hexagon_faces(angle: float, fall: float) -> HexagonFaces:

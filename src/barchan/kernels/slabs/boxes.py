@@ -139,7 +139,7 @@ def _among_squares(faces, tops, view, along, across, here, peak, grid, width):
             row += faces.upwind
             beside += faces.upwind
             if tops is not None:
-                aside -= faces.upwind * tops.across
+                aside -= faces.upwind * tops.height
             if row < 0 or row >= grid.rows:
                 if not grid.wrap_across:
                     return False

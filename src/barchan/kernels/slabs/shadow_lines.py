@@ -93,8 +93,6 @@ class SlopingTops(NamedTuple):
 
     along: float
     """How much farther to the wind's left (widths of a cell) a place one column farther along lies."""
-    across: float
-    """The same of a place that is one row farther across."""
     height: float
     """The same of a place that is the height of a cell farther across; of squares that is a row."""
     steps: tuple[float, float, float]
